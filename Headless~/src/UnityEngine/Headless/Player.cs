@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine.Headless
+{
+    /// <summary>What the host hands to the engine assembly before anything runs, and what both sides look up.</summary>
+    internal static class Player
+    {
+        /// <summary>Null = no graphics: SystemInfo says so and every GPU object refuses by name.</summary>
+        public static IGraphicsDevice Device;
+        /// <summary>Throw where Unity is undefined or logs and goes on; garbage-fill new buffers. Off for foreign projects.</summary>
+        public static bool Strict = true;
+        public static IAssetSource Assets;
+        public static int ScreenWidth = 1280, ScreenHeight = 720;
+        public static string ProjectPath = "", ProductName = "Rill", CompanyName = "Rill";
+        public static bool LinearColorSpace = true;
+        /// <summary>Lets a test or a command pretend that the machine cannot run compute shaders.</summary>
+        public static bool PretendNoCompute;
+    }
+
+    /// <summary>Assets by path, name and GUID; implemented over a project's folders by the host.</summary>
+    internal interface IAssetSource
+    {
+        /// <summary>As Resources.Load: path without extension below any Resources folder; null when there is none.</summary>
+        Object LoadResource(string path, Type type);
+        IEnumerable<Object> LoadAllResources(string path, Type type);
+        /// <summary>By the name behind the Shader keyword; null when there is none.</summary>
+        Shader FindShader(string name);
+        /// <summary>By GUID of its .meta and local file id; null when there is none.</summary>
+        Object LoadAsset(string guid, long fileId, Type type);
+        /// <summary>"Assets/..." or "Packages/name/..." to a file on disk; null when there is none.</summary>
+        string ResolvePath(string assetPath);
+        string GuidOfPath(string assetPath);
+    }
+}

@@ -1,0 +1,8 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Rill.Editor")]
+[assembly: InternalsVisibleTo("Rill.Tests")]
+[assembly: InternalsVisibleTo("Rill.Editor.Tests")]
+// The headless host's benchmark and explain commands read the solver's stages.
+[assembly: InternalsVisibleTo("Host")]
+[assembly: InternalsVisibleTo("Host.Tests")]

@@ -1,0 +1,54 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Draws the box of the <see cref="FluidSimulation"/> on this object: edges and a chequered floor.</summary>
+    [AddComponentMenu("Rill/Domain Renderer")]
+    public sealed class DomainRenderer : FluidRenderer
+    {
+        const int EdgeVertices = 24, FloorVertices = 6;
+
+        [SerializeField] Color edges = new Color(0.25f, 0.28f, 0.32f);
+        [SerializeField] Color floor = new Color(0.78f, 0.80f, 0.82f);
+
+        [Tooltip("Side of a floor tile, m.")]
+        [Min(1e-3f)]
+        [SerializeField] float tile = 0.25f;
+
+        MaterialPropertyBlock edgeProperties, floorProperties;
+
+        private protected override string Stage => "DomainRenderer";
+
+        private protected override void Draw()
+        {
+            edgeProperties ??= new MaterialPropertyBlock();
+            floorProperties ??= new MaterialPropertyBlock();
+            Draw(edgeProperties, MeshTopology.Lines, EdgeVertices, 0f);
+            Draw(floorProperties, MeshTopology.Triangles, FloorVertices, 1f);
+        }
+
+        private protected override void DescribeDraws(StageDescription description) => description.Draw("Domain", 2);
+
+        void Draw(MaterialPropertyBlock properties, MeshTopology topology, int vertices, float drawFloor)
+        {
+            Matrix4x4 box = Simulation.DomainToWorld * Matrix4x4.Scale(Simulation.DomainSize / Simulation.ParticleSpacing);
+            properties.SetMatrix(Ids.BoxToWorld, box);
+            properties.SetVector(Ids.BoxSize, Simulation.DomainSize);
+            properties.SetVector(Ids.LineColor, ShaderColor(edges));
+            properties.SetVector(Ids.FloorColor, ShaderColor(floor));
+            properties.SetFloat(Ids.FloorTile, tile);
+            properties.SetFloat(Ids.DrawFloor, drawFloor);
+            Graphics.RenderPrimitives(Parameters(properties), topology, vertices);
+        }
+
+        static class Ids
+        {
+            public static readonly int BoxToWorld = Shader.PropertyToID("_BoxToWorld");
+            public static readonly int BoxSize = Shader.PropertyToID("_BoxSize");
+            public static readonly int LineColor = Shader.PropertyToID("_LineColor");
+            public static readonly int FloorColor = Shader.PropertyToID("_FloorColor");
+            public static readonly int FloorTile = Shader.PropertyToID("_FloorTile");
+            public static readonly int DrawFloor = Shader.PropertyToID("_DrawFloor");
+        }
+    }
+}

@@ -1,0 +1,84 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
+    [RequireComponent(typeof(FluidSimulation))]
+    [DefaultExecutionOrder(100)]    // after the simulation's step
+    public abstract class FluidRenderer : MonoBehaviour
+    {
+        Material material;
+
+        /// <summary>Asset under Resources/Rill that holds the shader.</summary>
+        private protected abstract string Stage { get; }
+
+        private protected FluidSimulation Simulation { get; private set; }
+
+        /// <summary>Draws one frame; the simulation is running.</summary>
+        private protected abstract void Draw();
+
+        /// <summary>What this renderer costs the scene.</summary>
+        internal StageDescription Describe()
+        {
+            var description = new StageDescription(GetType().Name, isActiveAndEnabled, isActiveAndEnabled ? $"component on '{name}'" : $"the component on '{name}' is off");
+            if (isActiveAndEnabled)
+                DescribeDraws(description);
+            return description;
+        }
+
+        private protected abstract void DescribeDraws(StageDescription description);
+
+        /// <summary>For a draw with these properties: the box is what can be seen of it.</summary>
+        private protected RenderParams Parameters(MaterialPropertyBlock properties)
+        {
+            // Holds the box at any rotation, and the spheres at its walls.
+            float across = Simulation.DomainSize.magnitude + 4f * Simulation.ParticleSpacing;
+            return new RenderParams(material)
+            {
+                worldBounds = new Bounds(Simulation.transform.position, Vector3.one * across),
+                matProps = properties,
+                layer = gameObject.layer,
+                shadowCastingMode = ShadowCastingMode.Off,
+                receiveShadows = false,
+            };
+        }
+
+        /// <summary>A colour as shaders without declared properties need it: in the project's own colour space.</summary>
+        private protected static Vector4 ShaderColor(Color color)
+        {
+            return QualitySettings.activeColorSpace == ColorSpace.Linear ? color.linear : color;
+        }
+
+        void OnEnable()
+        {
+            Simulation = GetComponent<FluidSimulation>();
+            try
+            {
+                material = new Material(StageShader.Load(Stage).Shader) { hideFlags = HideFlags.HideAndDontSave };
+            }
+            catch (InvalidOperationException problem)
+            {
+                Debug.LogError($"Rill: {GetType().Name} '{name}' is off: {problem.Message}", this);
+                enabled = false;
+            }
+        }
+
+        void OnDisable()
+        {
+            Simulation.NeedsDensity = false;
+            if (Application.isPlaying)
+                Destroy(material);
+            else
+                DestroyImmediate(material);
+            material = null;
+        }
+
+        void Update()
+        {
+            if (Simulation.IsRunning)
+                Draw();
+        }
+    }
+}

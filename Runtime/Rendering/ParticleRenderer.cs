@@ -1,0 +1,95 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Draws the particles of the <see cref="FluidSimulation"/> on this object as lit spheres, straight from the GPU.</summary>
+    /// <remarks>
+    /// One indirect draw a camera, opaque, with depth. Drawn by the Built-in pipeline and by URP. Takes its light from
+    /// <c>sun</c>, since a pass that runs in every pipeline is given none.
+    /// </remarks>
+    [AddComponentMenu("Rill/Particle Renderer")]
+    public sealed class ParticleRenderer : FluidRenderer
+    {
+        /// <summary>What the colour of a particle shows.</summary>
+        public enum Quantity { Speed, Density }
+
+        /// <summary>Two triangles of a quad; kVerticesPerParticle in Arguments.hlsl.</summary>
+        internal const int VerticesPerParticle = 6;
+
+        [Tooltip("Radius of a sphere, particle spacings. Above 0.5 neighbors overlap and the surface closes.")]
+        [Range(0.1f, 2f)]
+        [SerializeField] float radius = 0.6f;
+
+        [Tooltip("What the colour shows. Density costs a visit to the neighbors if viscosity is 0.")]
+        [SerializeField] Quantity colorBy = Quantity.Speed;
+
+        [Tooltip("Speed, m/s, or relative density error at which the last colour is reached.")]
+        [Min(1e-4f)]
+        [SerializeField] float colorRange = 3f;
+
+        [SerializeField] Color slowColor = new Color(0.03f, 0.22f, 0.55f);
+        [SerializeField] Color middleColor = new Color(0.10f, 0.47f, 0.80f);
+        [SerializeField] Color fastColor = new Color(0.85f, 0.95f, 1.00f);
+
+        [Tooltip("Light whose direction and colour the spheres take. None: from above.")]
+        [SerializeField] Light sun;
+
+        [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
+
+        MaterialPropertyBlock properties;
+
+        /// <summary>What the colour of a particle shows.</summary>
+        public Quantity ColorBy { get => colorBy; set => colorBy = value; }
+
+        /// <summary>Speed, m/s, or relative density error at which the last colour is reached.</summary>
+        public float ColorRange { get => colorRange; set => colorRange = Math.Max(value, 1e-4f); }
+
+        private protected override string Stage => "ParticleRenderer";
+
+        private protected override void Draw()
+        {
+            Simulation.NeedsDensity = colorBy == Quantity.Density;
+            SetProperties();
+            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments, 1, 1);
+        }
+
+        private protected override void DescribeDraws(StageDescription description) => description.Draw("Particles", 1);
+
+        void SetProperties()
+        {
+            properties ??= new MaterialPropertyBlock();
+            PbfSolver solver = Simulation.Solver;
+            properties.SetBuffer(Ids.Positions, solver.Positions);
+            properties.SetBuffer(Ids.Velocities, solver.Velocities);
+            properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
+            properties.SetFloat(Ids.ParticleSpacing, Simulation.ParticleSpacing);
+            properties.SetFloat(Ids.ParticleRadius, radius * Simulation.ParticleSpacing);
+            properties.SetVector(Ids.SlowColor, ShaderColor(slowColor));
+            properties.SetVector(Ids.MiddleColor, ShaderColor(middleColor));
+            properties.SetVector(Ids.FastColor, ShaderColor(fastColor));
+            bool speed = colorBy == Quantity.Speed;
+            // Density errors have a sign: rest density is the middle of the ramp.
+            properties.SetVector(Ids.ColorRange, speed ? new Vector4(1f / colorRange, 0f, 0f, 0f) : new Vector4(0f, 0.5f / colorRange, 0.5f, 0f));
+            properties.SetVector(Ids.LightDirection, sun != null ? -sun.transform.forward : new Vector3(0.3f, 0.9f, -0.3f).normalized);
+            properties.SetVector(Ids.LightColor, sun != null ? ShaderColor(sun.color) * sun.intensity : Vector4.one);
+            properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
+            public static readonly int ParticleRadius = Shader.PropertyToID("_ParticleRadius");
+            public static readonly int SlowColor = Shader.PropertyToID("_SlowColor");
+            public static readonly int MiddleColor = Shader.PropertyToID("_MiddleColor");
+            public static readonly int FastColor = Shader.PropertyToID("_FastColor");
+            public static readonly int ColorRange = Shader.PropertyToID("_ColorRange");
+            public static readonly int LightDirection = Shader.PropertyToID("_LightDirection");
+            public static readonly int LightColor = Shader.PropertyToID("_LightColor");
+            public static readonly int AmbientColor = Shader.PropertyToID("_AmbientColor");
+        }
+    }
+}

@@ -1,0 +1,30 @@
+using System;
+
+namespace Rill
+{
+    /// <summary>Turns frame times into whole fixed steps; a hitch longer than the cap is dropped and counted, not caught up with.</summary>
+    struct FixedStepClock
+    {
+        // Frame times summed in floating point fall a hair short of whole steps; without this the steps would stutter.
+        const double Tolerance = 1e-4;
+
+        double accumulated;
+
+        /// <summary>Time that the cap dropped since the start, s.</summary>
+        public double Dropped { get; private set; }
+
+        /// <summary>Steps to take for a frame.</summary>
+        /// <param name="frameTime">s, not negative.</param>
+        /// <param name="step">Length of a fixed step, s, above 0.</param>
+        /// <param name="mostSteps">Cap, at least 1.</param>
+        public int Advance(double frameTime, double step, int mostSteps)
+        {
+            accumulated += frameTime;
+            double due = Math.Floor(accumulated / step + Tolerance);
+            int steps = (int)Math.Min(due, mostSteps);
+            Dropped += (due - steps) * step;
+            accumulated = Math.Max(accumulated - due * step, 0.0);
+            return steps;
+        }
+    }
+}

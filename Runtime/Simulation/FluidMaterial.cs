@@ -1,0 +1,54 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What the fluid is: SI units, or relative where a unit would make the value depend on the spacing.</summary>
+    [Serializable]
+    public struct FluidMaterial
+    {
+        [Tooltip("Rest density, kg/m³. Matters for energy and for forces on bodies, not for the motion of the fluid alone.")]
+        [Min(1e-3f)] public float density;
+
+        [Tooltip("XSPH viscosity: share of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1.")]
+        [Range(0f, 1f)] public float viscosity;
+
+        [Tooltip("Vorticity confinement, m/s: acceleration per unit of vorticity that keeps eddies alive. 0 (off) to 10.")]
+        [Range(0f, 10f)] public float vorticity;
+
+        [Tooltip("Artificial pressure k of s_corr, as the density error that it counters. 0 (off) to 1; 0.1 makes a surface of its own.")]
+        [Range(0f, 1f)] public float artificialPressure;
+
+        [Tooltip("Distance at which the artificial pressure is k, in support radii. 0.1 to 0.3.")]
+        [Range(0.1f, 0.3f)] public float artificialPressureDistance;
+
+        [Tooltip("Negative density error that is still pulled together. 0 (off) to 0.5; more makes strings and clumps.")]
+        [Range(0f, 0.5f)] public float allowedTension;
+
+        public static FluidMaterial Water => new FluidMaterial
+        {
+            density = 1000f,
+            viscosity = 0.01f,
+            vorticity = 0f,
+            artificialPressure = 0f,
+            artificialPressureDistance = 0.2f,
+            allowedTension = 0f,
+        };
+
+        /// <summary>Puts every value into its range.</summary>
+        /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
+        /// <returns>Whether the material was valid as it stood.</returns>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            FluidMaterial water = Water;
+            Limit.Clamp("density", ref density, 1e-3f, 1e6f, water.density, ref problem);
+            Limit.Clamp("viscosity", ref viscosity, 0f, 1f, water.viscosity, ref problem);
+            Limit.Clamp("vorticity", ref vorticity, 0f, 10f, water.vorticity, ref problem);
+            Limit.Clamp("artificial pressure", ref artificialPressure, 0f, 1f, water.artificialPressure, ref problem);
+            Limit.Clamp("artificial pressure distance", ref artificialPressureDistance, 0.1f, 0.3f, water.artificialPressureDistance, ref problem);
+            Limit.Clamp("allowed tension", ref allowedTension, 0f, 0.5f, water.allowedTension, ref problem);
+            return problem == null;
+        }
+    }
+}

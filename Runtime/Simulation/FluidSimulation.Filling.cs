@@ -1,0 +1,89 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    // Filling: from world space into the domain's frame.
+    public sealed partial class FluidSimulation
+    {
+        /// <summary>Adds particles at once. Those beyond the capacity are refused and counted in the statistics.</summary>
+        /// <param name="positions">World space, m.</param>
+        /// <param name="velocities">World space, m/s; as many as positions.</param>
+        /// <exception cref="InvalidOperationException">The simulation is not running.</exception>
+        /// <exception cref="ArgumentException">Unequal lengths.</exception>
+        public void AddParticles(NativeArray<float3> positions, NativeArray<float3> velocities)
+        {
+            if (pbf == null)
+                throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before adding particles.");
+            if (positions.Length != velocities.Length)
+                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
+
+            Quaternion toDomain = Quaternion.Inverse(transform.rotation);
+            using (var local = new NativeArray<float4>(positions.Length, Allocator.Persistent))
+            using (var localVelocities = new NativeArray<float4>(positions.Length, Allocator.Persistent))
+            {
+                NativeArray<float4> to = local, velocitiesTo = localVelocities;
+                for (int i = 0; i < positions.Length; i++)
+                {
+                    to[i] = new float4(ToDomain(positions[i], toDomain), 0f);
+                    velocitiesTo[i] = new float4((float3)(toDomain * (Vector3)velocities[i]), 0f);
+                }
+                pbf.Add(local, localVelocities);
+            }
+        }
+
+        void FillVolumes()
+        {
+            long filled = 0;
+            foreach (FluidVolume volume in GetComponentsInChildren<FluidVolume>())
+                filled += Fill(volume);
+            if (filled > capacity)
+                Debug.LogWarning($"Rill: FluidSimulation '{name}' refused {filled - capacity:N0} of {filled:N0} particles of its volumes: the capacity is {capacity:N0}. Raise it, shrink the volumes or raise the particle spacing.", this);
+        }
+
+        // Returns the particles that it gave to the solver.
+        int Fill(FluidVolume volume)
+        {
+            NativeArray<float4> positions = default, velocities = default;
+            try
+            {
+                volume.Fill(particleSpacing, seed, out positions, out velocities);
+                Quaternion toDomain = Quaternion.Inverse(transform.rotation);
+                int inside = 0;
+                for (int i = 0; i < positions.Length; i++)
+                {
+                    float3 local = ToDomain(positions[i].xyz, toDomain);
+                    if (math.any(local < 0f) || math.any(local > (float3)domainSize))
+                        continue;
+                    positions[inside] = new float4(local, 0f);
+                    velocities[inside] = new float4((float3)(toDomain * (Vector3)velocities[i].xyz), 0f);
+                    inside++;
+                }
+                if (inside < positions.Length)
+                    Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume '{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
+                if (inside > 0)
+                    pbf.Add(positions.GetSubArray(0, inside), velocities.GetSubArray(0, inside));
+                return inside;
+            }
+            catch (ArgumentException problem)
+            {
+                Debug.LogError($"Rill: FluidVolume '{volume.name}' was not filled: {problem.Message}", volume);
+                return 0;
+            }
+            finally
+            {
+                if (positions.IsCreated)
+                    positions.Dispose();
+                if (velocities.IsCreated)
+                    velocities.Dispose();
+            }
+        }
+
+        float3 ToDomain(float3 world, Quaternion toDomain)
+        {
+            return (float3)(toDomain * ((Vector3)world - transform.position)) + (float3)domainSize * 0.5f;
+        }
+    }
+}

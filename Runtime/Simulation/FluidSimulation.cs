@@ -1,0 +1,296 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// A fluid in a closed box around this object: owns its time and life-cycle and gives each fixed step to the solver.
+    /// Fluid comes from the <see cref="FluidVolume"/> components on this object and its children.
+    /// </summary>
+    /// <remarks>
+    /// The box follows the object's position and rotation, not its scale. Moving the object carries the fluid along; its
+    /// acceleration acts on the fluid unless <c>inertial</c> is off. (A turning box tilts gravity; the other forces of a
+    /// rotating frame are left out.) A problem is logged once, by name, and disables the component.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Simulation")]
+    [DisallowMultipleComponent]
+    public sealed partial class FluidSimulation : MonoBehaviour
+    {
+        [Tooltip("Inner size of the box, m. Each side at least two particle spacings.")]
+        [SerializeField] Vector3 domainSize = new Vector3(2f, 2f, 1f);
+
+        [Tooltip("Distance between particles at rest, m, above 0. Half of it means eight times the particles.")]
+        [SerializeField] float particleSpacing = 0.05f;
+
+        [Tooltip("Most particles, 1 to 16,777,216. Memory is taken for all of them; what does not fit is refused and counted.")]
+        [SerializeField] int capacity = 50000;
+
+        [SerializeField] FluidMaterial material = FluidMaterial.Water;
+        [SerializeField] SolverSettings solver = SolverSettings.Default;
+
+        [Tooltip("Acceleration in world space, m/s².")]
+        [SerializeField] Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+
+        [Tooltip("Fixed steps in a second of fluid time. 10 to 1000.")]
+        [Range(10f, 1000f)]
+        [SerializeField] float stepRate = 60f;
+
+        [Tooltip("Steps that one frame takes at most, 1 to 16. Time beyond that is dropped and counted.")]
+        [Range(1, 16)]
+        [SerializeField] int maxStepsPerFrame = 4;
+
+        [Tooltip("Whether acceleration of this object acts on the fluid: on for a glass that is shaken, off for a window that follows the player.")]
+        [SerializeField] bool inertial = true;
+
+        [SerializeField] bool paused;
+
+        [Tooltip("Of the small offsets from the lattice with which fluid is filled in.")]
+        [SerializeField] int seed = 1;
+
+        [Tooltip("Steps between measurements of the fluid. 0 measures nothing and costs nothing.")]
+        [Min(0)]
+        [SerializeField] int statisticsInterval = 10;
+
+        PbfSolver pbf;
+        CommandBuffer commands;
+        FixedStepClock clock;
+        StepInput input;
+        int stepsSinceStatistics;
+        float3 lastPosition, lastVelocity;
+        bool relaxationClamped;
+        bool layoutChanged;
+
+        /// <summary>Fixed steps taken since the last restart.</summary>
+        public int StepCount { get; private set; }
+
+        /// <summary>Fluid time since the last restart, s.</summary>
+        public double FluidTime => StepCount * (double)FixedStep;
+
+        /// <summary>Length of a fixed step, s.</summary>
+        public float FixedStep => 1f / stepRate;
+
+        /// <summary>Distance between particles at rest, m.</summary>
+        public float ParticleSpacing => particleSpacing;
+
+        /// <summary>Inner size of the box, m.</summary>
+        public Vector3 DomainSize => domainSize;
+
+        /// <summary>Whether time stands still.</summary>
+        public bool Paused { get => paused; set => paused = value; }
+
+        /// <summary>What the solver spends on a step. Out-of-range values are clamped with a warning.</summary>
+        public SolverSettings Settings { get => solver; set { solver = value; OnValidate(); } }
+
+        /// <summary>What the fluid is. Out-of-range values are clamped with a warning.</summary>
+        public FluidMaterial Material { get => material; set { material = value; OnValidate(); } }
+
+        /// <summary>Acceleration in world space, m/s².</summary>
+        public Vector3 Gravity { get => gravity; set => gravity = value; }
+
+        /// <summary>Steps between measurements; 0 for none.</summary>
+        public int StatisticsInterval { get => statisticsInterval; set => statisticsInterval = Math.Max(value, 0); }
+
+        /// <summary>Whether the fluid runs: enabled, supported and without a problem.</summary>
+        public bool IsRunning => pbf != null;
+
+        /// <summary>From the domain's frame in particle spacings, lowest corner at 0, to world space.</summary>
+        public Matrix4x4 DomainToWorld =>
+            Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one)
+            * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
+
+        internal PbfSolver Solver => pbf;
+        internal StepInput Input => input;
+
+        /// <summary>Set by what draws the density, which then is summed with the velocities.</summary>
+        internal bool NeedsDensity { get; set; }
+
+        /// <summary>Sets box, resolution and capacity; a running fluid starts anew.</summary>
+        /// <param name="size">Inner size of the box, m.</param>
+        /// <param name="spacing">Distance between particles at rest, m.</param>
+        /// <param name="particles">Most particles.</param>
+        public void Configure(Vector3 size, float spacing, int particles)
+        {
+            domainSize = size;
+            particleSpacing = spacing;
+            capacity = particles;
+            layoutChanged = true;
+        }
+
+        /// <summary>The newest measurements, a few frames old; false before the first since a restart.</summary>
+        public bool TryGetStatistics(out FluidStatistics statistics)
+        {
+            statistics = default;
+            if (pbf == null || !pbf.TryGetStatistics(input, out statistics))
+                return false;
+            statistics.relaxation = input.settings.relaxation;
+            statistics.relaxationClamped = relaxationClamped;
+            statistics.droppedTime = clock.Dropped;
+            return true;
+        }
+
+        /// <summary>Removes all particles, fills the volumes anew and sets fluid time to 0.</summary>
+        public void Restart()
+        {
+            if (pbf == null)
+                return;
+            pbf.Clear();
+            clock = default;
+            StepCount = 0;
+            stepsSinceStatistics = 0;
+            lastPosition = transform.position;
+            lastVelocity = 0f;
+            FillVolumes();
+        }
+
+        /// <summary>What each stage costs this scene, and why it is there or not; empty when not running.</summary>
+        internal List<StageDescription> Describe()
+        {
+            var stages = new List<StageDescription>();
+            if (pbf == null)
+                return stages;
+            stages.AddRange(pbf.Describe(input, statisticsInterval));
+            FluidRenderer[] renderers = GetComponents<FluidRenderer>();
+            foreach (FluidRenderer renderer in renderers)
+                stages.Add(renderer.Describe());
+            if (renderers.Length == 0)
+                stages.Add(new StageDescription("Rendering", false, $"'{name}' has no renderer component"));
+            return stages;
+        }
+
+        void OnEnable()
+        {
+            if (!SystemInfo.supportsComputeShaders)
+            {
+                Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan, Metal or OpenGL ES 3.1 or newer.");
+                return;
+            }
+            if (!HasFiniteTransform())
+                return;
+
+            ValidateSettings();
+            try
+            {
+                var layout = new SolverLayout(domainSize, particleSpacing, capacity, solver.neighborCapacity, solver.listMargin);
+                pbf = new PbfSolver(layout);
+            }
+            catch (Exception problem) when (problem is ArgumentException || problem is InvalidOperationException)
+            {
+                Fail(problem.Message);
+                return;
+            }
+            commands = new CommandBuffer { name = "Rill" };
+            layoutChanged = false;
+            Restart();
+        }
+
+        void OnDisable()
+        {
+            pbf?.Dispose();
+            pbf = null;
+            commands?.Dispose();
+            commands = null;
+        }
+
+        void OnValidate()
+        {
+            ValidateSettings();
+            layoutChanged |= pbf != null && !Matches(pbf.Layout);
+        }
+
+        void Update()
+        {
+            if (!HasFiniteTransform())
+                return;
+            if (layoutChanged)
+            {
+                OnDisable();
+                OnEnable();
+            }
+            if (pbf == null || paused)
+                return;
+
+            int steps = clock.Advance(Time.deltaTime, FixedStep, maxStepsPerFrame);
+            if (steps > 0)
+                Simulate(steps);
+        }
+
+        void Simulate(int steps)
+        {
+            PrepareInput(steps * FixedStep);
+            commands.Clear();
+            for (int i = 0; i < steps; i++)
+                pbf.Step(commands, input);
+            StepCount += steps;
+            stepsSinceStatistics += steps;
+
+            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending;
+            if (measures)
+                pbf.RecordStatistics(commands, input);
+            else if (statisticsInterval == 0)
+                pbf.ReleaseStatistics();
+            Graphics.ExecuteCommandBuffer(commands);
+
+            if (measures)
+            {
+                pbf.RequestStatistics();
+                stepsSinceStatistics = 0;
+            }
+        }
+
+        // Gravity in the domain's frame, less the acceleration of the frame itself over the steps to come.
+        void PrepareInput(float duration)
+        {
+            float3 position = transform.position;
+            float3 velocity = (position - lastPosition) / duration;
+            float3 acceleration = (velocity - lastVelocity) / duration;
+            lastPosition = position;
+            lastVelocity = velocity;
+
+            Vector3 felt = inertial ? gravity - (Vector3)acceleration : gravity;
+            input = new StepInput
+            {
+                timeStep = FixedStep,
+                gravity = Quaternion.Inverse(transform.rotation) * felt,
+                settings = solver,
+                material = material,
+                needsDensity = NeedsDensity,
+            };
+        }
+
+        void ValidateSettings()
+        {
+            relaxationClamped = solver.relaxation > SolverSettings.MaxRelaxation;
+            bool valid = solver.Validate(out string settingsProblem);
+            valid &= material.Validate(out string materialProblem);
+            if (!valid)
+                Debug.LogWarning($"Rill: FluidSimulation '{name}': {settingsProblem} {materialProblem}".TrimEnd(), this);
+        }
+
+        bool Matches(SolverLayout layout)
+        {
+            return math.all(layout.DomainSize * layout.Spacing == (float3)domainSize) && layout.Spacing == particleSpacing && layout.Capacity == capacity
+                && layout.NeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
+        }
+
+        bool HasFiniteTransform()
+        {
+            Vector3 position = transform.position;
+            Quaternion rotation = transform.rotation;
+            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
+            if (!float.IsNaN(sum) && !float.IsInfinity(sum))
+                return true;
+            Fail($"its transform is not finite (position {position}, rotation {rotation}). Set position and rotation to numbers and enable it again.");
+            return false;
+        }
+
+        // Says what is wrong and stops this component, and nothing else in the scene.
+        void Fail(string problem)
+        {
+            Debug.LogError($"Rill: FluidSimulation '{name}' is off: {problem}", this);
+            enabled = false;
+        }
+    }
+}

@@ -1,0 +1,124 @@
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>
+    /// Measures of a fluid at the end of one step, with neighbors found at those positions. The inspector, tests and
+    /// reports all read this. Lengths in metres in the domain's frame, speeds in m/s, energies in joules.
+    /// </summary>
+    public struct FluidStatistics
+    {
+        internal const int QuantityCount = 21;
+        internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
+
+        // Order of Statistics.compute.
+        enum Quantity { Count, DensityError, Interior, InteriorError, Surrounded, Jitter, SpeedSquared, Position, Velocity = 10, Escaped = 13, Coincident, Neighbors, LargestError, LargestSpeedSquared, Furthest }
+
+        /// <summary>Fixed step since the last reset that was measured; 0 is the state before the first.</summary>
+        public int step;
+        /// <summary>Fluid time of that step, s.</summary>
+        public double time;
+
+        public int particles;
+        /// <summary>Particles refused for want of capacity, since the reset.</summary>
+        public int refused;
+        /// <summary>Particles removed because their position was not finite, since the reset.</summary>
+        public int nonFinite;
+        /// <summary>Particles that had more neighbors than their list holds, in the last substep.</summary>
+        public int neighborOverflow;
+        /// <summary>Most neighbors of such a particle; 0 without one.</summary>
+        public int mostNeighbors;
+        /// <summary>Particles in cells too full to be ordered by id: there, two runs may differ.</summary>
+        public int unordered;
+        /// <summary>Particles more than 0.1 d beyond where the walls let a centre go.</summary>
+        public int escaped;
+        /// <summary>Particles closer than 0.05 d to another.</summary>
+        public int coincident;
+
+        /// <summary>C+: mean of max(0, ρ/ρ0 − 1), boundary density included.</summary>
+        public float densityError;
+        /// <summary>What one particle in a thousand exceeds of max(0, ρ/ρ0 − 1).</summary>
+        public float densityError999;
+        /// <summary>Largest max(0, ρ/ρ0 − 1).</summary>
+        public float densityErrorMax;
+        /// <summary>Mean of |ρ/ρ0 − 1| away from the free surface.</summary>
+        public float interiorError;
+        /// <summary>2 × mean height × floor area over the fluid's rest volume: 1 for still water that fills its floor.</summary>
+        public float volumeRatio;
+        /// <summary>Rms of velocity minus the neighbors' mean.</summary>
+        public float jitter;
+        /// <summary>Rms speed.</summary>
+        public float speed;
+        public float speedMax;
+        public float neighborsMean;
+        public float3 centerOfMass;
+        /// <summary>Largest coordinate of a particle along each axis.</summary>
+        public float3 furthest;
+        /// <summary>kg m/s.</summary>
+        public float3 momentum;
+        public float kineticEnergy;
+        /// <summary>With respect to the domain's lowest corner.</summary>
+        public float potentialEnergy;
+
+        /// <summary>Relaxation ω of the last step, after clamping.</summary>
+        public float relaxation;
+        /// <summary>Whether the ω asked for was above what was measured stable.</summary>
+        public bool relaxationClamped;
+        /// <summary>Fluid time that the catch-up cap dropped since the reset, s.</summary>
+        public double droppedTime;
+
+        /// <summary>Kinetic and potential energy together.</summary>
+        public float Energy => kineticEnergy + potentialEnergy;
+
+        /// <param name="block">As Statistics.compute writes it.</param>
+        internal static FluidStatistics From(NativeArray<uint> block, SolverLayout layout, float density, float3 gravity, float fixedStep)
+        {
+            float d = layout.Spacing;
+            float count = Value(block, Quantity.Count);
+            float perParticle = 1f / math.max(count, 1f);
+            float mass = density * d * d * d;
+            float3 meanPosition = Vector(block, Quantity.Position) * perParticle * d;
+            float3 meanVelocity = Vector(block, Quantity.Velocity) * perParticle * d;
+            float3 box = layout.DomainSize * d;
+            var statistics = new FluidStatistics
+            {
+                step = (int)block[QuantityCount + 1],
+                particles = (int)count,
+                refused = Counter(block, ParticleCounter.Refused),
+                nonFinite = Counter(block, ParticleCounter.NonFinite),
+                neighborOverflow = Counter(block, ParticleCounter.Overflow),
+                mostNeighbors = Counter(block, ParticleCounter.MostNeighbors),
+                unordered = Counter(block, ParticleCounter.Crowded),
+                escaped = (int)Value(block, Quantity.Escaped),
+                coincident = (int)Value(block, Quantity.Coincident),
+                densityError = Value(block, Quantity.DensityError) * perParticle,
+                densityError999 = math.asfloat(block[QuantityCount]),
+                densityErrorMax = Value(block, Quantity.LargestError),
+                interiorError = Value(block, Quantity.InteriorError) / math.max(Value(block, Quantity.Interior), 1f),
+                volumeRatio = 2f * meanPosition.y * box.x * box.z / math.max(count * d * d * d, 1e-30f),
+                jitter = d * math.sqrt(Value(block, Quantity.Jitter) / math.max(Value(block, Quantity.Surrounded), 1f)),
+                speed = d * math.sqrt(Value(block, Quantity.SpeedSquared) * perParticle),
+                speedMax = d * math.sqrt(Value(block, Quantity.LargestSpeedSquared)),
+                neighborsMean = Value(block, Quantity.Neighbors) * perParticle,
+                centerOfMass = meanPosition,
+                furthest = Vector(block, Quantity.Furthest) * d,
+                momentum = meanVelocity * (count * mass),
+                kineticEnergy = 0.5f * mass * Value(block, Quantity.SpeedSquared) * d * d,
+                potentialEnergy = -mass * count * math.dot(gravity, meanPosition),
+            };
+            statistics.time = statistics.step * (double)fixedStep;
+            return statistics;
+        }
+
+        static float Value(NativeArray<uint> block, Quantity quantity) => math.asfloat(block[(int)quantity]);
+
+        static float3 Vector(NativeArray<uint> block, Quantity first)
+        {
+            int i = (int)first;
+            return new float3(math.asfloat(block[i]), math.asfloat(block[i + 1]), math.asfloat(block[i + 2]));
+        }
+
+        static int Counter(NativeArray<uint> block, ParticleCounter counter) => (int)block[QuantityCount + 2 + (int)counter];
+    }
+}

@@ -1,0 +1,35 @@
+namespace Rill
+{
+    /// <summary>Clamps settings and says so.</summary>
+    static class Limit
+    {
+        /// <summary>Clamps; a value that is no number becomes <paramref name="fallback"/>.</summary>
+        public static void Clamp(string name, ref float value, float low, float high, float fallback, ref string problem)
+        {
+            float given = value;
+            if (float.IsNaN(given) || float.IsInfinity(given))
+                value = fallback;
+            else if (given < low)
+                value = low;
+            else if (given > high)
+                value = high;
+            else
+                return;
+            Append(ref problem, $"{name} {given} is outside {low} to {high}; using {value}.");
+        }
+
+        public static void Clamp(string name, ref int value, int low, int high, ref string problem)
+        {
+            int given = value;
+            if (given < low)
+                value = low;
+            else if (given > high)
+                value = high;
+            else
+                return;
+            Append(ref problem, $"{name} {given} is outside {low} to {high}; using {value}.");
+        }
+
+        static void Append(ref string problem, string text) => problem = problem == null ? text : problem + " " + text;
+    }
+}

@@ -1,0 +1,60 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What the solver spends on a step. Every value means the same at any particle spacing.</summary>
+    [Serializable]
+    public struct SolverSettings
+    {
+        /// <summary>Largest relaxation that stayed bounded in every scene of the stability study; see Documentation~/solver.md.</summary>
+        public const float MaxRelaxation = 1.2f;
+
+        [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
+        [Range(1, 50)] public int iterations;
+
+        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 1.2; above 0.8 the fluid gets noisier.")]
+        [Range(0f, MaxRelaxation)] public float relaxation;
+
+        [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do.")]
+        [Range(1, 16)] public int substeps;
+
+        [Tooltip("Constraint force mixing ε, as a share of the constraint's denominator at rest. 1e-6 to 1; larger is softer.")]
+        [Range(1e-6f, 1f)] public float softness;
+
+        [Tooltip("Radius of the neighbor list in support radii. 1 to 1.5; above 1 the list stays valid while particles move within a step.")]
+        [Range(1f, 1.5f)] public float listMargin;
+
+        [Tooltip("Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 96 in hard impacts; what does not fit is reported.")]
+        [Range(16, 256)] public int neighborCapacity;
+
+        [Tooltip("Order the particles of a cell by id, so that every run on one device gives the same result.")]
+        public bool deterministic;
+
+        public static SolverSettings Default => new SolverSettings
+        {
+            iterations = 4,
+            relaxation = 0.5f,
+            substeps = 1,
+            softness = 1e-3f,
+            listMargin = 1f,
+            neighborCapacity = 96,
+            deterministic = true,
+        };
+
+        /// <summary>Puts every value into its range.</summary>
+        /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
+        /// <returns>Whether the settings were valid as they stood.</returns>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            Limit.Clamp("iterations", ref iterations, 1, 50, ref problem);
+            Limit.Clamp("relaxation", ref relaxation, 0f, MaxRelaxation, Default.relaxation, ref problem);
+            Limit.Clamp("substeps", ref substeps, 1, 16, ref problem);
+            Limit.Clamp("softness", ref softness, 1e-6f, 1f, Default.softness, ref problem);
+            Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);
+            Limit.Clamp("neighbor capacity", ref neighborCapacity, 16, 256, ref problem);
+            return problem == null;
+        }
+    }
+}

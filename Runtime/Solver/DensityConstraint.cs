@@ -1,0 +1,88 @@
+using System;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Jacobi iterations of the density constraint (Macklin and Müller 2013, algorithm 1, lines 5-19).</summary>
+    sealed class DensityConstraint : IDisposable
+    {
+        static readonly ProfilerMarker ListMarker = new ProfilerMarker("Rill.List");
+        static readonly ProfilerMarker LambdaMarker = new ProfilerMarker("Rill.Lambda");
+        static readonly ProfilerMarker DisplaceMarker = new ProfilerMarker("Rill.Displace");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
+        readonly int buildList, solveLambda, displace, displaceWithPressure;
+        readonly LocalKeyword twoLists;
+
+        public DensityConstraint(SolverLayout layout)
+        {
+            buildList = shader.FindKernel("BuildList");
+            solveLambda = shader.FindKernel("SolveLambda");
+            displace = shader.FindKernel("Displace");
+            displaceWithPressure = shader.FindKernel("DisplaceWithPressure");
+            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            Lists = new NeighborLists(layout);
+        }
+
+        public NeighborLists Lists { get; }
+
+        /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up.</summary>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure)
+        {
+            Lists.RecordKeyword(cmd, shader, twoLists);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+
+            cmd.BeginSample(ListMarker);
+            cmd.SetComputeBufferParam(shader, buildList, Ids.CellStarts, search.CellStarts);
+            Dispatch(cmd, buildList, particles, particles.Predicted, particles.Current);
+            cmd.EndSample(ListMarker);
+
+            for (int i = 0; i < iterations; i++)
+            {
+                if (i > 0)
+                {
+                    cmd.BeginSample(LambdaMarker);
+                    Dispatch(cmd, solveLambda, particles, particles.Predicted, particles.Current);
+                    cmd.EndSample(LambdaMarker);
+                }
+
+                cmd.BeginSample(DisplaceMarker);
+                Dispatch(cmd, artificialPressure ? displaceWithPressure : displace, particles, particles.Current, particles.Predicted);
+                cmd.EndSample(DisplaceMarker);
+            }
+        }
+
+        public void Dispose() => Lists.Dispose();
+
+        public StageDescription Describe(in StepInput input)
+        {
+            int substeps = input.settings.substeps, iterations = input.settings.iterations;
+            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps");
+            stage.Kernel("DensityConstraint", "BuildList", substeps, Lists.Variant);
+            if (iterations > 1)
+                stage.Kernel("DensityConstraint", "SolveLambda", substeps * (iterations - 1), Lists.Variant);
+            stage.Kernel("DensityConstraint", input.material.artificialPressure > 0f ? "DisplaceWithPressure" : "Displace", substeps * iterations, Lists.Variant);
+            Lists.Describe(stage);
+            return stage;
+        }
+
+        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to)
+        {
+            Lists.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Corrected = Shader.PropertyToID("_Corrected");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+        }
+    }
+}

@@ -1,0 +1,105 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Puts batches of particles into a solver. What does not fit the capacity is refused and counted on the GPU.</summary>
+    sealed class Emission : IDisposable
+    {
+        const int LargestBatch = 1 << 20;
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Emission");
+        readonly int append, commit, clear;
+        GraphicsBuffer batchPositions, batchVelocities;
+
+        public Emission()
+        {
+            append = shader.FindKernel("Append");
+            commit = shader.FindKernel("CommitAppend");
+            clear = shader.FindKernel("Clear");
+        }
+
+        /// <summary>Records the removal of all particles and the reset of all counters.</summary>
+        public void Clear(CommandBuffer cmd, ParticleBuffers particles)
+        {
+            cmd.SetComputeBufferParam(shader, clear, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, clear, Ids.AliveArguments, particles.AliveArguments);
+            cmd.DispatchCompute(shader, clear, 1, 1, 1);
+        }
+
+        /// <summary>Adds particles at once, in batches; their upload buffers live until the next call or <see cref="Trim"/>.</summary>
+        /// <param name="positions">xyz, d, in the domain's frame.</param>
+        /// <param name="velocities">xyz, d/s; as many as positions.</param>
+        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities)
+        {
+            if (positions.Length != velocities.Length)
+                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
+
+            using (var cmd = new CommandBuffer { name = "Rill.Emission" })
+            {
+                for (int first = 0; first < positions.Length; first += LargestBatch)
+                {
+                    int count = Math.Min(LargestBatch, positions.Length - first);
+                    Reserve(count);
+                    batchPositions.SetData(positions, first, 0, count);
+                    batchVelocities.SetData(velocities, first, 0, count);
+                    cmd.Clear();
+                    RecordAppend(cmd, particles, capacity, count);
+                    Graphics.ExecuteCommandBuffer(cmd);
+                }
+            }
+        }
+
+        /// <summary>Releases the upload buffers.</summary>
+        public void Trim()
+        {
+            GpuBuffer.Release(ref batchPositions);
+            GpuBuffer.Release(ref batchVelocities);
+        }
+
+        public void Dispose() => Trim();
+
+        void Reserve(int count)
+        {
+            if (batchPositions != null && batchPositions.count >= count)
+                return;
+            Trim();
+            batchPositions = GpuBuffer.Structured<float4>("Rill.BatchPositions", count);
+            batchVelocities = GpuBuffer.Structured<float4>("Rill.BatchVelocities", count);
+        }
+
+        void RecordAppend(CommandBuffer cmd, ParticleBuffers particles, int capacity, int count)
+        {
+            cmd.SetComputeIntParam(shader, Ids.BatchCount, count);
+            cmd.SetComputeIntParam(shader, Ids.BatchCapacity, capacity);
+
+            cmd.SetComputeBufferParam(shader, append, Ids.BatchPositions, batchPositions);
+            cmd.SetComputeBufferParam(shader, append, Ids.BatchVelocities, batchVelocities);
+            cmd.SetComputeBufferParam(shader, append, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, append, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, append, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, append, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, append, (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
+
+            cmd.SetComputeBufferParam(shader, commit, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, commit, Ids.AliveArguments, particles.AliveArguments);
+            cmd.DispatchCompute(shader, commit, 1, 1, 1);
+        }
+
+        static class Ids
+        {
+            public static readonly int BatchPositions = Shader.PropertyToID("_BatchPositions");
+            public static readonly int BatchVelocities = Shader.PropertyToID("_BatchVelocities");
+            public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
+            public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using System;
+using Unity.Collections.LowLevel.Unsafe;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Creates, names and releases graphics buffers; count and stride come from the element type.</summary>
+    static class GpuBuffer
+    {
+        /// <summary>Largest resource that Direct3D 11 guarantees, bytes.</summary>
+        public const long MaxBytes = 2048L * 1024 * 1024;
+
+        /// <summary>Dispatch arguments at byte 0, draw arguments at byte 16; see Arguments.hlsl.</summary>
+        public static GraphicsBuffer Arguments(string name)
+        {
+            // Raw, because Direct3D has no structured buffer that also holds indirect arguments.
+            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, 8, sizeof(uint)));
+        }
+
+        /// <exception cref="ArgumentOutOfRangeException">No element, or more bytes than the device can bind.</exception>
+        public static GraphicsBuffer Structured<T>(string name, long count) where T : struct
+        {
+            int stride = UnsafeUtility.SizeOf<T>();
+            if (count < 1 || count * stride > LargestBinding)
+                throw new ArgumentOutOfRangeException(nameof(count), count, $"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {LargestBinding / stride:N0}.");
+            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, stride));
+        }
+
+        /// <summary>One struct as a constant buffer; its size is a multiple of 16 bytes.</summary>
+        public static GraphicsBuffer Constants<T>(string name) where T : struct
+        {
+            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.Constant, 1, UnsafeUtility.SizeOf<T>()));
+        }
+
+        /// <summary>Largest buffer that a kernel can be given here, bytes.</summary>
+        public static long LargestBinding => Math.Min(MaxBytes, SystemInfo.maxGraphicsBufferSize);
+
+        public static void Release(ref GraphicsBuffer buffer)
+        {
+            buffer?.Release();
+            buffer = null;
+        }
+
+        static GraphicsBuffer Named(string name, GraphicsBuffer buffer)
+        {
+            buffer.name = name;
+            return buffer;
+        }
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+
+namespace Rill
+{
+    /// <summary>
+    /// What the SPH kernels (Müller et al. 2003: poly6 eq. 20, spiky eq. 21) sum to on a cubic lattice of the particle
+    /// spacing: the rest state from which every solver constant is derived, so that none is typed in.
+    /// </summary>
+    /// <remarks>Lengths in particle spacings d; the support radius h is 2 d. Evaluated once, in double precision.</remarks>
+    static class LatticeKernels
+    {
+        /// <summary>Support radius h in spacings; kSupport in Solver.hlsl.</summary>
+        public const double Support = 2.0;
+
+        /// <summary>poly6 normalisation 315 / (64 π h⁹).</summary>
+        public static readonly double Poly6Scale = 315.0 / (64.0 * Math.PI * Math.Pow(Support, 9));
+
+        /// <summary>Normalisation of the spiky kernel's gradient, −45 / (π h⁶).</summary>
+        public static readonly double SpikyGradientScale = -45.0 / (Math.PI * Math.Pow(Support, 6));
+
+        /// <summary>Rest density ρ0: poly6 summed over the lattice, a particle's own contribution included.</summary>
+        public static readonly double RestDensity = SumLattice(Poly6, includeSelf: true);
+
+        /// <summary>Σ|∇C|² of a particle inside the lattice, 1/d²: scale of the constraint's denominator.</summary>
+        public static readonly double ReferenceSquares = SumLattice(r => SpikySlope(r) * SpikySlope(r), includeSelf: false) / (RestDensity * RestDensity);
+
+        /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
+        public static readonly double WallScale = MissingBehindWall() / HalfSpaceDensity(0.5);
+
+        /// <summary>poly6 W(r), 1/d³.</summary>
+        public static double Poly6(double r) => r < Support ? Poly6Scale * Math.Pow(Support * Support - r * r, 3) : 0.0;
+
+        /// <summary>dW/dr of the spiky kernel, 1/d⁴, ≤ 0.</summary>
+        public static double SpikySlope(double r) => r < Support ? SpikyGradientScale * (Support - r) * (Support - r) : 0.0;
+
+        /// <summary>poly6 integrated over the half space beyond distance <paramref name="s"/>: 1/2 at s = 0, 0 at s ≥ h.</summary>
+        public static double HalfSpaceDensity(double s)
+        {
+            double x = Math.Min(Math.Max(s / Support, 0.0), 1.0);
+            double y = x * x;
+            return 0.5 - 315.0 / 256.0 * x * (1.0 + y * (-4.0 / 3.0 + y * (6.0 / 5.0 + y * (-4.0 / 7.0 + y / 9.0))));
+        }
+
+        // Share of the rest density that the layers below a lattice particle contribute.
+        static double MissingBehindWall()
+        {
+            double missing = 0.0;
+            ForLattice((x, y, z, r) =>
+            {
+                if (y < 0)
+                    missing += Poly6(r);
+            });
+            return missing / RestDensity;
+        }
+
+        static double SumLattice(Func<double, double> value, bool includeSelf)
+        {
+            double sum = 0.0;
+            ForLattice((x, y, z, r) =>
+            {
+                if (includeSelf || r > 0.0)
+                    sum += value(r);
+            });
+            return sum;
+        }
+
+        static void ForLattice(Action<int, int, int, double> visit)
+        {
+            int reach = (int)Math.Ceiling(Support);
+            for (int z = -reach; z <= reach; z++)
+                for (int y = -reach; y <= reach; y++)
+                    for (int x = -reach; x <= reach; x++)
+                        visit(x, y, z, Math.Sqrt(x * x + y * y + z * z));
+        }
+    }
+}

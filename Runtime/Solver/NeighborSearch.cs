@@ -1,0 +1,137 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Sorts the particles by grid cell so that neighbors are near in memory: a counting sort on the GPU.</summary>
+    /// <remarks>Cell c holds the sorted particles from <c>CellStarts[c]</c> up to <c>CellStarts[c + 1]</c>.</remarks>
+    sealed class NeighborSearch : IDisposable
+    {
+        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Sort");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
+        readonly int countCells, countCellsAtRest, scatterOrder, gather, gatherOrdered;
+        readonly int cells;
+        readonly PrefixSum prefixSum;
+        GraphicsBuffer cellHistogram, cellRanks;
+
+        public NeighborSearch(SolverLayout layout)
+        {
+            countCells = shader.FindKernel("CountCells");
+            countCellsAtRest = shader.FindKernel("CountCellsAtRest");
+            scatterOrder = shader.FindKernel("ScatterOrder");
+            gather = shader.FindKernel("Gather");
+            gatherOrdered = shader.FindKernel("GatherOrdered");
+
+            cells = layout.CellTotal;
+            prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
+            cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);
+            CellStarts = GpuBuffer.Structured<uint>("Rill.CellStarts", cells + 1);
+            cellRanks = GpuBuffer.Structured<uint2>("Rill.CellRanks", layout.Capacity);
+            Order = GpuBuffer.Structured<uint2>("Rill.Order", layout.Capacity);
+            cellHistogram.SetData(new uint[cells + 1]);
+        }
+
+        /// <summary>uint [cells + 1], sorted particles in all cells before; the last is their total.</summary>
+        public GraphicsBuffer CellStarts { get; private set; }
+
+        /// <summary>uint2 [capacity], by cell: index of the particle and its id.</summary>
+        public GraphicsBuffer Order { get; private set; }
+
+        /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, bool deterministic)
+        {
+            cmd.BeginSample(Marker);
+            RecordOrder(cmd, constants, particles, countCells);
+
+            int kernel = deterministic ? gatherOrdered : gather;
+            if (deterministic)
+            {
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
+            }
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
+        public void RecordOrderAtRest(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
+        {
+            RecordOrder(cmd, constants, particles, countCellsAtRest);
+        }
+
+        public void Dispose()
+        {
+            prefixSum.Dispose();
+            GpuBuffer.Release(ref cellHistogram);
+            GpuBuffer.Release(ref cellRanks);
+            CellStarts?.Release();
+            CellStarts = null;
+            Order?.Release();
+            Order = null;
+        }
+
+        public StageDescription Describe(in SolverSettings settings)
+        {
+            var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
+            stage.Kernel("NeighborSearch", "CountCells", settings.substeps);
+            prefixSum.Describe(stage, settings.substeps);
+            stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps);
+            stage.Kernel("NeighborSearch", settings.deterministic ? "GatherOrdered" : "Gather", settings.substeps);
+            stage.Buffer("Rill.CellHistogram", cellHistogram);
+            stage.Buffer("Rill.CellStarts", CellStarts);
+            stage.Buffer("Rill.CellRanks", cellRanks);
+            stage.Buffer("Rill.Order", Order);
+            return stage;
+        }
+
+        void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, int countKernel)
+        {
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+
+            cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Current);
+            if (countKernel == countCells)
+                cmd.SetComputeBufferParam(shader, countKernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
+            cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, countKernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, countKernel, particles.AliveArguments, 0);
+
+            prefixSum.Record(cmd, cellHistogram, CellStarts, cells + 1);
+
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, scatterOrder, Ids.SortedArguments, particles.SortedArguments);
+            cmd.DispatchCompute(shader, scatterOrder, particles.AliveArguments, 0);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int CellHistogram = Shader.PropertyToID("_CellHistogram");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int CellRanks = Shader.PropertyToID("_CellRanks");
+            public static readonly int Order = Shader.PropertyToID("_Order");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Predicted = Shader.PropertyToID("_Predicted");
+            public static readonly int SortedIds = Shader.PropertyToID("_SortedIds");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int SortedArguments = Shader.PropertyToID("_SortedArguments");
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Entries of the counter buffer; the constants of the same names in Solver.hlsl.</summary>
+    enum ParticleCounter { Alive, Sorted, NextId, Refused, NonFinite, Overflow, MostNeighbors, Crowded }
+
+    /// <summary>The state of the particles on the GPU. Lengths in d, in the domain's frame.</summary>
+    /// <remarks>
+    /// Three position buffers change roles over a step: <see cref="Current"/> is sorted into <see cref="Start"/> and
+    /// <see cref="Predicted"/> and is free from then on, so the passes of the constraint alternate between it and
+    /// Predicted. What they end in is the next step's Current.
+    /// </remarks>
+    sealed class ParticleBuffers : IDisposable
+    {
+        /// <summary>Threads of a particle kernel; kGroup in Solver.hlsl.</summary>
+        public const int Group = 128;
+        public const int CounterCount = 16;
+
+        /// <summary>float4 [capacity], xyz position at the start of a step.</summary>
+        public GraphicsBuffer Current;
+        /// <summary>float4 [capacity], the same, sorted.</summary>
+        public GraphicsBuffer Start;
+        /// <summary>float4 [capacity], sorted: predicted, then corrected position.</summary>
+        public GraphicsBuffer Predicted;
+        /// <summary>float4 [capacity], xyz velocity, d/s; w density relative to rest.</summary>
+        public GraphicsBuffer Velocities;
+        /// <summary>uint [capacity].</summary>
+        public GraphicsBuffer Ids;
+        /// <summary>uint [capacity], the ids in this step's order.</summary>
+        public GraphicsBuffer SortedIds;
+        /// <summary>uint [<see cref="CounterCount"/>], by <see cref="ParticleCounter"/>.</summary>
+        public GraphicsBuffer Counters;
+        /// <summary>Arguments for the particles alive at the start of a step, and to draw them.</summary>
+        public GraphicsBuffer AliveArguments;
+        /// <summary>Arguments for the particles of this step.</summary>
+        public GraphicsBuffer SortedArguments;
+
+        public ParticleBuffers(int capacity)
+        {
+            Current = GpuBuffer.Structured<float4>("Rill.Positions", capacity);
+            Start = GpuBuffer.Structured<float4>("Rill.StartPositions", capacity);
+            Predicted = GpuBuffer.Structured<float4>("Rill.Predicted", capacity);
+            Velocities = GpuBuffer.Structured<float4>("Rill.Velocities", capacity);
+            Ids = GpuBuffer.Structured<uint>("Rill.Ids", capacity);
+            SortedIds = GpuBuffer.Structured<uint>("Rill.SortedIds", capacity);
+            Counters = GpuBuffer.Structured<uint>("Rill.Counters", CounterCount);
+            AliveArguments = GpuBuffer.Arguments("Rill.AliveArguments");
+            SortedArguments = GpuBuffer.Arguments("Rill.SortedArguments");
+        }
+
+        /// <summary>After the velocity update: the corrected positions and the sorted ids are the state.</summary>
+        public void Advance()
+        {
+            (Current, Predicted) = (Predicted, Current);
+            (Ids, SortedIds) = (SortedIds, Ids);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref Current);
+            GpuBuffer.Release(ref Start);
+            GpuBuffer.Release(ref Predicted);
+            GpuBuffer.Release(ref Velocities);
+            GpuBuffer.Release(ref Ids);
+            GpuBuffer.Release(ref SortedIds);
+            GpuBuffer.Release(ref Counters);
+            GpuBuffer.Release(ref AliveArguments);
+            GpuBuffer.Release(ref SortedArguments);
+        }
+
+        public void Describe(StageDescription stage)
+        {
+            stage.Buffer("Rill.Positions", Current);
+            stage.Buffer("Rill.StartPositions", Start);
+            stage.Buffer("Rill.Predicted", Predicted);
+            stage.Buffer("Rill.Velocities", Velocities);
+            stage.Buffer("Rill.Ids", Ids);
+            stage.Buffer("Rill.SortedIds", SortedIds);
+            stage.Buffer("Rill.Counters", Counters);
+            stage.Buffer("Rill.AliveArguments", AliveArguments);
+            stage.Buffer("Rill.SortedArguments", SortedArguments);
+        }
+    }
+}

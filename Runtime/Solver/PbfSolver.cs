@@ -1,0 +1,196 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// Position Based Fluids (Macklin and Müller 2013) on the GPU: owns the particles and records steps into the caller's
+    /// command buffer. It never submits a step, never waits for the GPU and allocates nothing per step.
+    /// </summary>
+    /// <remarks>
+    /// Positions and velocities on the GPU are in particle spacings and in the domain's frame, whose lowest corner is 0;
+    /// see <see cref="ParticleBuffers"/>.
+    /// </remarks>
+    sealed class PbfSolver : IDisposable
+    {
+        readonly ParticleBuffers particles;
+        readonly Emission emission;
+        readonly NeighborSearch neighborSearch;
+        readonly DensityConstraint densityConstraint;
+        readonly VelocityUpdate velocityUpdate;
+        VorticityConfinement vorticityConfinement;
+        StatisticsPass statistics;
+
+        GraphicsBuffer constants;
+        NativeArray<SolverConstants> constantsUpload;
+        uint stepIndex;
+
+        /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
+        public PbfSolver(SolverLayout layout)
+        {
+            Layout = layout;
+            try
+            {
+                particles = new ParticleBuffers(layout.Capacity);
+                emission = new Emission();
+                neighborSearch = new NeighborSearch(layout);
+                densityConstraint = new DensityConstraint(layout);
+                velocityUpdate = new VelocityUpdate();
+                constants = GpuBuffer.Constants<SolverConstants>("Rill.Constants");
+                constantsUpload = new NativeArray<SolverConstants>(1, Allocator.Persistent);
+                Clear();
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        public SolverLayout Layout { get; }
+
+        /// <summary>float4 [capacity], xyz position, d; those of the particles alive come first.</summary>
+        public GraphicsBuffer Positions => particles.Current;
+
+        /// <summary>float4 [capacity], xyz velocity, d/s; w density relative to rest where a stage sums it, else 1.</summary>
+        public GraphicsBuffer Velocities => particles.Velocities;
+
+        /// <summary>uint [capacity].</summary>
+        public GraphicsBuffer ParticleIds => particles.Ids;
+
+        /// <summary>uint, by <see cref="ParticleCounter"/>.</summary>
+        public GraphicsBuffer Counters => particles.Counters;
+
+        /// <summary>Second element: GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
+        public GraphicsBuffer DrawArguments => particles.AliveArguments;
+
+        /// <summary>Removes all particles and resets the counters, at once.</summary>
+        public void Clear()
+        {
+            stepIndex = 0;
+            statistics?.Forget();
+            using (var cmd = new CommandBuffer { name = "Rill.Clear" })
+            {
+                emission.Clear(cmd, particles);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+        }
+
+        /// <summary>Adds particles at once. Those beyond the capacity are refused and counted.</summary>
+        /// <param name="positions">xyz, m, in the domain's frame.</param>
+        /// <param name="velocities">xyz, m/s; as many as positions.</param>
+        public void Add(NativeArray<float4> positions, NativeArray<float4> velocities)
+        {
+            using (NativeArray<float4> scaledPositions = InSpacings(positions))
+            using (NativeArray<float4> scaledVelocities = InSpacings(velocities))
+                emission.Append(particles, Layout.Capacity, scaledPositions, scaledVelocities);
+            emission.Trim();
+        }
+
+        /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
+        public void Step(CommandBuffer cmd, in StepInput input)
+        {
+            stepIndex++;
+            UploadConstants(cmd, input);
+            for (int substep = 0; substep < input.settings.substeps; substep++)
+            {
+                neighborSearch.RecordSort(cmd, constants, particles, input.settings.deterministic);
+                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f);
+                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input);
+                if (VorticityConfinement.IsNeeded(input))
+                    Vorticity.Record(cmd, constants, particles, densityConstraint.Lists);
+                particles.Advance();
+            }
+            if (!VorticityConfinement.IsNeeded(input))
+                ReleaseVorticity();
+        }
+
+        /// <summary>Records the measuring of the current state; <see cref="RequestStatistics"/> then fetches it.</summary>
+        public void RecordStatistics(CommandBuffer cmd, in StepInput input)
+        {
+            statistics ??= new StatisticsPass(Layout.Capacity);
+            UploadConstants(cmd, input);
+            statistics.Record(cmd, constants, particles, neighborSearch);
+        }
+
+        /// <summary>Starts the readback of what was measured last; at most one is under way.</summary>
+        public void RequestStatistics() => statistics.Request();
+
+        /// <summary>Whether a readback of statistics is under way.</summary>
+        public bool StatisticsPending => statistics != null && statistics.IsPending;
+
+        /// <summary>The newest statistics that have come back since the last <see cref="Clear"/>.</summary>
+        public bool TryGetStatistics(in StepInput input, out FluidStatistics result)
+        {
+            result = default;
+            if (statistics == null || !statistics.HasResult)
+                return false;
+            result = FluidStatistics.From(statistics.Latest, Layout, input.material.density, input.gravity, input.timeStep);
+            return true;
+        }
+
+        /// <summary>What each stage costs with this input, in the order of the step.</summary>
+        /// <param name="statisticsInterval">Steps between measurements; 0 for none.</param>
+        public List<StageDescription> Describe(in StepInput input, int statisticsInterval)
+        {
+            var state = new StageDescription("Particles", true, $"capacity {Layout.Capacity:N0}");
+            particles.Describe(state);
+            state.Buffer("Rill.Constants", constants);
+            return new List<StageDescription>
+            {
+                state,
+                neighborSearch.Describe(input.settings),
+                densityConstraint.Describe(input),
+                velocityUpdate.Describe(input, densityConstraint.Lists),
+                VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists),
+                StatisticsPass.Describe(statistics, statisticsInterval),
+            };
+        }
+
+        public void Dispose()
+        {
+            particles?.Dispose();
+            emission?.Dispose();
+            neighborSearch?.Dispose();
+            densityConstraint?.Dispose();
+            ReleaseVorticity();
+            ReleaseStatistics();
+            GpuBuffer.Release(ref constants);
+            if (constantsUpload.IsCreated)
+                constantsUpload.Dispose();
+        }
+
+        /// <summary>Gives back what measuring needs, where it is no longer wanted.</summary>
+        public void ReleaseStatistics()
+        {
+            statistics?.Dispose();
+            statistics = null;
+        }
+
+        void ReleaseVorticity()
+        {
+            vorticityConfinement?.Dispose();
+            vorticityConfinement = null;
+        }
+
+        VorticityConfinement Vorticity => vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);
+
+        void UploadConstants(CommandBuffer cmd, in StepInput input)
+        {
+            constantsUpload[0] = SolverConstants.For(Layout, input, stepIndex);
+            cmd.SetBufferData(constants, constantsUpload);
+        }
+
+        NativeArray<float4> InSpacings(NativeArray<float4> metres)
+        {
+            var scaled = new NativeArray<float4>(metres.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            for (int i = 0; i < metres.Length; i++)
+                scaled[i] = metres[i] / Layout.Spacing;
+            return scaled;
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Exclusive prefix sum of unsigned counts on the GPU, recorded into the caller's command buffer.</summary>
+    /// <remarks>
+    /// Reduce-then-scan in three dispatches, any count from 0 to the capacity. Sums wrap at 2^32. The counts are cleared
+    /// as they are read. Owns only its scratch: one uint per <see cref="Tile"/> elements.
+    /// </remarks>
+    sealed class PrefixSum : IDisposable
+    {
+        /// <summary>Elements that one thread group scans; kTile in PrefixSum.compute.</summary>
+        public const int Tile = 1024;
+
+        /// <summary>Most elements one instance can take: a tile for each of the 65,535 groups of a dispatch.</summary>
+        public const int MaxCapacity = 65535 * Tile;
+
+        readonly ComputeShader shader;
+        readonly int sumTiles, scanTileSums, scanTiles;
+        GraphicsBuffer tileSums;
+
+        /// <param name="shader">PrefixSum.compute.</param>
+        /// <param name="capacity">Most elements of a later <see cref="Record"/>, 1 to <see cref="MaxCapacity"/>.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The capacity is out of range.</exception>
+        public PrefixSum(ComputeShader shader, int capacity)
+        {
+            if (capacity < 1 || capacity > MaxCapacity)
+                throw new ArgumentOutOfRangeException(nameof(capacity), capacity, $"A prefix sum takes 1 to {MaxCapacity:N0} elements.");
+
+            this.shader = shader;
+            Capacity = capacity;
+            sumTiles = shader.FindKernel("SumTiles");
+            scanTileSums = shader.FindKernel("ScanTileSums");
+            scanTiles = shader.FindKernel("ScanTiles");
+            tileSums = GpuBuffer.Structured<uint>("Rill.PrefixSum.TileSums", TileCount(capacity) + 1);
+        }
+
+        public int Capacity { get; }
+
+        /// <summary>Records <c>sums[i] = counts[0] + ... + counts[i - 1]</c>, then <c>counts[i] = 0</c>, for i in [0, count).</summary>
+        /// <param name="counts">uint, at least <paramref name="count"/> elements.</param>
+        /// <param name="sums">uint, at least <paramref name="count"/> elements; must not be <paramref name="counts"/>.</param>
+        /// <exception cref="ArgumentOutOfRangeException">More elements than the capacity.</exception>
+        public void Record(CommandBuffer cmd, GraphicsBuffer counts, GraphicsBuffer sums, int count)
+        {
+            if (count < 0 || count > Capacity)
+                throw new ArgumentOutOfRangeException(nameof(count), count, $"This prefix sum was created for up to {Capacity:N0} elements.");
+            if (count == 0)
+                return;
+
+            int tiles = TileCount(count);
+            cmd.SetComputeIntParam(shader, Ids.Count, count);
+            cmd.SetComputeIntParam(shader, Ids.TileCount, tiles);
+
+            cmd.SetComputeBufferParam(shader, sumTiles, Ids.Counts, counts);
+            cmd.SetComputeBufferParam(shader, sumTiles, Ids.TileSums, tileSums);
+            cmd.DispatchCompute(shader, sumTiles, tiles, 1, 1);
+
+            cmd.SetComputeBufferParam(shader, scanTileSums, Ids.TileSums, tileSums);
+            cmd.DispatchCompute(shader, scanTileSums, 1, 1, 1);
+
+            cmd.SetComputeBufferParam(shader, scanTiles, Ids.Counts, counts);
+            cmd.SetComputeBufferParam(shader, scanTiles, Ids.TileSums, tileSums);
+            cmd.SetComputeBufferParam(shader, scanTiles, Ids.Sums, sums);
+            cmd.DispatchCompute(shader, scanTiles, tiles, 1, 1);
+        }
+
+        public void Dispose() => GpuBuffer.Release(ref tileSums);
+
+        public void Describe(StageDescription stage, int perStep)
+        {
+            stage.Kernel("PrefixSum", "SumTiles", perStep);
+            stage.Kernel("PrefixSum", "ScanTileSums", perStep);
+            stage.Kernel("PrefixSum", "ScanTiles", perStep);
+            stage.Buffer("Rill.PrefixSum.TileSums", tileSums);
+        }
+
+        static int TileCount(int count) => (count + Tile - 1) / Tile;
+
+        static class Ids
+        {
+            public static readonly int Counts = Shader.PropertyToID("_Counts");
+            public static readonly int Sums = Shader.PropertyToID("_Sums");
+            public static readonly int TileSums = Shader.PropertyToID("_TileSums");
+            public static readonly int Count = Shader.PropertyToID("_Count");
+            public static readonly int TileCount = Shader.PropertyToID("_TileCount");
+        }
+    }
+}

@@ -1,0 +1,80 @@
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>The constant buffer RillSolver of Solver.hlsl, member by member; lengths in d.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct SolverConstants
+    {
+        public float3 domainSize;
+        public float timeStep;
+        public float3 gravityStep;
+        public float inverseTimeStep;
+        public int3 cellCounts;
+        public int cellTotal;
+        public float cellSize;
+        public float inverseCellSize;
+        public float listRadius;
+        public float listRadiusSquared;
+        public int capacity;
+        public int neighborCapacity;
+        public int firstListParticles;
+        public uint stepIndex;
+        public float densityScale;
+        public float selfDensity;
+        public float gradientScale;
+        public float epsilon;
+        public float wallScale;
+        public float relaxation;
+        public float maxCorrection;
+        public float allowedTension;
+        public float artificialPressure;
+        public float artificialPressureReference;
+        public float viscosity;
+        public float confinement;
+
+        /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
+        const float MaxCorrection = 0.5f;
+
+        /// <summary>Rate, 1/s, at which the viscosity setting is quoted.</summary>
+        const float ViscosityRate = 60f;
+
+        /// <param name="input">Valid settings and material; the time step is that of the whole step.</param>
+        public static SolverConstants For(SolverLayout layout, in StepInput input, uint stepIndex)
+        {
+            float dt = input.timeStep / input.settings.substeps;
+            FluidMaterial material = input.material;
+            double pressureAt = LatticeKernels.Support * LatticeKernels.Support * (1.0 - (double)material.artificialPressureDistance * material.artificialPressureDistance);
+            return new SolverConstants
+            {
+                domainSize = layout.DomainSize,
+                timeStep = dt,
+                gravityStep = input.gravity / layout.Spacing * (dt * dt),
+                inverseTimeStep = 1f / dt,
+                cellCounts = layout.CellCounts,
+                cellTotal = layout.CellTotal,
+                cellSize = layout.CellSize,
+                inverseCellSize = 1f / layout.CellSize,
+                listRadius = layout.ListRadius,
+                listRadiusSquared = layout.ListRadius * layout.ListRadius,
+                capacity = layout.Capacity,
+                neighborCapacity = layout.NeighborCapacity,
+                firstListParticles = layout.FirstListParticles,
+                stepIndex = stepIndex,
+                densityScale = (float)(LatticeKernels.Poly6Scale / LatticeKernels.RestDensity),
+                selfDensity = (float)(LatticeKernels.Poly6(0.0) / LatticeKernels.RestDensity),
+                gradientScale = (float)(LatticeKernels.SpikyGradientScale / LatticeKernels.RestDensity),
+                epsilon = (float)(input.settings.softness * LatticeKernels.ReferenceSquares),
+                wallScale = (float)LatticeKernels.WallScale,
+                relaxation = input.settings.relaxation,
+                maxCorrection = MaxCorrection,
+                allowedTension = material.allowedTension,
+                artificialPressure = (float)(material.artificialPressure / LatticeKernels.ReferenceSquares),
+                artificialPressureReference = (float)(1.0 / (pressureAt * pressureAt * pressureAt)),
+                viscosity = math.min(material.viscosity * ViscosityRate * dt, 1f),
+                confinement = material.vorticity / layout.Spacing,
+            };
+        }
+    }
+}

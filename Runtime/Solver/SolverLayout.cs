@@ -1,0 +1,104 @@
+using System;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>
+    /// What a solver's memory is laid out for: domain, spacing, capacity and neighbor lists. Changing any of it means a
+    /// new solver; everything else can change from step to step.
+    /// </summary>
+    sealed class SolverLayout
+    {
+        /// <summary>Most particles one solver takes: ids and float counters stay exact, and two list buffers suffice.</summary>
+        public const int MaxCapacity = 1 << 24;
+
+        /// <summary>Particle spacings that keep positions and their differences apart from rounding: at most this many along an axis.</summary>
+        public const float MaxSpacingsAcross = 8192f;
+
+        const int ParticlesPerListBlock = 32;
+
+        /// <param name="domainSize">Inner size of the box, m, each at least the support radius 2 d.</param>
+        /// <param name="spacing">Particle spacing d, m, above 0.</param>
+        /// <param name="capacity">Most particles, 1 to <see cref="MaxCapacity"/>, as far as the device can bind their buffers.</param>
+        /// <param name="neighborCapacity">Entries of a particle's neighbor list.</param>
+        /// <param name="listMargin">List radius over support radius, at least 1.</param>
+        /// <exception cref="ArgumentException">A value is out of range; the message names it, the limit and the remedy.</exception>
+        public SolverLayout(float3 domainSize, float spacing, int capacity, int neighborCapacity, float listMargin)
+            : this(domainSize, spacing, capacity, neighborCapacity, listMargin, GpuBuffer.LargestBinding) { }
+
+        /// <param name="largestBinding">Bytes of the largest buffer that a kernel can be given.</param>
+        internal SolverLayout(float3 domainSize, float spacing, int capacity, int neighborCapacity, float listMargin, long largestBinding)
+        {
+            if (!(spacing > 0f) || float.IsInfinity(spacing))
+                throw new ArgumentException($"Particle spacing {spacing} m: it must be above 0. Set it to the distance between particles at rest, e.g. 0.05.");
+            if (!math.all(math.isfinite(domainSize)))
+                throw new ArgumentException($"Domain size {Text(domainSize)} m is not finite. Set all three sides to numbers.");
+            float support = (float)LatticeKernels.Support;
+            DomainSize = domainSize / spacing;
+            if (math.cmin(DomainSize) < support)
+                throw new ArgumentException($"Domain size {Text(domainSize)} m: each side must be at least the support radius, {support * spacing} m (2 spacings). Enlarge the domain or lower the particle spacing.");
+            if (math.cmax(DomainSize) > MaxSpacingsAcross)
+                throw new ArgumentException($"Domain size {Text(domainSize)} m is more than {MaxSpacingsAcross:N0} particle spacings of {spacing} m along a side, where single precision ends. Shrink the domain or raise the particle spacing.");
+            if (capacity < 1 || capacity > MaxCapacity)
+                throw new ArgumentException($"Capacity {capacity:N0}: a simulation holds 1 to {MaxCapacity:N0} particles. Set the capacity to the most that the scene ever needs.");
+
+            Spacing = spacing;
+            Capacity = capacity;
+            NeighborCapacity = neighborCapacity;
+            ListRadius = support * listMargin;
+            ChooseCells();
+            SplitLists(largestBinding);
+        }
+
+        /// <summary>Particle spacing d, m.</summary>
+        public float Spacing { get; }
+        /// <summary>Inner size of the box, d.</summary>
+        public float3 DomainSize { get; }
+        public int Capacity { get; }
+        public int NeighborCapacity { get; }
+        /// <summary>Radius within which a neighbor is listed, d.</summary>
+        public float ListRadius { get; }
+        /// <summary>Side of a grid cell, d.</summary>
+        public float CellSize { get; private set; }
+        public int3 CellCounts { get; private set; }
+        public int CellTotal { get; private set; }
+        /// <summary>Particles whose neighbors lie in the first list buffer: all, or as many whole blocks as one buffer holds.</summary>
+        public int FirstListParticles { get; private set; }
+        public bool TwoLists => FirstListParticles < Capacity;
+
+        /// <summary>Entries of the first list buffer.</summary>
+        public long FirstListEntries => (long)RoundUp(FirstListParticles) * NeighborCapacity;
+        /// <summary>Entries of the second list buffer; 0 without one.</summary>
+        public long SecondListEntries => (long)RoundUp(Capacity - FirstListParticles) * NeighborCapacity;
+
+        // Half the list radius makes the tightest search; a domain with too many such cells gets whole ones.
+        void ChooseCells()
+        {
+            foreach (float perRadius in new[] { 2f, 1f })
+            {
+                CellSize = ListRadius / perRadius;
+                CellCounts = (int3)math.ceil(DomainSize / CellSize);
+                long total = (long)CellCounts.x * CellCounts.y * CellCounts.z;
+                if (total < PrefixSum.MaxCapacity)
+                {
+                    CellTotal = (int)total;
+                    return;
+                }
+            }
+            throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {PrefixSum.MaxCapacity:N0} grid cells of {CellSize * Spacing} m. Shrink the domain or raise the particle spacing.");
+        }
+
+        void SplitLists(long largestBinding)
+        {
+            long entries = largestBinding / sizeof(uint);
+            long perBuffer = entries / NeighborCapacity / ParticlesPerListBlock * ParticlesPerListBlock;
+            if (2 * perBuffer < Capacity)
+                throw new ArgumentException($"Capacity {Capacity:N0} with {NeighborCapacity} neighbors each needs more than two buffers of {largestBinding:N0} bytes, the most this device binds. Lower the capacity to {2 * perBuffer:N0} or the neighbor capacity.");
+            FirstListParticles = (int)Math.Min(Capacity, perBuffer);
+        }
+
+        static int RoundUp(int particles) => (particles + ParticlesPerListBlock - 1) / ParticlesPerListBlock * ParticlesPerListBlock;
+
+        static string Text(float3 v) => $"{v.x} x {v.y} x {v.z}";
+    }
+}

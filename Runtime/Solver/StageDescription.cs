@@ -1,0 +1,48 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What a stage costs a scene: its dispatches in a step, its buffers, and why it is there or not.</summary>
+    sealed class StageDescription
+    {
+        public readonly string Name, Reason;
+        public readonly bool IsUsed;
+        /// <summary>"File.compute: Kernel" and how often it is dispatched in a step (0: not in every step), or a draw of a frame.</summary>
+        public readonly List<(string kernel, int perStep)> Kernels = new List<(string, int)>();
+        public readonly List<(string name, long bytes)> Buffers = new List<(string, long)>();
+
+        public StageDescription(string name, bool isUsed, string reason)
+        {
+            Name = name;
+            IsUsed = isUsed;
+            Reason = reason;
+        }
+
+        public long Bytes
+        {
+            get
+            {
+                long bytes = 0;
+                foreach ((string _, long size) in Buffers)
+                    bytes += size;
+                return bytes;
+            }
+        }
+
+        /// <param name="variant">Enabled keywords, or null.</param>
+        public void Kernel(string file, string kernel, int perStep, string variant = null)
+        {
+            Kernels.Add((variant == null ? $"{file}.compute: {kernel}" : $"{file}.compute: {kernel} [{variant}]", perStep));
+        }
+
+        public void Draw(string file, int perFrame) => Kernels.Add(($"{file}.shader, a draw for each camera", perFrame));
+
+        /// <summary>Null is a buffer that this scene does without.</summary>
+        public void Buffer(string name, GraphicsBuffer buffer)
+        {
+            if (buffer != null)
+                Buffers.Add((name, (long)buffer.count * buffer.stride));
+        }
+    }
+}

@@ -1,0 +1,133 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Measures the fluid at the end of a step and brings the result back without waiting. Made when first needed.</summary>
+    sealed class StatisticsPass : IDisposable
+    {
+        const int Bins = 4096;          // kBins in Statistics.compute
+        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Statistics");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
+        readonly int measure, reduce;
+        readonly Action<AsyncGPUReadbackRequest> onRead;
+        GraphicsBuffer partials, histogram, results;
+        NativeArray<uint> latest;
+        int pendingGeneration;
+        int generation;
+        bool disposed;
+
+        public StatisticsPass(int capacity)
+        {
+            measure = shader.FindKernel("Measure");
+            reduce = shader.FindKernel("Reduce");
+            int groups = (capacity + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
+            partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
+            histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
+            results = GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize);
+            histogram.SetData(new uint[Bins]);
+            latest = new NativeArray<uint>(FluidStatistics.BlockSize, Allocator.Persistent);
+            onRead = OnRead;
+        }
+
+        /// <summary>Whether a result is on its way; a new one is asked for only after it has come.</summary>
+        public bool IsPending { get; private set; }
+
+        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Forget"/>.</summary>
+        public bool HasResult { get; private set; }
+
+        /// <summary>The newest result, uint bits as Statistics.compute writes them.</summary>
+        public NativeArray<uint> Latest => latest;
+
+        /// <summary>Records the measuring of the current state.</summary>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search)
+        {
+            cmd.BeginSample(Marker);
+            search.RecordOrderAtRest(cmd, constants, particles);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+
+            cmd.SetComputeBufferParam(shader, measure, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, measure, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, measure, Ids.Order, search.Order);
+            cmd.SetComputeBufferParam(shader, measure, Ids.CellStarts, search.CellStarts);
+            cmd.SetComputeBufferParam(shader, measure, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, measure, Ids.Partials, partials);
+            cmd.SetComputeBufferParam(shader, measure, Ids.Histogram, histogram);
+            cmd.DispatchCompute(shader, measure, particles.SortedArguments, 0);
+
+            cmd.SetComputeBufferParam(shader, reduce, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, reduce, Ids.Partials, partials);
+            cmd.SetComputeBufferParam(shader, reduce, Ids.Histogram, histogram);
+            cmd.SetComputeBufferParam(shader, reduce, Ids.Statistics, results);
+            cmd.DispatchCompute(shader, reduce, 1, 1, 1);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Asks for what was recorded, after its command buffer was executed. Nothing while a result is pending.</summary>
+        public void Request()
+        {
+            if (IsPending)
+                return;
+            IsPending = true;
+            pendingGeneration = generation;
+            AsyncGPUReadback.RequestIntoNativeArray(ref latest, results, onRead);
+        }
+
+        /// <summary>Results from before this call are dropped when they come.</summary>
+        public void Forget()
+        {
+            generation++;
+            HasResult = false;
+        }
+
+        public void Dispose()
+        {
+            disposed = true;
+            if (IsPending)
+                AsyncGPUReadback.WaitAllRequests();     // it writes into memory that is about to go
+            GpuBuffer.Release(ref partials);
+            GpuBuffer.Release(ref histogram);
+            GpuBuffer.Release(ref results);
+            latest.Dispose();
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(StatisticsPass stage, int interval)
+        {
+            var description = new StageDescription("Statistics", interval > 0, interval > 0 ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
+            if (stage == null)
+                return description;
+            description.Kernel("NeighborSearch", "CountCellsAtRest", 0);
+            description.Kernel("Statistics", "Measure", 0);
+            description.Kernel("Statistics", "Reduce", 0);
+            description.Buffer("Rill.Statistics.Partials", stage.partials);
+            description.Buffer("Rill.Statistics.Histogram", stage.histogram);
+            description.Buffer("Rill.Statistics.Results", stage.results);
+            return description;
+        }
+
+        void OnRead(AsyncGPUReadbackRequest request)
+        {
+            IsPending = false;
+            if (!disposed && !request.hasError && pendingGeneration == generation)
+                HasResult = true;
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Order = Shader.PropertyToID("_Order");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Partials = Shader.PropertyToID("_Partials");
+            public static readonly int Histogram = Shader.PropertyToID("_Histogram");
+            public static readonly int Statistics = Shader.PropertyToID("_Statistics");
+        }
+    }
+}

@@ -1,0 +1,19 @@
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>What one step of a solver is given; all of it may change from step to step.</summary>
+    struct StepInput
+    {
+        /// <summary>Length of the step, s, above 0; divided among the substeps.</summary>
+        public float timeStep;
+        /// <summary>Acceleration in the domain's frame, m/s².</summary>
+        public float3 gravity;
+        /// <summary>Validated.</summary>
+        public SolverSettings settings;
+        /// <summary>Validated.</summary>
+        public FluidMaterial material;
+        /// <summary>Whether something reads the density that comes with the velocities.</summary>
+        public bool needsDensity;
+    }
+}

@@ -1,0 +1,67 @@
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Velocities from the corrected positions and, in the same pass, XSPH viscosity; ends a substep.</summary>
+    sealed class VelocityUpdate
+    {
+        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Velocity");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
+        readonly int update, updateViscous;
+        readonly LocalKeyword twoLists;
+
+        public VelocityUpdate()
+        {
+            update = shader.FindKernel("UpdateVelocity");
+            updateViscous = shader.FindKernel("UpdateVelocityViscous");
+            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+        }
+
+        /// <summary>Whether the pass visits the neighbors: for viscosity or for the density, unless a later stage does both.</summary>
+        public static bool VisitsNeighbors(in StepInput input)
+        {
+            return (input.material.viscosity > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
+        }
+
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input)
+        {
+            bool visits = VisitsNeighbors(input);
+            int kernel = visits ? updateViscous : update;
+            cmd.BeginSample(Marker);
+            lists.RecordKeyword(cmd, shader, twoLists);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            if (visits)
+                lists.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.AliveArguments, particles.AliveArguments);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+            cmd.EndSample(Marker);
+        }
+
+        public StageDescription Describe(in StepInput input, NeighborLists lists)
+        {
+            bool visits = VisitsNeighbors(input);
+            string reason = visits
+                ? input.material.viscosity > 0f ? $"with XSPH: viscosity is {input.material.viscosity}" : "with neighbors: the density is shown"
+                : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: viscosity is 0";
+            var stage = new StageDescription("Velocity update", true, reason);
+            stage.Kernel("VelocityUpdate", visits ? "UpdateVelocityViscous" : "UpdateVelocity", input.settings.substeps, lists.Variant);
+            return stage;
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
+        }
+    }
+}

@@ -1,0 +1,148 @@
+// What every kernel of the solver shares: constants of a step, counters, the particle-to-thread map, kernels, walls.
+//
+// Lengths are in units of the particle spacing d, times in seconds, densities relative to rest: the numbers that a
+// kernel sees do not depend on the scale of the scene. Positions are in the domain's frame, its lowest corner at 0.
+#ifndef RILL_SOLVER_INCLUDED
+#define RILL_SOLVER_INCLUDED
+
+static const uint kGroup = 128;             // threads of a particle kernel, = numthreads
+static const uint kMaxGroups = 65535;       // of a dispatch, per dimension; more fold into y
+static const float kSupport = 2.0;          // support radius h
+static const float kSupportSquared = 4.0;
+static const float kWallInset = 0.5;        // a particle's centre stays this far from a wall
+static const float kCoincident = 1e-8;      // squared distance below which a pair has no direction of its own
+
+// = SolverConstants in SolverConstants.cs, member by member.
+cbuffer RillSolver
+{
+    float3 _DomainSize;         // d
+    float _TimeStep;            // s, one substep
+    float3 _GravityStep;        // g dt^2, d
+    float _InverseTimeStep;     // 1/s
+    uint3 _CellCounts;          // cells along x, y, z
+    uint _CellTotal;            // their product
+    float _CellSize;            // d
+    float _InverseCellSize;     // 1/d
+    float _ListRadius;          // d, support times margin
+    float _ListRadiusSquared;
+    uint _Capacity;             // particles
+    uint _NeighborCapacity;     // entries of a particle's neighbor list
+    uint _FirstListParticles;   // particles whose entries lie in the first list buffer; a multiple of 32
+    uint _StepIndex;            // since the last reset
+    float _DensityScale;        // poly6 normalisation / rest density
+    float _SelfDensity;         // W(0) / rest density
+    float _GradientScale;       // spiky gradient normalisation / rest density, negative
+    float _Epsilon;             // constraint force mixing, 1/d^2
+    float _WallScale;           // makes a lattice particle d/2 from a wall see C = 0
+    float _Relaxation;          // omega
+    float _MaxCorrection;       // longest correction of one pass, d
+    float _AllowedTension;      // negative density error that is still corrected, >= 0
+    float _ArtificialPressure;  // k of s_corr, d^2
+    float _ArtificialPressureReference; // 1 / W(dq), without W's normalisation
+    float _Viscosity;           // XSPH c of this substep
+    float _Confinement;         // vorticity confinement, d/s
+};
+
+// _Counters, = ParticleCounter in ParticleBuffers.cs
+static const uint kAlive = 0;               // particles at the start of the step
+static const uint kSorted = 1;              // of those, with a finite position: particles of this step
+static const uint kNextId = 2;
+static const uint kRefused = 3;             // did not fit the capacity, since reset
+static const uint kNonFinite = 4;           // culled, since reset
+static const uint kOverflow = 5;            // particles of this step with more neighbors than the list holds
+static const uint kMostNeighbors = 6;       // most neighbors of such a particle
+static const uint kCrowded = 7;             // particles of this step in cells too full to be ordered by id
+
+uint ParticleIndex(uint3 group, uint thread)
+{
+    return (group.y * kMaxGroups + group.x) * kGroup + thread;
+}
+
+// Thread groups for 'count' particles, folded into two dimensions. At least one, so that the kernel which updates the
+// counters runs when no particle is left.
+uint3 GroupsFor(uint count)
+{
+    uint groups = max((count + kGroup - 1) / kGroup, 1);
+    return uint3(min(groups, kMaxGroups), (groups + kMaxGroups - 1) / kMaxGroups, 1);
+}
+
+// By bits: a compiler may assume that floats are finite.
+bool IsFinite(float3 v)
+{
+    uint3 exponent = asuint(v) & 0x7f800000u;
+    return exponent.x != 0x7f800000u && exponent.y != 0x7f800000u && exponent.z != 0x7f800000u;
+}
+
+float3 ClampToDomain(float3 p)
+{
+    return clamp(p, kWallInset, _DomainSize - kWallInset);
+}
+
+uint CellIndex(float3 p)
+{
+    uint3 cell = min(uint3(max(p * _InverseCellSize, 0.0)), _CellCounts - 1);
+    return (cell.z * _CellCounts.y + cell.y) * _CellCounts.x + cell.x;
+}
+
+// poly6 (Mueller et al. 2003, eq. 20) without its normalisation; 0 beyond the support.
+float Poly6(float distanceSquared)
+{
+    float t = max(kSupportSquared - distanceSquared, 0.0);
+    return t * t * t;
+}
+
+// Unit vector from b to a, or for a coincident pair a direction of its own that is the opposite for the other particle.
+float3 PairDirection(float3 difference, float distanceSquared, uint a, uint b)
+{
+    if (distanceSquared >= kCoincident)
+        return difference * rsqrt(distanceSquared);
+
+    uint hash = (min(a, b) * 0x9E3779B1u) ^ (max(a, b) * 0x85EBCA77u);
+    hash ^= hash >> 15;
+    hash *= 0x2C1B3C6Du;
+    hash ^= hash >> 12;
+    float z = (hash & 0xFFFFu) * (2.0 / 65535.0) - 1.0;
+    float angle = (hash >> 16) * (6.2831853 / 65536.0);
+    float ring = sqrt(max(1.0 - z * z, 0.0));
+    float3 direction = float3(ring * cos(angle), ring * sin(angle), z);
+    return a < b ? direction : -direction;
+}
+
+// Share of the rest density that a half space of fluid behind a plane at distance s adds, and its derivative along the
+// normal (negative: density falls as the particle leaves the wall).
+//   density     poly6 integrated over the half space:  1/2 - 315/256 (x - 4/3 x^3 + 6/5 x^5 - 4/7 x^7 + x^9/9), x = s/h
+//   derivative  the spiky gradient integrated the same way:  -30/h^6 (h t^4/4 - t^5/5), t = h - s
+void HalfSpace(float s, out float density, out float derivative)
+{
+    s = clamp(s, 0.0, kSupport);
+    float x = s / kSupport;
+    float y = x * x;
+    density = _WallScale * (0.5 - (315.0 / 256.0) * x * (1.0 + y * (-4.0 / 3.0 + y * (6.0 / 5.0 + y * (-4.0 / 7.0 + y / 9.0)))));
+    float t = kSupport - s;
+    float t4 = t * t * t * t;
+    derivative = -_WallScale * (30.0 / 64.0) * t4 * (kSupport / 4.0 - t / 5.0);
+}
+
+// The domain's six walls as fluid at rest behind them: density added (relative) and its gradient at p.
+// Planes combine as 1 - product of (1 - F).
+void WallDensity(float3 p, out float density, out float3 gradient)
+{
+    density = 0.0;
+    gradient = 0.0;
+    float3 above = _DomainSize - p;
+    if (all(p >= kSupport) && all(above >= kSupport))
+        return;
+
+    float3 low, lowSlope, high, highSlope;
+    HalfSpace(p.x, low.x, lowSlope.x);
+    HalfSpace(p.y, low.y, lowSlope.y);
+    HalfSpace(p.z, low.z, lowSlope.z);
+    HalfSpace(above.x, high.x, highSlope.x);
+    HalfSpace(above.y, high.y, highSlope.y);
+    HalfSpace(above.z, high.z, highSlope.z);
+    float3 free = (1.0 - low) * (1.0 - high);
+    density = 1.0 - free.x * free.y * free.z;
+    gradient = float3(free.y * free.z, free.x * free.z, free.x * free.y) * (lowSlope * (1.0 - high) - highSlope * (1.0 - low));
+}
+
+#endif
