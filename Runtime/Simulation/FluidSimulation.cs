@@ -81,6 +81,9 @@ namespace Rill
         /// <summary>Whether time stands still.</summary>
         public bool Paused { get => paused; set => paused = value; }
 
+        /// <summary>Whether acceleration of this object acts on the fluid.</summary>
+        public bool Inertial { get => inertial; set => inertial = value; }
+
         /// <summary>What the solver spends on a step. Out-of-range values are clamped with a warning.</summary>
         public SolverSettings Settings { get => solver; set { solver = value; OnValidate(); } }
 
@@ -209,17 +212,26 @@ namespace Rill
                 OnDisable();
                 OnEnable();
             }
-            if (pbf == null || paused)
+            if (pbf == null)
                 return;
+            if (paused)
+            {
+                // Where the box goes meanwhile is no push when time goes on.
+                lastPosition = transform.position;
+                lastVelocity = 0f;
+                return;
+            }
 
+            double dropped = clock.Dropped;
             int steps = clock.Advance(Time.deltaTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
-                Simulate(steps);
+                Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
         }
 
-        void Simulate(int steps)
+        /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
+        void Simulate(int steps, float duration)
         {
-            PrepareInput(steps * FixedStep);
+            PrepareInput(duration);
             commands.Clear();
             for (int i = 0; i < steps; i++)
                 pbf.Step(commands, input);
@@ -240,7 +252,7 @@ namespace Rill
             }
         }
 
-        // Gravity in the domain's frame, less the acceleration of the frame itself over the steps to come.
+        // Gravity in the domain's frame, less the acceleration of the frame itself since the last steps.
         void PrepareInput(float duration)
         {
             float3 position = transform.position;
@@ -262,7 +274,8 @@ namespace Rill
 
         void ValidateSettings()
         {
-            relaxationClamped = solver.relaxation > SolverSettings.MaxRelaxation;
+            // Stays on while the value is the one that clamping left.
+            relaxationClamped = solver.relaxation > SolverSettings.MaxRelaxation || relaxationClamped && solver.relaxation == SolverSettings.MaxRelaxation;
             bool valid = solver.Validate(out string settingsProblem);
             valid &= material.Validate(out string materialProblem);
             if (!valid)
@@ -271,7 +284,7 @@ namespace Rill
 
         bool Matches(SolverLayout layout)
         {
-            return math.all(layout.DomainSize * layout.Spacing == (float3)domainSize) && layout.Spacing == particleSpacing && layout.Capacity == capacity
+            return math.all(layout.DomainSize == (float3)domainSize / particleSpacing) && layout.Spacing == particleSpacing && layout.Capacity == capacity
                 && layout.NeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
         }
 

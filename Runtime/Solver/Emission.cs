@@ -25,6 +25,9 @@ namespace Rill
         /// <summary>Records the removal of all particles and the reset of all counters.</summary>
         public void Clear(CommandBuffer cmd, ParticleBuffers particles)
         {
+            cmd.SetComputeBufferParam(shader, clear, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, clear, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, clear, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, clear, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, clear, Ids.AliveArguments, particles.AliveArguments);
             cmd.DispatchCompute(shader, clear, 1, 1, 1);

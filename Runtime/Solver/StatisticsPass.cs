@@ -17,7 +17,7 @@ namespace Rill
         readonly int measure, reduce;
         readonly Action<AsyncGPUReadbackRequest> onRead;
         GraphicsBuffer partials, histogram, results;
-        NativeArray<uint> latest;
+        NativeArray<uint> arriving, latest;
         int pendingGeneration;
         int generation;
         bool disposed;
@@ -31,6 +31,7 @@ namespace Rill
             histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
             results = GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize);
             histogram.SetData(new uint[Bins]);
+            arriving = new NativeArray<uint>(FluidStatistics.BlockSize, Allocator.Persistent);
             latest = new NativeArray<uint>(FluidStatistics.BlockSize, Allocator.Persistent);
             onRead = OnRead;
         }
@@ -75,7 +76,7 @@ namespace Rill
                 return;
             IsPending = true;
             pendingGeneration = generation;
-            AsyncGPUReadback.RequestIntoNativeArray(ref latest, results, onRead);
+            AsyncGPUReadback.RequestIntoNativeArray(ref arriving, results, onRead);
         }
 
         /// <summary>Results from before this call are dropped when they come.</summary>
@@ -93,6 +94,7 @@ namespace Rill
             GpuBuffer.Release(ref partials);
             GpuBuffer.Release(ref histogram);
             GpuBuffer.Release(ref results);
+            arriving.Dispose();
             latest.Dispose();
         }
 
@@ -114,8 +116,10 @@ namespace Rill
         void OnRead(AsyncGPUReadbackRequest request)
         {
             IsPending = false;
-            if (!disposed && !request.hasError && pendingGeneration == generation)
-                HasResult = true;
+            if (disposed || request.hasError || pendingGeneration != generation)
+                return;
+            latest.CopyFrom(arriving);      // which the next request may be writing while this one is read
+            HasResult = true;
         }
 
         static class Ids

@@ -30,6 +30,8 @@ namespace UnityEngine.Headless
         Object LoadAsset(string guid, long fileId, Type type);
         /// <summary>"Assets/..." or "Packages/name/..." to a file on disk; null when there is none.</summary>
         string ResolvePath(string assetPath);
+        /// <summary>The object of that type in the file at "Assets/..."; null when there is none.</summary>
+        Object LoadAtPath(string assetPath, Type type);
         string GuidOfPath(string assetPath);
     }
 }

@@ -1,0 +1,41 @@
+using System;
+using System.IO;
+using System.Linq;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.SceneManagement;
+
+namespace Host.Assets
+{
+    /// <summary>What a project's ProjectSettings folder changes in the player: colour space, names, time step, scenes of the build.</summary>
+    internal static class ProjectSettings
+    {
+        /// <param name="exists">Whether an asset path leads to a file; scenes that do not are not in the build.</param>
+        public static void Apply(string root, Func<string, bool> exists)
+        {
+            Player.ProjectPath = root;
+            SceneManager.BuildScenes.Clear();
+
+            if (Settings(root, "ProjectSettings") is YamlNode player)
+            {
+                Player.LinearColorSpace = player.Int("m_ActiveColorSpace") == 1;
+                Player.ProductName = player.Text("productName", Player.ProductName);
+                Player.CompanyName = player.Text("companyName", Player.CompanyName);
+            }
+            if (Settings(root, "TimeManager") is YamlNode time)
+            {
+                Time.fixedDeltaTime = time.Float("Fixed Timestep", Time.fixedDeltaTime);
+                Time.maximumDeltaTime = time.Float("Maximum Allowed Timestep", Time.maximumDeltaTime);
+                Time.timeScale = time.Float("m_TimeScale", Time.timeScale);
+            }
+            if (Settings(root, "EditorBuildSettings") is YamlNode build)
+                SceneManager.BuildScenes.AddRange(build.Items("m_Scenes").Where(s => s.Bool("enabled")).Select(s => s.Text("path")).Where(exists));
+        }
+
+        static YamlNode Settings(string root, string name)
+        {
+            var file = Path.Combine(root, "ProjectSettings", name + ".asset");
+            return File.Exists(file) ? UnityYaml.Load(file, $"ProjectSettings/{name}.asset").Documents[0].Fields : null;
+        }
+    }
+}

@@ -1,0 +1,87 @@
+using System;
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+
+namespace Host.Commands
+{
+    /// <summary><c>run</c>: plays a scene, draws frames, and makes a film, a contact sheet and statistics of it.</summary>
+    static class RunCommand
+    {
+        public static Command Create()
+        {
+            var scene = new Argument<string>("scene") { Description = "A .unity file, or the name of a scene or sample." };
+            var seconds = new Option<double>("--seconds") { Description = "Simulated time.", DefaultValueFactory = _ => 5 };
+            var fps = new Option<double>("--fps") { Description = "Frames per second of the player; frame time is its inverse.", DefaultValueFactory = _ => 60 };
+            var every = new Option<int>("--every") { Description = "Draw each Nth frame.", DefaultValueFactory = _ => 2 };
+            var size = new Option<string>("--size") { Description = "Pixels of a frame.", DefaultValueFactory = _ => "1280x720" };
+            var target = new Option<string>("--out") { Description = "Folder for the results; out/<scene> by default." };
+            var noVideo = new Option<bool>("--no-video") { Description = "No video.mp4." };
+            var noFrames = new Option<bool>("--no-frames") { Description = "Draw nothing: no frames, contact sheet and film." };
+            var hash = new Option<bool>("--hash") { Description = "Print a hash of all buffers after the last frame." };
+            var dump = new Option<string>("--dump") { Description = "Folder for the bytes of all buffers after the frames of --at." };
+            var at = new Option<string>("--at") { Description = "Frames to dump, by number from 1: 1,60,300." };
+            var seed = new Option<int?>("--seed") { Description = "Seed of UnityEngine.Random." };
+            var noCompute = new Option<bool>("--no-compute") { Description = "Pretend that the machine cannot run compute shaders." };
+            var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
+
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, seconds, fps, every, size, target, noVideo, noFrames, hash, dump, at, seed, noCompute, notStrict };
+            command.SetAction(parsed =>
+            {
+                (int width, int height) = Size(parsed.GetValue(size));
+                var settings = new RunSettings
+                {
+                    Scene = parsed.GetValue(scene),
+                    Seconds = Positive(parsed.GetValue(seconds), "--seconds"),
+                    FramesPerSecond = Positive(parsed.GetValue(fps), "--fps"),
+                    DrawEvery = (int)Positive(parsed.GetValue(every), "--every"),
+                    Width = width,
+                    Height = height,
+                    Target = parsed.GetValue(target),
+                    Video = !parsed.GetValue(noVideo),
+                    Draw = !parsed.GetValue(noFrames),
+                    Hash = parsed.GetValue(hash),
+                    DumpFolder = parsed.GetValue(dump),
+                    DumpAt = Frames(parsed.GetValue(at)),
+                    Seed = parsed.GetValue(seed),
+                    Compute = !parsed.GetValue(noCompute),
+                    Strict = !parsed.GetValue(notStrict),
+                    Command = "rill " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
+                };
+                if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
+                    throw new HostException("--dump <folder> and --at <frame,...> go together.");
+                return new SceneRun(settings, Console.Out).Execute();
+            });
+            return command;
+        }
+
+        internal static (int Width, int Height) Size(string text)
+        {
+            string[] parts = text.Split('x');
+            if (parts.Length == 2 && int.TryParse(parts[0], out int width) && int.TryParse(parts[1], out int height) && width is > 0 and <= 16384 && height is > 0 and <= 16384)
+                return (width, height);
+            throw new HostException($"--size {text}: give width and height as 1280x720, each 1 to 16384.");
+        }
+
+        internal static int[] Frames(string text)
+        {
+            if (string.IsNullOrEmpty(text))
+                return Array.Empty<int>();
+            return Array.ConvertAll(text.Split(','), part => int.TryParse(part, out int frame) && frame >= 1
+                ? frame
+                : throw new HostException($"--at {text}: \"{part}\" is no frame number; they count from 1, as in 1,60,300."));
+        }
+
+        static double Positive(double value, string option) => value > 0 && double.IsFinite(value) ? value : throw new HostException($"{option} must be above 0, not {value}.");
+    }
+
+    sealed class RunSettings
+    {
+        public string Scene, Target, DumpFolder, Command;
+        public double Seconds, FramesPerSecond;
+        public int Width, Height, DrawEvery;
+        public bool Video, Draw, Hash, Compute, Strict;
+        public int[] DumpAt;
+        public int? Seed;
+    }
+}

@@ -1,0 +1,172 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Rill;
+using Spectre.Console;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.Rendering;
+
+namespace Host.Fluids
+{
+    /// <summary><c>bench</c>: GPU time of the solver's step, by stage, over windows of a breaking dam.</summary>
+    static class BenchCommand
+    {
+        const int LeastSteps = 100;
+
+        // Steps 3-10 of the fresh block and 20-60 of the moving one, each repeated from the start until there are enough.
+        static readonly (string Name, int First, int Last)[] Windows = { ("initial", 3, 10), ("moving", 20, 60) };
+
+        public static Command Create()
+        {
+            var particles = new Option<int>("--particles") { Description = "Particles; the block's lattice comes as near as it can.", DefaultValueFactory = _ => 100_000 };
+            var iterations = new Option<int>("--iterations") { Description = "Iterations of a substep.", DefaultValueFactory = _ => SolverSettings.Default.iterations };
+            var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
+            var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.", DefaultValueFactory = _ => SolverSettings.Default.relaxation };
+            var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
+            var unordered = new Option<bool>("--unordered") { Description = "Leave the particles of a cell in the order of arrival." };
+            var viscosity = new Option<float>("--viscosity") { Description = "XSPH viscosity.", DefaultValueFactory = _ => FluidMaterial.Water.viscosity };
+            var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {LeastSteps}.", DefaultValueFactory = _ => LeastSteps };
+            var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
+
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, unordered, viscosity, window, steps, json };
+            command.SetAction(parsed =>
+            {
+                SolverSettings settings = SolverSettings.Default;
+                settings.iterations = parsed.GetValue(iterations);
+                settings.substeps = parsed.GetValue(substeps);
+                settings.relaxation = parsed.GetValue(relaxation);
+                settings.neighborCapacity = parsed.GetValue(neighbors);
+                settings.deterministic = !parsed.GetValue(unordered);
+                FluidMaterial material = FluidMaterial.Water;
+                material.viscosity = parsed.GetValue(viscosity);
+                if (!settings.Validate(out string problem) || !material.Validate(out problem))
+                    throw new HostException($"bench: {problem}");
+                if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
+                    throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
+                if (parsed.GetValue(steps) < LeastSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {LeastSteps}.");
+                var windows = Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
+                if (windows.Count == 0)
+                    throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", Windows.Select(w => w.Name))} or all.");
+
+                var scene = new BenchScene(parsed.GetValue(particles));
+                var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = material };
+                return Execute(scene, input, windows, parsed.GetValue(steps), parsed.GetValue(json), System.Console.Out);
+            });
+            return command;
+        }
+
+        static int Execute(BenchScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
+        {
+            using var session = new Session(Session.Root());
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Lattice.x} x {scene.Lattice.y} x {scene.Lattice.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.viscosity}, {input.settings.neighborCapacity} list entries, {(input.settings.deterministic ? "ordered" : "unordered")}");
+            output.WriteLine(session.DescribeDevice());
+            output.WriteLine(setting);
+            if (session.Info.IsSoftware)
+                output.WriteLine("This device is a CPU: the figures say nothing about a GPU.");
+
+            var results = new Dictionary<string, Dictionary<string, Spread>>();
+            long bytes;
+            using (var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin)))
+            {
+                foreach ((string name, int first, int last) in windows)
+                    results[name] = Measure(solver, scene, input, first, last, steps);
+                bytes = solver.Describe(input, 0).Sum(stage => stage.Bytes);
+            }
+
+            Print(results, output);
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"memory: {bytes / 1048576.0:N1} MiB, {bytes / (double)scene.Particles:0} bytes a particle"));
+            if (json != null)
+                File.WriteAllText(json, Json(session, scene, input, results, bytes));
+            return 0;
+        }
+
+        static Dictionary<string, Spread> Measure(PbfSolver solver, BenchScene scene, in StepInput input, int first, int last, int steps)
+        {
+            IGraphicsDevice device = Player.Device;
+            var times = new Dictionary<string, List<double>>();
+            using var cmd = new CommandBuffer { name = "bench" };
+            int measured = 0;
+            while (measured < steps)
+            {
+                solver.Clear();
+                scene.Fill(solver);
+                for (int step = 1; step <= last && measured < steps; step++)
+                {
+                    device.Timing = step >= first;
+                    cmd.Clear();
+                    cmd.BeginSample("step");
+                    solver.Step(cmd, input);
+                    cmd.EndSample("step");
+                    Graphics.ExecuteCommandBuffer(cmd);
+                    device.Flush();
+                    if (step < first)
+                        continue;
+
+                    measured++;
+                    foreach (IGrouping<string, DeviceSample> stage in device.CollectSamples().GroupBy(sample => sample.Name))
+                    {
+                        if (!times.TryGetValue(stage.Key, out List<double> list))
+                            times[stage.Key] = list = new List<double>();
+                        list.Add(stage.Sum(sample => sample.Milliseconds));
+                    }
+                }
+                device.WaitIdle();
+            }
+            device.Timing = false;
+            return times.ToDictionary(pair => pair.Key, pair => Spread.Of(pair.Value));
+        }
+
+        static void Print(Dictionary<string, Dictionary<string, Spread>> results, TextWriter output)
+        {
+            foreach ((string window, Dictionary<string, Spread> stages) in results)
+            {
+                double whole = stages["step"].Median;
+                output.WriteLine();
+                output.WriteLine($"{window,-16}{"median ms",12}{"10 %",10}{"90 %",10}{"share",9}   of {stages["step"].Count} steps");
+                foreach ((string stage, Spread spread) in stages.OrderBy(pair => pair.Key == "step"))
+                    output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-16}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}{spread.Median / whole,9:0.0 %}"));
+            }
+            output.WriteLine();
+        }
+
+        static string Json(Session session, BenchScene scene, in StepInput input, Dictionary<string, Dictionary<string, Spread>> results, long bytes)
+        {
+            return JsonSerializer.Serialize(new
+            {
+                device = session.Info.Name,
+                driver = session.Info.Driver,
+                api = session.Info.Api,
+                software = session.Info.IsSoftware,
+                particles = scene.Particles,
+                lattice = new[] { scene.Lattice.x, scene.Lattice.y, scene.Lattice.z },
+                spacing_m = scene.Spacing,
+                substeps = input.settings.substeps,
+                iterations = input.settings.iterations,
+                relaxation = input.settings.relaxation,
+                viscosity = input.material.viscosity,
+                neighbor_capacity = input.settings.neighborCapacity,
+                ordered = input.settings.deterministic,
+                bytes,
+                milliseconds = results.ToDictionary(window => window.Key, window => window.Value.ToDictionary(stage => stage.Key, stage => new { median = stage.Value.Median, p10 = stage.Value.Low, p90 = stage.Value.High, steps = stage.Value.Count })),
+            }, new JsonSerializerOptions { WriteIndented = true });
+        }
+
+        readonly record struct Spread(double Median, double Low, double High, int Count)
+        {
+            public static Spread Of(List<double> values)
+            {
+                var sorted = values.OrderBy(value => value).ToList();
+                double At(double share) => sorted[(int)Math.Round(share * (sorted.Count - 1))];
+                return new Spread(At(0.5), At(0.1), At(0.9), sorted.Count);
+            }
+        }
+    }
+}

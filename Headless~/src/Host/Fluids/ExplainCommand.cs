@@ -1,0 +1,54 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Host.Assets;
+using Rill;
+using UnityEngine.Headless;
+using Object = UnityEngine.Object;
+
+namespace Host.Fluids
+{
+    /// <summary><c>explain</c>: what a scene's simulations cost in stages, kernels, variants and bytes, and why.</summary>
+    static class ExplainCommand
+    {
+        // Enough for everything that is made when first needed.
+        const int Frames = 30;
+
+        public static Command Create()
+        {
+            var scene = new Argument<string>("scene") { Description = "A .unity file, or the name of a scene or sample." };
+            var command = new Command("explain", "Names the stages that a scene uses, their kernels and memory, and the reason for each.") { scene };
+            command.SetAction(parsed =>
+            {
+                LocatedScene located = Session.Locate(parsed.GetValue(scene));
+                using var session = new Session(located);
+                session.LoadScene(located);
+                for (int i = 0; i < Frames; i++)
+                    PlayerLoop.Frame(1f / 60f);
+                foreach (FluidSimulation simulation in Object.FindObjectsOfType<FluidSimulation>())
+                    Write(simulation.name, simulation.Describe(), System.Console.Out);
+                return 0;
+            });
+            return command;
+        }
+
+        internal static void Write(string name, List<StageDescription> stages, TextWriter output)
+        {
+            output.WriteLine($"Simulation '{name}'");
+            foreach (StageDescription stage in stages)
+            {
+                output.WriteLine();
+                output.WriteLine($"{(stage.IsUsed ? "on " : "off")} {stage.Name}: {stage.Reason}");
+                foreach ((string kernel, int perStep) in stage.Kernels)
+                    output.WriteLine($"      {kernel}{(perStep > 0 ? $" x {perStep}" : ", when measuring")}");
+                foreach ((string buffer, long bytes) in stage.Buffers)
+                    output.WriteLine($"      {buffer} {bytes.ToString("N0", CultureInfo.InvariantCulture)} bytes");
+            }
+            output.WriteLine();
+            output.WriteLine($"{stages.Sum(stage => stage.Kernels.Sum(kernel => kernel.perStep)).ToString("N0", CultureInfo.InvariantCulture)} dispatches and draws a step, {stages.Sum(stage => stage.Bytes).ToString("N0", CultureInfo.InvariantCulture)} bytes in buffers");
+        }
+    }
+}

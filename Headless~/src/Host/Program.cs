@@ -1,0 +1,56 @@
+using System;
+using System.CommandLine;
+using System.CommandLine.Invocation;
+using System.Linq;
+using System.Reflection;
+using Host.Assets;
+using Host.Commands;
+using Host.Fluids;
+using Host.Vulkan;
+using UnityEngine.Headless;
+
+namespace Host
+{
+    /// <summary>The command line. Exit codes: 0 done, 1 tests failed or the scene logged errors, 2 it could not be done, 3 GPU objects were left.</summary>
+    static class Program
+    {
+        static int Main(string[] arguments)
+        {
+            var root = new RootCommand("Runs scenes and tests of a Unity compute package without Unity.")
+            {
+                RunCommand.Create(),
+                TestCommand.Create(),
+                ExplainCommand.Create(),
+                BenchCommand.Create(),
+            };
+            ParseResult parsed = root.Parse(arguments);
+            if (parsed.Action is ParseErrorAction)
+                return Fail(string.Join("; ", parsed.Errors.Select(error => error.Message.TrimEnd('.'))) + $"; see rill {string.Join(" ", parsed.CommandResult.Command == root ? "" : parsed.CommandResult.Command.Name + " ")}--help");
+            try
+            {
+                return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
+            }
+            catch (Exception error)
+            {
+                return Fail(error);
+            }
+        }
+
+        static int Fail(Exception error)
+        {
+            while (error is TargetInvocationException or TypeInitializationException or AggregateException && error.InnerException != null)
+                error = error.InnerException;
+            if (Environment.GetEnvironmentVariable("RILL_TRACE") == "1")
+                Console.Error.WriteLine(error);
+            // These messages are written for the user. Others are a fault of somebody's code, and its kind helps to find it.
+            bool explained = error is HostException or AssetException or ShaderCompileException or GpuUsageException or OutOfGpuMemoryException or VulkanException;
+            return Fail(explained ? error.Message : $"{error.GetType().Name}: {error.Message} (RILL_TRACE=1 shows where)");
+        }
+
+        static int Fail(string message)
+        {
+            Console.Error.WriteLine("rill: " + message.ReplaceLineEndings(" "));
+            return 2;
+        }
+    }
+}

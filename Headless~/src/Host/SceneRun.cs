@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Host.Assets;
+using Host.Commands;
+using Host.Fluids;
+using Host.Output;
+using UnityEngine.Headless;
+
+namespace Host
+{
+    /// <summary>Plays a scene for a while, measuring each step and drawing some, and leaves a folder that shows it.</summary>
+    sealed class SceneRun
+    {
+        static readonly string[] OwnColumns = { "time_s", "step_ms", "gpu_ms" };
+
+        readonly RunSettings settings;
+        readonly TextWriter output;
+        string folder;
+
+        public SceneRun(RunSettings settings, TextWriter output)
+        {
+            this.settings = settings;
+            this.output = output;
+        }
+
+        /// <returns>The exit code: see <see cref="Program"/>.</returns>
+        public int Execute()
+        {
+            LocatedScene scene = Session.Locate(settings.Scene);
+            folder = Path.GetFullPath(settings.Target ?? Path.Combine("out", Path.GetFileNameWithoutExtension(scene.File)));
+            Directory.CreateDirectory(folder);
+            Player.ScreenWidth = settings.Width;
+            Player.ScreenHeight = settings.Height;
+
+            using var session = new Session(scene, settings.Strict, settings.Compute);
+            output.WriteLine($"{Path.GetFileNameWithoutExtension(scene.File)} on {session.DescribeDevice()}");
+            if (settings.Seed is int seed)
+                UnityEngine.Random.InitState(seed);
+            session.LoadScene(scene);
+
+            List<IRunProbe> probes = Probes.OfScene();
+            var statistics = new Statistics(OwnColumns.Concat(probes.SelectMany(probe => probe.Columns)));
+            using (var frames = settings.Draw ? new FrameWriter(Path.Combine(folder, "frames")) : null)
+            {
+                Play(probes, statistics, frames);
+                Report(new StatisticsPage
+                {
+                    Title = Path.GetFileNameWithoutExtension(scene.File),
+                    Command = settings.Command,
+                    Statistics = statistics,
+                    Plots = new List<Plot> { new("step-time", "Time of a step", "ms", "step_ms", "gpu_ms") }.Concat(probes.SelectMany(probe => probe.Plots)).ToList(),
+                    Settings = OwnSettings(scene, session).Concat(probes.SelectMany(probe => probe.Settings)).ToList(),
+                }, frames);
+            }
+            if (settings.Hash)
+                output.WriteLine($"hash {StateHash.OfScene() ?? BufferDump.Hash()}");
+            return Close(session);
+        }
+
+        void Play(List<IRunProbe> probes, Statistics statistics, FrameWriter frames)
+        {
+            int steps = (int)Math.Ceiling(settings.Seconds * settings.FramesPerSecond - 1e-6);
+            IGraphicsDevice device = Player.Device;
+            device.Timing = true;
+            Output.Progress.Run(output, "simulating", steps, report =>
+            {
+                for (int step = 1; step <= steps; step++)
+                {
+                    var clock = Stopwatch.StartNew();
+                    PlayerLoop.Frame((float)(1 / settings.FramesPerSecond));
+                    device.WaitIdle();
+                    double milliseconds = clock.Elapsed.TotalMilliseconds;
+                    double time = step / settings.FramesPerSecond;
+
+                    statistics.Add(Row(time, milliseconds, probes));
+                    if (frames != null && step % settings.DrawEvery == 0)
+                        frames.Add(time, Draw());
+                    if (Array.IndexOf(settings.DumpAt, step) >= 0)
+                        BufferDump.Write(settings.DumpFolder, step);
+                    report(step, string.Create(CultureInfo.InvariantCulture, $"{time:0.00} s of {settings.Seconds:0.##} s, {milliseconds:0.0} ms a step"));
+                }
+            });
+        }
+
+        static double[] Row(double time, double milliseconds, List<IRunProbe> probes)
+        {
+            var row = new List<double> { time, milliseconds, Player.Device.CollectSamples().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds) };
+            foreach (IRunProbe probe in probes)
+            {
+                var values = new double[probe.Columns.Length];
+                probe.Sample(time, values);
+                row.AddRange(values);
+            }
+            return row.ToArray();
+        }
+
+        static Func<byte[]> Draw()
+        {
+            byte[] rgba = Screenshot.ReadRgba();
+            (int width, int height) = (Player.ScreenWidth, Player.ScreenHeight);
+            return () => Png.Encode(rgba, width, height);
+        }
+
+        void Report(StatisticsPage page, FrameWriter frames)
+        {
+            page.Statistics.WriteCsv(Path.Combine(folder, "statistics.csv"));
+            foreach (Plot plot in page.Plots)
+                plot.Draw(folder, page.Statistics, OwnColumns[0]);
+            if (frames != null)
+            {
+                frames.Finish();
+                if (frames.Frames.Count == 0)
+                    throw new HostException($"no frame was drawn: --every {settings.DrawEvery} is more than the run's steps; lower it or add --no-frames.");
+                Video.ContactSheet(frames.Frames, Path.Combine(folder, "contact.png"));
+                page.HasContactSheet = true;
+                if (settings.Video)
+                    Video.Encode(frames.Pattern, settings.FramesPerSecond / settings.DrawEvery, Path.Combine(folder, "video.mp4"));
+                page.HasVideo = settings.Video;
+            }
+            page.Write(folder);
+
+            double[] step = page.Statistics.Known("step_ms");
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{step.Length} steps, {step.Average():0.0} ms a step, {StatisticsPage.Percentile(step, 0.999):0.0} ms at the 99.9th percentile"));
+            output.WriteLine($"results in {folder}");
+        }
+
+        int Close(Session session)
+        {
+            List<string> left = session.End();
+            output.WriteLine($"{left.Count} GPU objects left");
+            foreach (string thing in left)
+                output.WriteLine("  " + thing);
+            if (left.Count > 0)
+                return 3;
+            if (session.ErrorsLogged == 0)
+                return 0;
+            Console.Error.WriteLine($"rill: {session.ErrorsLogged} errors were logged");
+            return 1;
+        }
+
+        IEnumerable<(string, string)> OwnSettings(LocatedScene scene, Session session)
+        {
+            yield return ("scene", Path.GetRelativePath(scene.Root, scene.File));
+            yield return ("device", session.DescribeDevice());
+            yield return ("simulated time", string.Create(CultureInfo.InvariantCulture, $"{settings.Seconds} s at {settings.FramesPerSecond} frames a second"));
+            yield return ("frames", settings.Draw ? $"{settings.Width} x {settings.Height}, each {settings.DrawEvery}. step drawn" : "none drawn");
+            if (settings.Seed is int seed)
+                yield return ("seed", seed.ToString(CultureInfo.InvariantCulture));
+            yield return ("date", DateTime.UtcNow.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture));
+        }
+    }
+}

@@ -1,0 +1,122 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using Host.Assets;
+using Host.Vulkan;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.SceneManagement;
+
+namespace Host
+{
+    /// <summary>A player with a device and a project's assets, from start to the count of what it left.</summary>
+    sealed class Session : IDisposable
+    {
+        // The package's assemblies, beside the host's own.
+        static readonly string[] PackageAssemblies = { "Rill", "Rill.Editor" };
+
+        readonly VulkanDevice device;
+        readonly ProjectAssets assets;
+        readonly HashSet<string> said = new();
+
+        /// <param name="root">A Unity project's or package's folder.</param>
+        /// <param name="mounts">Null: those of the root.</param>
+        /// <param name="scripts">Assemblies with scripts beside the package's.</param>
+        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true)
+        {
+            // Messages end as the command's output, each once: a fault in Update comes back every frame.
+            LogSink.Received += Hear;
+            LogSink.Writer = Print;
+            device = new VulkanDevice(validation);
+            Player.Device = device;
+            Player.Strict = strict;
+            Player.PretendNoCompute = !compute;
+
+            IEnumerable<Assembly> package = PackageAssemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll"))).Select(Assembly.Load);
+            assets = new ProjectAssets(mounts ?? ProjectFolders.Of(root), package.Concat(scripts ?? Enumerable.Empty<Assembly>()).ToList(), strict);
+            Player.Assets = assets;
+            SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
+            // Entering play mode: statics and times go back to their start, then the project's settings apply.
+            PlayerLoop.Reset();
+            ProjectSettings.Apply(root, path => assets.ResolvePath(path) != null);
+            foreach (KeyValuePair<Type, int> order in assets.ExecutionOrders())
+                ExecutionOrder.FromMeta[order.Key] = order.Value;
+            Initializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
+            Initializers.Run(RuntimeInitializeLoadType.BeforeSplashScreen);
+            Initializers.Run(RuntimeInitializeLoadType.BeforeSceneLoad);
+        }
+
+        /// <summary>For the scene's project; <see cref="LoadScene"/> opens it.</summary>
+        public Session(LocatedScene scene, bool strict = true, bool compute = true) : this(scene.Root, scene.Mounts, strict: strict, compute: compute) { }
+
+        public DeviceInfo Info => device.Info;
+
+        public IReadOnlyList<string> ValidationMessages => device.ValidationMessages;
+
+        /// <summary>Errors, exceptions and assertions that scripts or the engine logged.</summary>
+        public int ErrorsLogged { get; private set; }
+
+        /// <summary>The folder that the command line works on: RILL_ROOT, or the project or package around the current folder.</summary>
+        public static string Root()
+        {
+            string here = Directory.GetCurrentDirectory();
+            return Environment.GetEnvironmentVariable("RILL_ROOT") ?? ProjectFolders.RootOf(here) ?? throw new HostException($"{here} lies in no Unity project and no package, and RILL_ROOT is not set.");
+        }
+
+        /// <summary>A scene by what the user typed: a path, or a name that is looked for around the current folder, then in the package.</summary>
+        public static LocatedScene Locate(string scene)
+        {
+            string here = Directory.GetCurrentDirectory();
+            bool isPath = File.Exists(scene) || Directory.Exists(scene);
+            return SceneLocator.Find(scene, isPath || ProjectFolders.RootOf(here) != null ? here : Root());
+        }
+
+        public string DescribeDevice() => $"{Info.Name} ({Info.Driver}, {Info.Api}{(Info.IsSoftware ? ", in software" : "")})";
+
+        public void LoadScene(LocatedScene scene)
+        {
+            SceneManager.LoadNow(scene.AssetPath, LoadSceneMode.Single);
+            Initializers.Run(RuntimeInitializeLoadType.AfterSceneLoad);
+            foreach (string warning in assets.Warnings)
+                Console.Error.WriteLine("warning: " + warning);
+        }
+
+        /// <summary>Destroys the scene and names the objects with GPU memory that outlived it.</summary>
+        public List<string> End()
+        {
+            PlayerLoop.Reset();
+            assets.ReloadAll();
+            return LiveObjects.Report();
+        }
+
+        public void Dispose()
+        {
+            LogSink.Received -= Hear;
+            PlayerLoop.Reset();
+            Gpu.Reset();
+            Player.Device = null;
+            Player.Assets = null;
+            device.Dispose();
+        }
+
+        void Hear(LogEntry entry)
+        {
+            if (entry.Type is LogType.Error or LogType.Exception or LogType.Assert)
+                ErrorsLogged++;
+        }
+
+        void Print(LogEntry entry)
+        {
+            if (!said.Add(entry.Type + entry.Message))
+                return;
+            if (entry.Type == LogType.Log)
+                Console.Out.WriteLine(entry.Message);
+            else
+                Console.Error.WriteLine($"{entry.Type.ToString().ToLowerInvariant()}: {entry.Message}");
+            if (entry.Exception != null && Environment.GetEnvironmentVariable("RILL_TRACE") == "1")
+                Console.Error.WriteLine(entry.StackTrace);
+        }
+    }
+}

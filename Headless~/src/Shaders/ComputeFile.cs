@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine.Headless;
+
+namespace Host.Shaders
+{
+    /// <summary>A .compute file. Kernels compile when first asked for; any thread may ask.</summary>
+    sealed class ComputeFile : ComputeShaderSource
+    {
+        const int Target = 50;
+
+        sealed class Kernel
+        {
+            public string Name;
+            public SourceLine Where;
+            public List<KeyValuePair<string, string>> Defines = new List<KeyValuePair<string, string>>();
+        }
+
+        readonly ShaderCompiler compiler;
+        readonly List<SourceSegment> segments;
+        readonly List<Kernel> kernels;
+        readonly Keywords keywords;
+        readonly ConcurrentDictionary<string, Lazy<ShaderProgram>> programs = new ConcurrentDictionary<string, Lazy<ShaderProgram>>();
+
+        public ComputeFile(string filePath, string displayPath, ShaderCompiler compiler)
+        {
+            this.compiler = compiler;
+            Path = displayPath;
+            segments = new List<SourceSegment> { new SourceSegment { Text = SourceText.Read(filePath), DiskPath = System.IO.Path.GetFullPath(filePath), DisplayPath = displayPath } };
+            List<PragmaLine> pragmas = compiler.ReadPragmas(segments, ShaderStage.Compute, Target);
+            keywords = new Keywords(pragmas);
+            kernels = pragmas.Select(ParseKernel).Where(k => k != null).ToList();
+        }
+
+        public override string Path { get; }
+        public override IReadOnlyList<string> Kernels => kernels.ConvertAll(k => k.Name);
+        public override IReadOnlyList<string> Keywords => keywords.All;
+
+        public override ShaderProgram Compile(int kernel, ICollection<string> enabledKeywords)
+        {
+            Kernel k = kernels[kernel];
+            List<KeyValuePair<string, string>> variant = keywords.Select(ShaderStage.Compute, enabledKeywords);
+            string key = kernel + " " + string.Join(" ", variant.Select(d => d.Key + "=" + d.Value));
+            return programs.GetOrAdd(key, _ => new Lazy<ShaderProgram>(() => compiler.Compile(new CompileRequest
+            {
+                Name = $"{Path} ({k.Name})",
+                Stage = ShaderStage.Compute,
+                EntryPoint = k.Name,
+                EntryLine = k.Where,
+                Segments = segments,
+                Defines = ShaderCompiler.PlatformDefines(ShaderStage.Compute, Target).Concat(variant).Concat(k.Defines).ToList(),
+            }).Program)).Value;
+        }
+
+        // "kernel Name DEF=1 OTHER"; null for other pragmas.
+        static Kernel ParseKernel(PragmaLine pragma)
+        {
+            string[] words = pragma.Text.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
+            if (words[0] != "kernel")
+                return null;
+            if (words.Length < 2)
+                throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line, "#pragma kernel needs a name");
+            var kernel = new Kernel { Name = words[1], Where = pragma.Where };
+            foreach (string define in words.Skip(2))
+            {
+                int equals = define.IndexOf('=');
+                kernel.Defines.Add(equals < 0 ? KeyValuePair.Create(define, "1") : KeyValuePair.Create(define.Substring(0, equals), define.Substring(equals + 1)));
+            }
+            return kernel;
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using System.Threading.Tasks;
+using UnityEngine.Headless;
+
+namespace Host.Shaders
+{
+    /// <summary>Runs glslangValidator, whose HLSL front end also inlines and drops dead code (it carries SPIRV-Tools' optimizer).</summary>
+    static class Glslang
+    {
+        const string Tool = "glslangValidator";
+        static readonly Regex Located = new Regex(@"^(?:ERROR: .*?:(\d+): (.*)|.*?\((\d+)\): (error .*))$");
+
+        static readonly Lazy<string> identity = new Lazy<string>(() =>
+        {
+            string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Select(f => Path.Combine(f, Tool)).FirstOrDefault(File.Exists);
+            if (path == null)
+                throw new InvalidOperationException($"{Tool} is not on the PATH; it compiles the shaders (Debian: apt-get install glslang-tools).");
+            var file = new FileInfo(path);
+            return $"{path} {file.Length} {file.LastWriteTimeUtc.Ticks}";
+        });
+
+        /// <summary>Changes when the tool does; starts nothing.</summary>
+        public static string Identity => identity.Value;
+
+        /// <exception cref="ShaderCompileException">Names the source line behind the first error.</exception>
+        public static byte[] Compile(PreprocessedSource source, ShaderStage stage, string entryPoint, SourceLine entryLine)
+        {
+            _ = Identity;   // says what to install when there is none
+            string folder = Directory.CreateTempSubdirectory("rill-shader-").FullName;
+            try
+            {
+                string input = Path.Combine(folder, "source.hlsl"), output = Path.Combine(folder, "out.spv");
+                File.WriteAllText(input, source.Text);
+                string stageName = stage == ShaderStage.Compute ? "comp" : stage == ShaderStage.Vertex ? "vert" : "frag";
+                string log = Run(new[]
+                {
+                    "-D", "-V", "--target-env", "vulkan1.1", "-S", stageName, "-e", entryPoint,
+                    "--hlsl-dx-position-w",         // SV_Position.w as in Direct3D
+                    "-fhlsl_functionality1",        // keeps the semantics' names
+                    "-o", output, input,
+                }, out int exitCode);
+                if (exitCode == 0 && File.Exists(output))
+                    return File.ReadAllBytes(output);
+                throw Error(log, exitCode, source, entryPoint, entryLine);
+            }
+            finally
+            {
+                Directory.Delete(folder, recursive: true);
+            }
+        }
+
+        static string Run(IEnumerable<string> arguments, out int exitCode)
+        {
+            var start = new ProcessStartInfo(Tool) { RedirectStandardOutput = true, RedirectStandardError = true };
+            foreach (string argument in arguments)
+                start.ArgumentList.Add(argument);
+            using Process process = Process.Start(start);
+            Task<string> errors = process.StandardError.ReadToEndAsync();
+            string log = process.StandardOutput.ReadToEnd() + errors.Result;
+            process.WaitForExit();
+            exitCode = process.ExitCode;
+            return log;
+        }
+
+        static ShaderCompileException Error(string log, int exitCode, PreprocessedSource source, string entryPoint, SourceLine entryLine)
+        {
+            foreach (string line in log.Split('\n'))
+            {
+                Match match = Located.Match(line.TrimEnd());
+                if (!match.Success)
+                    continue;
+                string number = match.Groups[1].Success ? match.Groups[1].Value : match.Groups[3].Value;
+                string message = match.Groups[2].Success ? match.Groups[2].Value : match.Groups[4].Value;
+                int index = int.Parse(number) - 1;
+                SourceLine where = index >= 0 && index < source.Lines.Count ? source.Lines[index] : entryLine;
+                return new ShaderCompileException(where.File, where.Line, message.Trim());
+            }
+            return new ShaderCompileException(entryLine.File, entryLine.Line, $"{Tool} {(exitCode > 128 ? "crashed" : "failed")} with code {exitCode} on '{entryPoint}': {log.Trim()}");
+        }
+    }
+}

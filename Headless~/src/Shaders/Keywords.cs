@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using UnityEngine.Headless;
+
+namespace Host.Shaders
+{
+    /// <summary>The keyword lines of a source (multi_compile, shader_feature ...) and the variants that they make.</summary>
+    sealed class Keywords
+    {
+        static readonly Regex LineName = new Regex(@"^(multi_compile|shader_feature|dynamic_branch)(_local)?(?:_(vertex|fragment|hull|domain|geometry|raytracing))?$");
+
+        sealed class Line
+        {
+            public string[] Names;      // "" = none of them
+            public ShaderStage? Stage;
+            public bool Dynamic;
+        }
+
+        readonly List<Line> lines = new List<Line>();
+
+        public Keywords(IEnumerable<PragmaLine> pragmas)
+        {
+            foreach (PragmaLine pragma in pragmas)
+            {
+                string[] words = pragma.Text.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
+                Match match = LineName.Match(words[0]);
+                // Lines such as multi_compile_fog name keywords of render pipelines, all of which stay off here.
+                if (!match.Success || words.Length < 2)
+                    continue;
+                string kind = match.Groups[1].Value, stage = match.Groups[3].Value;
+                List<string> names = words.Skip(1).Select(w => w.Trim('_').Length == 0 ? "" : w).ToList();
+                if (kind == "shader_feature" && names.Count == 1)
+                    names.Insert(0, "");    // a feature alone is on or off
+                lines.Add(new Line
+                {
+                    Names = names.ToArray(),
+                    Dynamic = kind == "dynamic_branch",
+                    Stage = stage == "vertex" ? ShaderStage.Vertex : stage == "fragment" ? ShaderStage.Fragment : (ShaderStage?)null,
+                });
+            }
+        }
+
+        public IReadOnlyList<string> All => lines.SelectMany(l => l.Names).Where(n => n.Length > 0).Distinct().ToArray();
+
+        /// <summary>One define a line: its first enabled keyword, or its first when none is.</summary>
+        public List<KeyValuePair<string, string>> Select(ShaderStage stage, ICollection<string> enabled)
+        {
+            var defines = new List<KeyValuePair<string, string>>();
+            foreach (Line line in lines)
+            {
+                if (line.Stage != null && line.Stage != stage)
+                    continue;
+                if (line.Dynamic)
+                {
+                    // A keyword of a dynamic branch is a value to test in the code; here it is a constant one.
+                    foreach (string name in line.Names.Where(n => n.Length > 0))
+                        defines.Add(KeyValuePair.Create(name, IsEnabled(enabled, name) ? "1" : "0"));
+                    continue;
+                }
+                string chosen = line.Names.FirstOrDefault(n => n.Length > 0 && IsEnabled(enabled, n)) ?? line.Names[0];
+                if (chosen.Length > 0)
+                    defines.Add(KeyValuePair.Create(chosen, "1"));
+            }
+            return defines;
+        }
+
+        static bool IsEnabled(ICollection<string> enabled, string name) => enabled != null && enabled.Contains(name);
+    }
+}

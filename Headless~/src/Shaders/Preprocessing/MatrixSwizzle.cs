@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+
+namespace Host.Shaders
+{
+    /// <summary>
+    /// Writes M._m03_m13_m23 out as float3(M._m03, M._m13, M._m23): glslang (12.0) makes nonsense of matrix swizzles of more
+    /// than one element, and Unity's sources are full of them.
+    /// </summary>
+    static class MatrixSwizzle
+    {
+        static readonly Regex Several = new Regex(@"^(?:(_m[0-3][0-3]){2,4}|(_[1-4][1-4]){2,4})$");
+        static readonly string[] Assignments = { "=", "+=", "-=", "*=", "/=" };
+        static readonly Regex Element = new Regex(@"_m?\d\d");
+
+        /// <exception cref="PreprocessorException">One is assigned to.</exception>
+        public static List<Token> Expand(List<Token> tokens)
+        {
+            for (int i = 0; i < tokens.Count; i++)
+            {
+                if (tokens[i].Kind != TokenKind.Identifier || tokens[i].Text.Length < 6 || i < 2 || !tokens[i - 1].Is(".") || !Several.IsMatch(tokens[i].Text))
+                    continue;
+                int next = i + 1;
+                while (next < tokens.Count && tokens[next].Kind == TokenKind.Space)
+                    next++;
+                if (next < tokens.Count && tokens[next].Kind == TokenKind.Symbol && Array.IndexOf(Assignments, tokens[next].Text) >= 0)
+                    throw new PreprocessorException($"'{tokens[i].Text}' is assigned to; glslang cannot do that for several elements at once: assign them one by one");
+
+                int begin = Begin(tokens, i - 2);
+                List<Token> matrix = tokens.GetRange(begin, i - 1 - begin);
+                string[] elements = Element.Matches(tokens[i].Text).Select(m => m.Value).ToArray();
+                var call = new List<Token> { new Token(TokenKind.Identifier, "float" + elements.Length), new Token(TokenKind.Symbol, "(") };
+                for (int e = 0; e < elements.Length; e++)
+                {
+                    if (e > 0)
+                        call.Add(new Token(TokenKind.Symbol, ","));
+                    call.AddRange(matrix);
+                    call.Add(new Token(TokenKind.Symbol, "."));
+                    call.Add(new Token(TokenKind.Identifier, elements[e]));
+                }
+                call.Add(new Token(TokenKind.Symbol, ")"));
+                tokens.RemoveRange(begin, i + 1 - begin);
+                tokens.InsertRange(begin, call);
+                i = begin + call.Count - 1;
+            }
+            return tokens;
+        }
+
+        // Where the expression that ends at that token begins: names, members, indices and calls.
+        static int Begin(List<Token> tokens, int last)
+        {
+            int at = last;
+            while (true)
+            {
+                while (tokens[at].Is(")") || tokens[at].Is("]"))
+                {
+                    bool call = tokens[at].Is(")");
+                    for (int depth = 0; at >= 0; at--)
+                    {
+                        depth += tokens[at].Is(")") || tokens[at].Is("]") ? 1 : tokens[at].Is("(") || tokens[at].Is("[") ? -1 : 0;
+                        if (depth == 0)
+                            break;
+                    }
+                    if (at <= 0 || call && tokens[at - 1].Kind != TokenKind.Identifier)
+                        return at < 0 ? 0 : at;
+                    at--;
+                }
+                if (at < 2 || !tokens[at - 1].Is("."))
+                    return at;
+                at -= 2;
+            }
+        }
+    }
+}

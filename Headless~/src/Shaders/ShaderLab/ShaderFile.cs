@@ -1,0 +1,135 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using UnityEngine.Headless;
+
+namespace Host.Shaders
+{
+    /// <summary>A .shader file. Programs compile when first asked for; any thread may ask.</summary>
+    sealed class ShaderFile : ShaderSource
+    {
+        static readonly Dictionary<string, int> Queues = new Dictionary<string, int>(StringComparer.OrdinalIgnoreCase)
+        {
+            ["Background"] = 1000, ["Geometry"] = 2000, ["AlphaTest"] = 2450, ["GeometryLast"] = 2500, ["Transparent"] = 3000, ["Overlay"] = 4000,
+        };
+
+        readonly ParsedShader parsed;
+        readonly PassFile[] passes;
+
+        public ShaderFile(string filePath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler)
+        {
+            Path = displayPath;
+            parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, package => resolver?.Invoke($"Packages/{package}/package.json") != null);
+            // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
+            ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Passes.Count > 0 && (!s.Tags.TryGetValue("RenderPipeline", out string pipeline) || pipeline.Length == 0));
+            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Select(p => new PassFile(p, usable, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, resolver, compiler)).ToArray();
+            RenderQueue = usable != null && usable.Tags.TryGetValue("Queue", out string queue) ? ParseQueue(queue) : Queues["Geometry"];
+            if (usable == null)
+                parsed.Notes.Add("no SubShader is for the pipeline and packages of this project");
+        }
+
+        public override string Path { get; }
+        public override string Name => parsed.Name;
+        public override IReadOnlyList<ShaderProperty> Properties => parsed.Properties;
+        public override IReadOnlyList<string> Keywords => passes.SelectMany(p => p.Keywords).Distinct().ToArray();
+        public override IReadOnlyList<ShaderPassSource> Passes => passes;
+        public override int RenderQueue { get; }
+        public override IReadOnlyList<string> Notes => parsed.Notes;
+
+        // "Transparent", "Geometry+10", "Overlay - 1".
+        int ParseQueue(string text)
+        {
+            string compact = text.Replace(" ", "");
+            int sign = compact.IndexOfAny(new[] { '+', '-' });
+            string name = sign < 0 ? compact : compact.Substring(0, sign);
+            int offset = 0;
+            if (!Queues.TryGetValue(name, out int queue) || sign >= 0 && !int.TryParse(compact.Substring(sign), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out offset))
+                throw new ShaderCompileException(Path, 1, $"'{text}' is no render queue");
+            return queue + offset;
+        }
+    }
+
+    sealed class PassFile : ShaderPassSource
+    {
+        const int DefaultTarget = 25;
+
+        readonly ShaderCompiler compiler;
+        readonly ParsedPass pass;
+        readonly string shaderName, displayPath;
+        readonly List<SourceSegment> segments;
+        readonly Keywords keywords;
+        readonly int target = DefaultTarget;
+        readonly Dictionary<ShaderStage, (string name, SourceLine where)> entries = new Dictionary<ShaderStage, (string, SourceLine)>();
+        readonly ConcurrentDictionary<string, Lazy<CompiledProgram>> programs = new ConcurrentDictionary<string, Lazy<CompiledProgram>>();
+
+        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler)
+        {
+            this.pass = pass;
+            this.compiler = compiler;
+            this.shaderName = shaderName;
+            this.displayPath = displayPath;
+            Name = pass.Name;
+            Tags = new Dictionary<string, string>(subShader.Tags);
+            foreach (KeyValuePair<string, string> tag in pass.Tags)
+                Tags[tag.Key] = tag.Value;
+
+            segments = pass.Code.Select(c => new SourceSegment { Text = c.Text, FirstLine = c.FirstLine, DiskPath = diskPath, DisplayPath = displayPath }).ToList();
+            if (pass.Code[pass.Code.Count - 1].Cg)
+                segments.InsertRange(0, ImplicitIncludes(diskPath, resolver));
+            List<PragmaLine> pragmas = compiler.ReadPragmas(segments, ShaderStage.Vertex, DefaultTarget);
+            keywords = new Keywords(pragmas);
+            foreach (PragmaLine pragma in pragmas)
+            {
+                string[] words = pragma.Text.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
+                string argument = words.Length > 1 ? words[1] : "";
+                switch (words[0])
+                {
+                    case "vertex": entries[ShaderStage.Vertex] = (argument, pragma.Where); break;
+                    case "fragment": entries[ShaderStage.Fragment] = (argument, pragma.Where); break;
+                    case "geometry":
+                    case "hull":
+                    case "domain":
+                    case "surface":
+                        throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line, $"#pragma {words[0]} is not supported by this host; vertex and fragment programs are");
+                    case "target":
+                        if (float.TryParse(argument, NumberStyles.Float, CultureInfo.InvariantCulture, out float version))
+                            target = (int)Math.Round(version * 10);
+                        break;
+                }
+            }
+        }
+
+        public IReadOnlyList<string> Keywords => keywords.All;
+
+        // Unity puts these before every CGPROGRAM.
+        static IEnumerable<SourceSegment> ImplicitIncludes(string diskPath, IncludeResolver resolver)
+            => new[] { "HLSLSupport.cginc", "UnityShaderVariables.cginc" }.Where(f => resolver?.Invoke(f) != null)
+                .Select(f => new SourceSegment { Text = $"#include \"{f}\"", DiskPath = diskPath, DisplayPath = f });
+
+        public override DeviceRasterState ResolveState(Func<string, float> property) => pass.State.Resolve(property);
+
+        public override ShaderProgram Compile(ShaderStage stage, ICollection<string> enabledKeywords) => CompileLinked(stage, enabledKeywords).Program;
+
+        CompiledProgram CompileLinked(ShaderStage stage, ICollection<string> enabledKeywords)
+        {
+            if (!entries.TryGetValue(stage, out (string name, SourceLine where) entry))
+                throw new ShaderCompileException(displayPath, pass.Line, $"this pass has no #pragma {(stage == ShaderStage.Vertex ? "vertex" : "fragment")}");
+            List<KeyValuePair<string, string>> variant = keywords.Select(stage, enabledKeywords);
+            // The fragment program's inputs are numbered as the vertex program's outputs, which have a variant of their own.
+            Varying[] outputs = stage == ShaderStage.Fragment ? CompileLinked(ShaderStage.Vertex, enabledKeywords).Outputs : Array.Empty<Varying>();
+            string key = stage + " " + string.Join(" ", variant.Select(d => d.Key + "=" + d.Value)) + " " + string.Join(" ", outputs.Select(o => o.Semantic));
+            return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() => compiler.Compile(new CompileRequest
+            {
+                Name = $"{displayPath} ({shaderName}{(Name.Length > 0 ? "/" + Name : "")}, {entry.name})",
+                Stage = stage,
+                EntryPoint = entry.name,
+                EntryLine = entry.where,
+                Segments = segments,
+                Defines = ShaderCompiler.PlatformDefines(stage, target).Concat(variant).ToList(),
+                VertexOutputs = outputs,
+            }))).Value;
+        }
+    }
+}

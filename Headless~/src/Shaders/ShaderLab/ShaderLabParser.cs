@@ -1,0 +1,290 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Headless;
+
+namespace Host.Shaders
+{
+    sealed class ParsedPass
+    {
+        public string Name = "";
+        public int Line;
+        public Dictionary<string, string> Tags = new Dictionary<string, string>();
+        public RenderState State;
+        /// <summary>Include blocks before the pass, then its own program.</summary>
+        public List<CodeBlock> Code = new List<CodeBlock>();
+    }
+
+    sealed class ParsedSubShader
+    {
+        public Dictionary<string, string> Tags = new Dictionary<string, string>();
+        public List<ParsedPass> Passes = new List<ParsedPass>();
+    }
+
+    sealed class ParsedShader
+    {
+        public string Name;
+        public List<ShaderProperty> Properties = new List<ShaderProperty>();
+        public List<ParsedSubShader> SubShaders = new List<ParsedSubShader>();
+        /// <summary>What the file asks for and the host leaves out.</summary>
+        public List<string> Notes = new List<string>();
+    }
+
+    /// <summary>ShaderLab by recursive descent, as the manual's "ShaderLab" reference lists it.</summary>
+    sealed class ShaderLabParser
+    {
+        readonly ShaderLabReader reader;
+        readonly Func<string, bool> hasPackage;
+        readonly ParsedShader shader = new ParsedShader();
+
+        ShaderLabParser(string text, string path, Func<string, bool> hasPackage)
+        {
+            reader = new ShaderLabReader(text, path);
+            this.hasPackage = hasPackage;
+        }
+
+        /// <param name="hasPackage">Whether the project has a package of that name; SubShaders and passes that require others are left out.</param>
+        /// <exception cref="ShaderCompileException"/>
+        public static ParsedShader Parse(string text, string path, Func<string, bool> hasPackage)
+        {
+            var parser = new ShaderLabParser(text, path, hasPackage);
+            parser.ReadShader();
+            return parser.shader;
+        }
+
+        /// <summary>What a Category, SubShader or Pass takes over from what surrounds it.</summary>
+        sealed class Scope
+        {
+            public RenderState State = new RenderState();
+            public Dictionary<string, string> Tags = new Dictionary<string, string>();
+            public List<CodeBlock> Includes = new List<CodeBlock>();
+            public bool Available = true;
+
+            public Scope Inner() => new Scope
+            {
+                State = State.Copy(),
+                Tags = new Dictionary<string, string>(Tags),
+                Includes = new List<CodeBlock>(Includes),
+            };
+        }
+
+        void ReadShader()
+        {
+            if (!reader.TakeWord("Shader"))
+                throw reader.Unexpected("Shader");
+            shader.Name = reader.ExpectText();
+            reader.Expect('{');
+            ReadShaderBody(new Scope());
+            if (reader.Kind != LabTokenKind.End)
+                throw reader.Unexpected("the end of the file");
+        }
+
+        void ReadShaderBody(Scope scope)
+        {
+            while (!reader.TakeSymbol('}'))
+            {
+                if (reader.TakeWord("Properties"))
+                    ReadProperties();
+                else if (reader.TakeWord("SubShader"))
+                    ReadSubShader(scope.Inner());
+                else if (reader.TakeWord("Category"))
+                {
+                    reader.Expect('{');
+                    ReadShaderBody(scope.Inner());
+                }
+                else if (reader.TakeWord("Fallback"))
+                {
+                    if (!reader.TakeWord("Off"))
+                        reader.ExpectText();
+                }
+                else if (reader.TakeWord("CustomEditor"))
+                    reader.ExpectText();
+                else if (reader.TakeWord("CustomEditorForRenderPipeline"))
+                {
+                    reader.ExpectText();
+                    reader.ExpectText();
+                }
+                else if (reader.TakeWord("Dependency"))
+                {
+                    reader.ExpectText();
+                    reader.Expect('=');
+                    reader.ExpectText();
+                }
+                else if (!TryReadCommon(scope))
+                    throw reader.Unexpected("Properties, SubShader or '}'");
+            }
+        }
+
+        // What may stand in a shader, a SubShader and a pass alike.
+        bool TryReadCommon(Scope scope)
+        {
+            if (reader.TryTakeCode("INCLUDE", out CodeBlock include))
+                scope.Includes.Add(include);
+            else if (reader.TakeWord("Tags"))
+                ReadPairs('=', scope.Tags);
+            else if (reader.TakeWord("LOD"))
+                reader.ExpectNumber();
+            else
+                return scope.State.TryRead(reader, shader.Notes);
+            return true;
+        }
+
+        void ReadPairs(char between, Dictionary<string, string> pairs)
+        {
+            reader.Expect('{');
+            while (!reader.TakeSymbol('}'))
+            {
+                string key = reader.ExpectText();
+                string value = "";
+                if (reader.TakeSymbol(between))
+                    value = reader.ExpectText();
+                else if (between == '=')
+                    throw reader.Unexpected("'='");
+                pairs[key] = value;
+            }
+        }
+
+        bool TryReadRequirements(Scope scope)
+        {
+            if (!reader.TakeWord("PackageRequirements"))
+                return false;
+            var packages = new Dictionary<string, string>();
+            ReadPairs(':', packages);
+            foreach (string package in packages.Keys)
+                scope.Available &= package == "unity" || hasPackage(package);
+            return true;
+        }
+
+        void ReadSubShader(Scope scope)
+        {
+            var subShader = new ParsedSubShader();
+            reader.Expect('{');
+            while (!reader.TakeSymbol('}'))
+            {
+                if (reader.TakeWord("Pass"))
+                    ReadPass(subShader, scope);
+                else if (reader.TakeWord("UsePass"))
+                    shader.Notes.Add($"line {reader.Line}: UsePass \"{reader.ExpectText()}\" is left out");
+                else if (reader.TakeWord("GrabPass"))
+                {
+                    shader.Notes.Add($"line {reader.Line}: GrabPass is left out");
+                    reader.SkipBraces();
+                }
+                else if (reader.IsWord("CGPROGRAM") || reader.IsWord("HLSLPROGRAM"))
+                    throw reader.Error("a program outside of a Pass is a surface shader, which this host does not write out; use a vertex and a fragment program in a Pass");
+                else if (!TryReadRequirements(scope) && !TryReadCommon(scope))
+                    throw reader.Unexpected("Pass, Tags, render state or '}'");
+            }
+            subShader.Tags = scope.Tags;
+            if (scope.Available)
+                shader.SubShaders.Add(subShader);
+        }
+
+        void ReadPass(ParsedSubShader subShader, Scope outer)
+        {
+            var pass = new ParsedPass { Line = reader.Line };
+            Scope scope = outer.Inner();
+            scope.Tags.Clear();     // the SubShader's tags may still follow; they are joined later
+            CodeBlock program = null;
+            reader.Expect('{');
+            while (!reader.TakeSymbol('}'))
+            {
+                if (reader.TakeWord("Name"))
+                    pass.Name = reader.ExpectText();
+                else if (reader.TryTakeCode("PROGRAM", out CodeBlock code))
+                    program = code;
+                else if (reader.IsWord("SetTexture") || reader.IsWord("Material") || reader.IsWord("GLSLPROGRAM"))
+                    throw reader.Error($"{reader.Value} is of the fixed-function pipeline or of OpenGL; a pass needs an HLSLPROGRAM");
+                else if (!TryReadRequirements(scope) && !TryReadCommon(scope))
+                    throw reader.Unexpected("Name, Tags, render state, HLSLPROGRAM or '}'");
+            }
+            if (!scope.Available)
+                return;
+            if (program == null)
+                throw new ShaderCompileException(reader.Path, pass.Line, "this pass has no HLSLPROGRAM");
+            foreach (CodeBlock include in scope.Includes)
+                if (include.Cg == program.Cg)
+                    pass.Code.Add(include);
+            pass.Code.Add(program);
+            pass.Tags = scope.Tags;
+            pass.State = scope.State;
+            subShader.Passes.Add(pass);
+        }
+
+        // ---- properties
+
+        void ReadProperties()
+        {
+            reader.Expect('{');
+            while (!reader.TakeSymbol('}'))
+            {
+                while (reader.IsSymbol('['))
+                    reader.TakeBrackets();      // HDR, Toggle ... concern the inspector
+                if (!reader.IsSymbol('}'))
+                    shader.Properties.Add(ReadProperty());
+            }
+        }
+
+        ShaderProperty ReadProperty()
+        {
+            var property = new ShaderProperty { Name = reader.ExpectWord("a property's name") };
+            reader.Expect('(');
+            property.Description = reader.ExpectText();
+            reader.Expect(',');
+            string type = reader.ExpectWord("a property's type");
+            switch (type.ToLowerInvariant())
+            {
+                case "float": property.Kind = ShaderPropertyKind.Float; break;
+                case "int":
+                case "integer": property.Kind = ShaderPropertyKind.Int; break;
+                case "color": property.Kind = ShaderPropertyKind.Color; break;
+                case "vector": property.Kind = ShaderPropertyKind.Vector; break;
+                case "2d":
+                case "rect":
+                case "any": property.Kind = ShaderPropertyKind.Texture2D; break;
+                case "3d": property.Kind = ShaderPropertyKind.Texture3D; break;
+                case "cube": property.Kind = ShaderPropertyKind.TextureCube; break;
+                case "2darray": property.Kind = ShaderPropertyKind.Texture2DArray; break;
+                case "range":
+                    property.Kind = ShaderPropertyKind.Range;
+                    reader.Expect('(');
+                    reader.ExpectNumber();
+                    reader.Expect(',');
+                    reader.ExpectNumber();
+                    reader.Expect(')');
+                    break;
+                default:
+                    throw reader.Error($"'{type}' is no type of a property");
+            }
+            reader.Expect(')');
+            reader.Expect('=');
+            ReadDefault(property);
+            return property;
+        }
+
+        void ReadDefault(ShaderProperty property)
+        {
+            if (property.Kind >= ShaderPropertyKind.Texture2D)
+            {
+                property.DefaultTexture = reader.ExpectText();
+                if (reader.IsSymbol('{'))
+                    reader.SkipBraces();
+            }
+            else if (property.Kind == ShaderPropertyKind.Color || property.Kind == ShaderPropertyKind.Vector)
+            {
+                var values = new List<float>();
+                reader.Expect('(');
+                do
+                    values.Add(reader.ExpectNumber());
+                while (reader.TakeSymbol(','));
+                reader.Expect(')');
+                if (values.Count < 3 || values.Count > 4)
+                    throw reader.Error($"'{property.Name}' has {values.Count} components; a {property.Kind} takes 4");
+                if (values.Count == 3)
+                    values.Add(1);
+                property.Default = values.ToArray();
+            }
+            else
+                property.Default = new[] { reader.ExpectNumber() };
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Headless;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor
+{
+    public class EditorApplication
+    {
+        public delegate void CallbackFunction();
+
+        public static CallbackFunction update;
+        public static CallbackFunction delayCall;
+        public static event Action<PlayModeStateChange> playModeStateChanged;
+        public static event Action quitting;
+        public static event Action hierarchyChanged;
+        public static event Action projectChanged;
+
+        public static bool isPlaying { get => true; set { if (!value) Application.Quit(); } }
+        public static bool isPaused { get; set; }
+        public static bool isPlayingOrWillChangePlaymode => true;
+        public static bool isCompiling => false;
+        public static bool isUpdating => false;
+        public static double timeSinceStartup => Time.realtimeSinceStartupAsDouble;
+        public static void ExitPlaymode() => Application.Quit();
+        public static void Exit(int returnValue) => Application.Quit(returnValue);
+        public static void QueuePlayerLoopUpdate() { }
+        public static void RepaintHierarchyWindow() { }
+        public static void RepaintProjectWindow() { }
+    }
+
+    public enum PlayModeStateChange { EnteredEditMode = 0, ExitingEditMode = 1, EnteredPlayMode = 2, ExitingPlayMode = 3 }
+
+    public sealed class AssetDatabase
+    {
+        public static T LoadAssetAtPath<T>(string assetPath) where T : Object => (T)LoadAssetAtPath(assetPath, typeof(T));
+
+        public static Object LoadAssetAtPath(string assetPath, Type type) => Player.Assets?.LoadAtPath(assetPath, type);
+        public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath(assetPath, typeof(Object));
+        public static string AssetPathToGUID(string path) => Player.Assets?.GuidOfPath(path) ?? "";
+        public static void Refresh() { }
+        public static void SaveAssets() { }
+        public static void StartAssetEditing() { }
+        public static void StopAssetEditing() { }
+        public static bool Contains(Object obj) => Object.IsAlive(obj) && obj.IsAsset;
+    }
+
+    public sealed class EditorUtility
+    {
+        static readonly HashSet<int> dirty = new HashSet<int>();
+
+        public static void SetDirty(Object target) => dirty.Add(target.GetInstanceID());
+        public static void ClearDirty(Object target) => dirty.Remove(target.GetInstanceID());
+        public static bool IsDirty(Object target) => dirty.Contains(target.GetInstanceID());
+        public static bool IsPersistent(Object target) => Object.IsAlive(target) && target.IsAsset;
+        public static void CopySerialized(Object source, Object dest) => SerializedCopy.Into(source, dest, null);
+        public static void DisplayProgressBar(string title, string info, float progress) { }
+        public static bool DisplayCancelableProgressBar(string title, string info, float progress) => false;
+        public static void ClearProgressBar() { }
+        /// <summary>Nobody is there to answer: what the dialog says goes to the log, and the answer is cancel.</summary>
+        public static bool DisplayDialog(string title, string message, string ok) => DisplayDialog(title, message, ok, "");
+
+        public static bool DisplayDialog(string title, string message, string ok, string cancel)
+        {
+            Debug.LogWarning($"{title}: {message}");
+            return cancel.Length == 0;
+        }
+
+        public static string SaveFilePanelInProject(string title, string defaultName, string extension, string message) => "";
+        public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
+        public static string OpenFilePanel(string title, string directory, string extension) => "";
+        public static string FormatBytes(long bytes) => bytes < 1024 ? $"{bytes} B" : bytes < 1048576 ? $"{bytes / 1024.0:F1} KB" : $"{bytes / 1048576.0:F1} MB";
+    }
+
+    public sealed class Selection
+    {
+        public static Object activeObject { get; set; }
+        public static GameObject activeGameObject { get => activeObject as GameObject; set => activeObject = value; }
+        public static Transform activeTransform { get => activeGameObject ? activeGameObject.transform : null; set => activeObject = value ? value.gameObject : null; }
+        public static Object[] objects { get => activeObject ? new[] { activeObject } : Array.Empty<Object>(); set => activeObject = value.Length > 0 ? value[0] : null; }
+        public static GameObject[] gameObjects => activeGameObject ? new[] { activeGameObject } : Array.Empty<GameObject>();
+        public static bool Contains(Object obj) => obj == activeObject;
+        public static Action selectionChanged;
+    }
+
+    public sealed class SceneView
+    {
+        public static void RepaintAll() { }
+    }
+}

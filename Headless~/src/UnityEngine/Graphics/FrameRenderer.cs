@@ -1,0 +1,236 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Rendering;
+
+namespace UnityEngine.Headless
+{
+    /// <summary>A draw of this frame with what decides whether and when it comes.</summary>
+    internal struct QueuedDraw
+    {
+        public DrawCall Call;
+        public Bounds Bounds;
+        public bool HasBounds;
+        public Camera Camera;       // null: every camera
+        public int Layer, Priority, Order;
+    }
+
+    /// <summary>Draws asked for by Graphics.Render* and Draw* since the last frame.</summary>
+    internal static class DrawQueue
+    {
+        public static readonly List<QueuedDraw> Draws = new List<QueuedDraw>();
+        static readonly Stack<PropertyTable> spareBlocks = new Stack<PropertyTable>();
+
+        public static void Add(QueuedDraw draw, MaterialPropertyBlock properties)
+        {
+            if (draw.Call.Material == null)
+                throw new ArgumentNullException("material", $"Graphics.{draw.Call.Call}: the material is null.");
+            if (properties != null && !properties.isEmpty)
+            {
+                // Unity takes the block's values at the call.
+                draw.Call.Block = spareBlocks.Count > 0 ? spareBlocks.Pop() : new PropertyTable();
+                draw.Call.Block.CopyFrom(properties.Values);
+            }
+            draw.Order = Draws.Count;
+            Draws.Add(draw);
+        }
+
+        public static void Clear()
+        {
+            foreach (QueuedDraw draw in Draws)
+                if (draw.Call.Block != null)
+                {
+                    draw.Call.Block.Clear();
+                    spareBlocks.Push(draw.Call.Block);
+                }
+            Draws.Clear();
+        }
+    }
+
+    /// <summary>
+    /// Built-in pipeline, forward: cameras by depth; in each the queue's and the renderers' draws by render queue, opaque ones in
+    /// order of submission, transparent ones from back to front. No shadows, no skybox (its colour is the background's), no
+    /// additional lights, no OnRenderObject.
+    /// </summary>
+    internal static class FrameRenderer
+    {
+        const int LastOpaqueQueue = 2500;
+
+        struct Item
+        {
+            public QueuedDraw Draw;
+            public int Queue;
+            public float Distance;
+        }
+
+        static readonly List<Item> items = new List<Item>();
+        static readonly Comparison<Item> order = Compare;
+
+        public static void Render()
+        {
+            if (Player.Device == null)
+                return;
+            try
+            {
+                foreach (Camera camera in Camera.InDrawOrder())
+                    Render(camera);
+            }
+            finally
+            {
+                DrawQueue.Clear();
+                RenderState.SetTarget(null);
+                Gpu.ClosePass();
+                Player.Device.Flush();
+            }
+        }
+
+        public static void Render(Camera camera)
+        {
+            if (Player.Device == null)
+                throw Gpu.NoDevice("Camera.Render");
+            RenderTexture target = camera.targetTexture;
+            RenderTexture previous = RenderTexture.active;
+            Camera previousCamera = Camera.current;
+            Camera.current = camera;
+            Say(camera, Message.OnPreCull);
+            Camera.onPreCull?.Invoke(camera);
+            Collect(camera);
+            Say(camera, Message.OnPreRender);
+            Camera.onPreRender?.Invoke(camera);
+
+            RenderState.SetCameraTarget(target);
+            SetTarget(camera, target);
+            BuiltinVariables.SetTime();
+            BuiltinVariables.SetLighting();
+            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+
+            Run(camera, target, CameraEvent.BeforeDepthTexture, CameraEvent.AfterDepthTexture, CameraEvent.BeforeDepthNormalsTexture, CameraEvent.AfterDepthNormalsTexture);
+            Clear(camera);
+            Run(camera, target, CameraEvent.BeforeForwardOpaque);
+            Draw(opaque: true);
+            DepthTexture.Capture(camera, target);
+            Run(camera, target, CameraEvent.AfterForwardOpaque, CameraEvent.BeforeSkybox, CameraEvent.AfterSkybox,
+                CameraEvent.BeforeImageEffectsOpaque, CameraEvent.AfterImageEffectsOpaque, CameraEvent.BeforeForwardAlpha);
+            Draw(opaque: false);
+            Run(camera, target, CameraEvent.AfterForwardAlpha, CameraEvent.BeforeImageEffects);
+            ImageEffects.Run(camera, target);
+            Run(camera, target, CameraEvent.AfterImageEffects, CameraEvent.AfterEverything);
+
+            items.Clear();
+            Gpu.ClosePass();
+            Say(camera, Message.OnPostRender);
+            Camera.onPostRender?.Invoke(camera);
+            RenderState.SetCameraTarget(null);
+            RenderState.SetTarget(previous);
+            Camera.current = previousCamera;
+        }
+
+        /// <summary>To the scripts beside the camera.</summary>
+        static void Say(Camera camera, Message message)
+        {
+            foreach (Component component in camera.gameObject.Components)
+                if (component is MonoBehaviour script && script.isActiveAndEnabled)
+                    Messages.Send(script, message);
+        }
+
+        static void SetTarget(Camera camera, RenderTexture target)
+        {
+            RenderState.SetTarget(target is object ? target : ScreenTarget.Texture);
+            Rect rect = camera.pixelRect;
+            if (camera.rect != new Rect(0, 0, 1, 1))
+                RenderState.SetViewport(rect);
+        }
+
+        static void Clear(Camera camera)
+        {
+            bool color = camera.clearFlags == CameraClearFlags.Skybox || camera.clearFlags == CameraClearFlags.SolidColor;
+            RenderState.Clear(camera.clearFlags != CameraClearFlags.Nothing, color, camera.backgroundColor, 1);
+        }
+
+        // A command buffer may leave other targets and matrices behind: the camera's come back.
+        static void Run(Camera camera, RenderTexture target, params CameraEvent[] events)
+        {
+            if (camera.commandBufferCount == 0)
+                return;
+            foreach (CameraEvent e in events)
+                camera.Execute(e);
+            SetTarget(camera, target);
+            RenderState.InvertCulling = false;
+            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+        }
+
+        static void Collect(Camera camera)
+        {
+            items.Clear();
+            Matrix4x4 culling = camera.cullingMatrix;
+            Vector3 eye = camera.transform.position;
+            foreach (QueuedDraw draw in DrawQueue.Draws)
+                if (draw.Camera is null || ReferenceEquals(draw.Camera, camera))
+                    Add(draw, camera, culling, eye);
+
+            int next = DrawQueue.Draws.Count;
+            foreach (Renderer renderer in Renderer.Active)
+            {
+                Mesh mesh = renderer.forceRenderingOff || renderer.shadowCastingMode == ShadowCastingMode.ShadowsOnly ? null : renderer.MeshToDraw;
+                if (mesh == null)
+                    continue;
+                int draws = Math.Max(mesh.subMeshCount, renderer.MaterialCount);
+                for (int i = 0; i < draws; i++)
+                {
+                    Material material = renderer.MaterialFor(i);
+                    if (material == null)
+                        continue;
+                    int submesh = Math.Min(i, mesh.subMeshCount - 1);
+                    Add(new QueuedDraw
+                    {
+                        Call = new DrawCall
+                        {
+                            Call = $"renderer '{renderer.name}'", Material = material, Pass = -1, Block = renderer.Block, Matrix = renderer.localToWorldMatrix,
+                            Mesh = mesh, Submesh = submesh, Topology = mesh.GetTopology(submesh), Instances = 1,
+                        },
+                        Bounds = renderer.bounds, HasBounds = true, Layer = renderer.gameObject.layer, Priority = renderer.rendererPriority, Order = next++,
+                    }, camera, culling, eye);
+                }
+            }
+            items.Sort(order);
+        }
+
+        static void Add(in QueuedDraw draw, Camera camera, in Matrix4x4 culling, Vector3 eye)
+        {
+            if (draw.Call.Material == null || (camera.cullingMask & 1 << draw.Layer) == 0)
+                return;
+            if (draw.HasBounds && Culling.IsOutside(culling, draw.Bounds))
+                return;
+            items.Add(new Item { Draw = draw, Queue = draw.Call.Material.renderQueue, Distance = (draw.Bounds.center - eye).sqrMagnitude });
+        }
+
+        static int Compare(Item a, Item b)
+        {
+            int c = a.Queue.CompareTo(b.Queue);
+            if (c == 0)
+                c = a.Draw.Priority.CompareTo(b.Draw.Priority);
+            if (c == 0 && a.Queue > LastOpaqueQueue)
+                c = b.Distance.CompareTo(a.Distance);
+            return c != 0 ? c : a.Draw.Order.CompareTo(b.Draw.Order);
+        }
+
+        static void Draw(bool opaque)
+        {
+            foreach (Item item in items)
+            {
+                if (item.Queue <= LastOpaqueQueue != opaque)
+                    continue;
+                Material material = item.Draw.Call.Material;
+                for (int pass = 0; pass < material.passCount; pass++)
+                    if (IsForward(material, pass))
+                        Drawing.DrawPass(item.Draw.Call, pass);
+            }
+        }
+
+        static bool IsForward(Material material, int pass)
+        {
+            if (!material.shader.Source.Passes[pass].Tags.TryGetValue("LightMode", out string mode))
+                return true;
+            return material.GetShaderPassEnabled(mode) && (mode == "Always" || mode == "ForwardBase" || mode == "SRPDefaultUnlit");
+        }
+    }
+}

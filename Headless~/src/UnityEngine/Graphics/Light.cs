@@ -1,0 +1,81 @@
+using System.Collections.Generic;
+using UnityEngine.Headless;
+using UnityEngine.Rendering;
+
+namespace UnityEngine
+{
+    /// <summary>Directional lights reach shaders (_WorldSpaceLightPos0, _LightColor0); shadows and other kinds are stored only.</summary>
+    public sealed class Light : Behaviour
+    {
+        static readonly List<Light> active = new List<Light>();
+
+        internal override void OnActivated() => active.Add(this);
+        internal override void OnDeactivated() => active.Remove(this);
+
+        /// <summary>RenderSettings.sun, else the brightest directional light; null when there is none.</summary>
+        internal static Light MainDirectional()
+        {
+            Light sun = RenderSettings.sun;
+            if (sun != null && sun.Activated && sun.type == LightType.Directional)
+                return sun;
+            Light brightest = null;
+            foreach (Light light in active)
+                if (light.type == LightType.Directional && (brightest is null || light.Brightness > brightest.Brightness))
+                    brightest = light;
+            return brightest;
+        }
+
+        float Brightness => color.grayscale * intensity;
+
+        public LightType type { get; set; } = LightType.Point;
+        public Color color { get; set; } = Color.white;
+        public float intensity { get; set; } = 1;
+        public float bounceIntensity { get; set; } = 1;
+        public float range { get; set; } = 10;
+        public float spotAngle { get; set; } = 30;
+        public float innerSpotAngle { get; set; } = 21.80208f;
+        public bool useColorTemperature { get; set; }
+        public float colorTemperature { get; set; } = 6570;
+        public LightShadows shadows { get; set; }
+        public float shadowStrength { get; set; } = 1;
+        public float shadowBias { get; set; } = 0.05f;
+        public float shadowNormalBias { get; set; } = 0.4f;
+        public float shadowNearPlane { get; set; } = 0.2f;
+        public int shadowCustomResolution { get; set; } = -1;
+        public LightRenderMode renderMode { get; set; }
+        public int cullingMask { get; set; } = ~0;
+        public int renderingLayerMask { get; set; } = 1;
+        public Texture cookie { get; set; }
+        public float cookieSize { get; set; } = 10;
+        public int commandBufferCount => 0;
+    }
+
+    /// <summary>Light probes light nothing here; the type stands in signatures.</summary>
+    public sealed class LightProbeProxyVolume : Behaviour { }
+
+    public sealed class RenderSettings : Object
+    {
+        RenderSettings() { }
+
+        public static AmbientMode ambientMode { get; set; } = AmbientMode.Flat;
+        public static Color ambientSkyColor { get; set; } = new Color(0.212f, 0.227f, 0.259f, 1);
+        public static Color ambientEquatorColor { get; set; } = new Color(0.114f, 0.125f, 0.133f, 1);
+        public static Color ambientGroundColor { get; set; } = new Color(0.047f, 0.043f, 0.035f, 1);
+        public static Color ambientLight { get => ambientSkyColor; set => ambientSkyColor = value; }
+        public static float ambientIntensity { get; set; } = 1;
+        public static bool fog { get; set; }
+        public static FogMode fogMode { get; set; } = FogMode.ExponentialSquared;
+        public static Color fogColor { get; set; } = new Color(0.5f, 0.5f, 0.5f, 1);
+        public static float fogDensity { get; set; } = 0.01f;
+        public static float fogStartDistance { get; set; }
+        public static float fogEndDistance { get; set; } = 300;
+        public static Light sun { get; set; }
+        public static Material skybox { get; set; }
+        public static float reflectionIntensity { get; set; } = 1;
+        public static int reflectionBounces { get; set; } = 1;
+        public static Color subtractiveShadowColor { get; set; } = new Color(0.42f, 0.478f, 0.627f, 1);
+        public static float haloStrength { get; set; } = 0.5f;
+        public static float flareStrength { get; set; } = 1;
+        public static float flareFadeSpeed { get; set; } = 3;
+    }
+}

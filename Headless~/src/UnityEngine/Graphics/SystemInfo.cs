@@ -1,0 +1,192 @@
+using System;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Headless;
+using UnityEngine.Rendering;
+
+namespace UnityEngine
+{
+    /// <summary>Limits are Direct3D 11's or the device's, whichever is less.</summary>
+    public sealed class SystemInfo
+    {
+        public const string unsupportedIdentifier = "n/a";
+
+        static DeviceInfo Info => Player.Device?.Info;
+        static bool Compute => Gpu.Available;
+
+        public static bool supportsComputeShaders => Compute;
+        public static bool supportsAsyncGPUReadback => Compute;
+        public static bool supportsIndirectArgumentsBuffer => Compute;
+        public static bool supportsInstancing => Info != null;
+        public static bool supportsSetConstantBuffer => Compute;
+        public static bool supportsGpuRecorder => Info != null;
+        public static bool supportsAsyncCompute => false;
+        public static bool supportsGraphicsFence => false;
+        public static bool supportsGeometryShaders => false;
+        public static bool supportsTessellationShaders => false;
+        public static bool supportsRayTracing => false;
+        public static bool supportsConservativeRaster => false;
+        public static bool supportsShadows => false;
+        public static bool supportsMotionVectors => false;
+        public static bool supportsMultiview => false;
+        public static bool supportsSparseTextures => false;
+        public static bool supportsHardwareQuadTopology => false;
+        public static bool supportsRenderTargetArrayIndexFromVertexShader => false;
+        public static int supportsMultisampledTextures => 0;
+        public static bool supports3DTextures => Info != null;
+        public static bool supports3DRenderTextures => Info != null;
+        public static bool supports2DArrayTextures => Info != null;
+        public static bool supports32bitsIndexBuffer => Info != null;
+        public static bool supportsSeparatedRenderTargetsBlend => false;
+        public static bool supportsAudio => false;
+        public static bool usesReversedZBuffer => true;
+        public static bool usesLoadStoreActions => false;
+        public static bool graphicsUVStartsAtTop => true;
+        public static bool graphicsMultiThreaded => false;
+        public static CopyTextureSupport copyTextureSupport => CopyTextureSupport.Basic | CopyTextureSupport.Copy3D | CopyTextureSupport.TextureToRT | CopyTextureSupport.RTToTexture;
+        public static RenderingThreadingMode renderingThreadingMode => RenderingThreadingMode.SingleThreaded;
+        public static NPOTSupport npotSupport => NPOTSupport.Full;
+
+        public static GraphicsDeviceType graphicsDeviceType => Info != null ? GraphicsDeviceType.Direct3D11 : GraphicsDeviceType.Null;
+        public static string graphicsDeviceName => Info?.Name ?? "Null Device";
+        public static string graphicsDeviceVendor => Info?.Vendor ?? "";
+        public static string graphicsDeviceVersion => Info == null ? "Null Device" : $"{Info.Api} {Info.Driver}";
+        public static int graphicsDeviceID => 0;
+        public static int graphicsDeviceVendorID => 0;
+        public static int graphicsShaderLevel => Compute ? 50 : 35;
+        public static int graphicsMemorySize => Info == null ? 0 : (int)Math.Min(int.MaxValue, Info.MemoryBytes >> 20);
+
+        /// <summary>Bytes: what one binding can cover.</summary>
+        public static long maxGraphicsBufferSize => Info == null ? 0 : Math.Min(Gpu.MaxResourceBytes, Info.MaxBufferBytes);
+        public static int maxConstantBufferSize => 64 * 1024;
+        public static int constantBufferOffsetAlignment => 256;
+        public static int maxComputeBufferInputsCompute => Compute ? 128 : 0;
+        public static int maxComputeBufferInputsVertex => Compute ? 128 : 0;
+        public static int maxComputeBufferInputsFragment => Compute ? 128 : 0;
+        public static int maxComputeBufferInputsGeometry => 0;
+        public static int maxComputeBufferInputsHull => 0;
+        public static int maxComputeBufferInputsDomain => 0;
+        public static int maxComputeWorkGroupSize => Compute ? Math.Min(1024, Info.MaxGroupInvocations) : 0;
+        public static int maxComputeWorkGroupSizeX => Compute ? Math.Min(1024, Info.MaxGroupSizeX) : 0;
+        public static int maxComputeWorkGroupSizeY => Compute ? Math.Min(1024, Info.MaxGroupSizeY) : 0;
+        public static int maxComputeWorkGroupSizeZ => Compute ? Math.Min(64, Info.MaxGroupSizeZ) : 0;
+        public static int computeSubGroupSize => Compute ? Info.SubgroupSize : 0;
+        public static int supportedRandomWriteTargetCount => Compute ? 8 : 0;
+        public static int supportedRenderTargetCount => Info != null ? 4 : 0;
+        public static int maxTextureSize => Info == null ? 0 : Math.Min(16384, Info.MaxTexture2D);
+        public static int maxTexture3DSize => Info == null ? 0 : Math.Min(2048, Info.MaxTexture3D);
+        public static int maxTextureArraySlices => 2048;
+        public static int maxCubemapSize => maxTextureSize;
+        public static int maxAnisotropyLevel => 16;
+
+        public static string deviceName => Environment.MachineName;
+        public static string deviceModel => "Headless";
+        public static string deviceUniqueIdentifier => unsupportedIdentifier;
+        public static string operatingSystem => Environment.OSVersion.ToString();
+        public static string processorType => unsupportedIdentifier;
+        public static int processorCount => Environment.ProcessorCount;
+        public static int processorFrequency => 0;
+        public static int systemMemorySize => (int)Math.Min(int.MaxValue, GC.GetTotalMemory(false) >> 20);
+        public static float batteryLevel => -1;
+
+        public static bool SupportsRenderTextureFormat(RenderTextureFormat format)
+        {
+            if (format == RenderTextureFormat.Depth || format == RenderTextureFormat.Shadowmap)
+                return Info != null;
+            return Info != null && IsKnown(format);
+        }
+
+        public static bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format) =>
+            Compute && format != RenderTextureFormat.Depth && format != RenderTextureFormat.Shadowmap && IsKnown(format);
+
+        public static bool SupportsTextureFormat(TextureFormat format)
+        {
+            switch (format)
+            {
+                case TextureFormat.Alpha8: case TextureFormat.R8: case TextureFormat.RG16: case TextureFormat.RGB24: case TextureFormat.RGBA32:
+                case TextureFormat.ARGB32: case TextureFormat.BGRA32: case TextureFormat.R16: case TextureFormat.RHalf: case TextureFormat.RGHalf:
+                case TextureFormat.RGBAHalf: case TextureFormat.RFloat: case TextureFormat.RGFloat: case TextureFormat.RGBAFloat: return Info != null;
+                default: return false;
+            }
+        }
+
+        static bool IsKnown(RenderTextureFormat format)
+        {
+            switch (format)
+            {
+                case RenderTextureFormat.RGB565: case RenderTextureFormat.ARGB4444: case RenderTextureFormat.ARGB1555: case RenderTextureFormat.ARGB2101010:
+                case RenderTextureFormat.ARGB64: case RenderTextureFormat.RG32: case RenderTextureFormat.RGBAUShort: case RenderTextureFormat.BGRA10101010_XR:
+                case RenderTextureFormat.BGR101010_XR: return false;
+                default: return true;
+            }
+        }
+
+        public static GraphicsFormat GetGraphicsFormat(DefaultFormat format) => Formats.Of(format);
+        public static int GetRenderTextureSupportedMSAASampleCount(RenderTextureDescriptor desc) => 1;
+    }
+
+    public sealed class QualitySettings : Object
+    {
+        QualitySettings() { }
+
+        public static ColorSpace activeColorSpace => Player.LinearColorSpace ? ColorSpace.Linear : ColorSpace.Gamma;
+        public static ColorSpace desiredColorSpace => activeColorSpace;
+        public static int vSyncCount { get; set; }
+        public static int antiAliasing { get; set; }
+        public static int pixelLightCount { get; set; } = 4;
+        public static int maxQueuedFrames { get; set; } = 2;
+        public static float lodBias { get; set; } = 2;
+        public static int maximumLODLevel { get; set; }
+        public static ShadowQuality shadows { get; set; } = ShadowQuality.All;
+        public static ShadowResolution shadowResolution { get; set; } = ShadowResolution.High;
+        public static float shadowDistance { get; set; } = 150;
+        public static int shadowCascades { get; set; } = 4;
+        public static bool softParticles { get; set; }
+        public static bool realtimeReflectionProbes { get; set; }
+        public static bool billboardsFaceCameraPosition { get; set; }
+        public static int particleRaycastBudget { get; set; } = 4096;
+        public static int globalTextureMipmapLimit { get; set; }
+        public static AnisotropicFiltering anisotropicFiltering { get => Texture.anisotropicFiltering; set => Texture.anisotropicFiltering = value; }
+        public static RenderPipelineAsset renderPipeline { get; set; }
+
+        static int level;
+        public static string[] names => new[] { "Headless" };
+        public static int count => 1;
+        public static int GetQualityLevel() => level;
+        public static void SetQualityLevel(int index) => SetQualityLevel(index, true);
+        public static void SetQualityLevel(int index, bool applyExpensiveChanges) => level = Math.Max(0, Math.Min(index, count - 1));
+    }
+}
+
+namespace UnityEngine.Rendering
+{
+    /// <summary>Always the built-in pipeline: no asset is ever set.</summary>
+    public abstract class RenderPipelineAsset : ScriptableObject { }
+    public abstract class RenderPipeline { }
+
+    public struct ScriptableRenderContext { }
+
+    public static class RenderPipelineManager
+    {
+        public static RenderPipeline currentPipeline => null;
+        // Scriptable pipelines raise these; the built-in one never does.
+        public static event Action<ScriptableRenderContext, Camera> beginCameraRendering { add { } remove { } }
+        public static event Action<ScriptableRenderContext, Camera> endCameraRendering { add { } remove { } }
+        public static event Action<ScriptableRenderContext, System.Collections.Generic.List<Camera>> beginContextRendering { add { } remove { } }
+        public static event Action<ScriptableRenderContext, System.Collections.Generic.List<Camera>> endContextRendering { add { } remove { } }
+        public static event Action activeRenderPipelineTypeChanged { add { } remove { } }
+        public static event Action activeRenderPipelineCreated { add { } remove { } }
+        public static event Action activeRenderPipelineDisposed { add { } remove { } }
+    }
+
+    public sealed class GraphicsSettings : Object
+    {
+        GraphicsSettings() { }
+        public static RenderPipelineAsset currentRenderPipeline => null;
+        public static RenderPipelineAsset defaultRenderPipeline { get => null; set { } }
+        public static bool lightsUseLinearIntensity { get; set; }
+        public static bool lightsUseColorTemperature { get; set; }
+        public static bool useScriptableRenderPipelineBatching { get; set; }
+        public static TransparencySortMode transparencySortMode { get; set; }
+        public static Vector3 transparencySortAxis { get; set; } = Vector3.forward;
+    }
+}

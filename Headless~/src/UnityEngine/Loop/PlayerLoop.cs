@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.SceneManagement;
+
+namespace UnityEngine.Headless
+{
+    /// <summary>One frame of the player, in Unity's order.</summary>
+    internal static class PlayerLoop
+    {
+        /// <summary>Cameras draw here.</summary>
+        public static Action Render;
+        /// <summary>Asynchronous read-backs arrive here.</summary>
+        public static Action BeginFrame;
+        /// <summary>Put back to their first state by <see cref="Reset"/>: for parts that hold statics of their own.</summary>
+        public static Action ResetOthers;
+
+        static readonly ScriptList fixedUpdates = new ScriptList(Message.FixedUpdate);
+        static readonly ScriptList updates = new ScriptList(Message.Update);
+        static readonly ScriptList lateUpdates = new ScriptList(Message.LateUpdate);
+        static readonly List<MonoBehaviour> unstarted = new List<MonoBehaviour>();
+
+        public static void Frame(float deltaTime)
+        {
+            Time.Clock.BeginFrame(deltaTime);
+            SceneManager.RunRequests();
+            Guarded(BeginFrame);
+            StartNewScripts();
+
+            while (Time.Clock.StepFixed())
+            {
+                fixedUpdates.Run();
+                CoroutineScheduler.Resume(CoroutinePoint.FixedUpdate);
+            }
+
+            updates.Run();
+            Invocations.Run();
+            CoroutineScheduler.Resume(CoroutinePoint.Update);
+            lateUpdates.Run();
+            Destruction.RunPending();
+            Guarded(Application.SayBeforeRender);
+            Guarded(Render);
+            CoroutineScheduler.Resume(CoroutinePoint.EndOfFrame);
+            NativeMemory.FreeTemporary();
+        }
+
+        static void Guarded(Action action)
+        {
+            try
+            {
+                action?.Invoke();
+            }
+            catch (Exception e)
+            {
+                Debug.LogException(e);
+            }
+        }
+
+        /// <summary>A script became active and enabled.</summary>
+        public static void Enlist(MonoBehaviour script)
+        {
+            if (!script.Started)
+                unstarted.Add(script);
+            fixedUpdates.Add(script);
+            updates.Add(script);
+            lateUpdates.Add(script);
+        }
+
+        public static void Dismiss(MonoBehaviour script)
+        {
+            unstarted.Remove(script);
+            fixedUpdates.Remove(script);
+            updates.Remove(script);
+            lateUpdates.Remove(script);
+        }
+
+        static void StartNewScripts()
+        {
+            // Start may enable more scripts, whose Start comes at once too.
+            while (unstarted.Count > 0)
+            {
+                var batch = new List<MonoBehaviour>(unstarted);
+                ScriptList.Sort(batch);
+                foreach (MonoBehaviour script in batch)
+                    Start(script);
+            }
+        }
+
+        internal static void Start(MonoBehaviour script)
+        {
+            unstarted.Remove(script);
+            if (script.Started || script.Destroyed || !script.Activated)
+                return;
+            script.Started = true;
+            Messages.Send(script, Message.Start);
+        }
+
+        /// <summary>As leaving play mode and entering it again: all scenes go, time starts over, SubsystemRegistration methods run.</summary>
+        public static void Reset()
+        {
+            SceneManager.UnloadEverything();
+            Destruction.ForgetPending();
+            CoroutineScheduler.Clear();
+            Invocations.Clear();
+            unstarted.Clear();
+            fixedUpdates.Clear();
+            updates.Clear();
+            lateUpdates.Clear();
+            Time.Clock.Reset();
+            Random.InitState(Environment.TickCount);
+            Application.ResetState();
+            ResetOthers?.Invoke();
+            Initializers.Run(RuntimeInitializeLoadType.SubsystemRegistration);
+        }
+    }
+}

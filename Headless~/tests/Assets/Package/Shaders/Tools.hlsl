@@ -1,0 +1,1 @@
+uint Twice(uint value) { return value * 2; }

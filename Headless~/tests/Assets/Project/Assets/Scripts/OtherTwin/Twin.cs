@@ -1,0 +1,6 @@
+using UnityEngine;
+
+namespace Fixtures.Right
+{
+    public class Twin : MonoBehaviour { public int side; }
+}

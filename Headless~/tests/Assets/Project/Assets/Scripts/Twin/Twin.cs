@@ -1,0 +1,6 @@
+using UnityEngine;
+
+namespace Fixtures.Left
+{
+    public class Twin : MonoBehaviour { public int side; }
+}

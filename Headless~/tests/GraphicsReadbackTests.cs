@@ -1,0 +1,156 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.Rendering;
+
+namespace Host.Tests
+{
+    public class GraphicsReadbackTests : GraphicsFixture
+    {
+        GraphicsBuffer buffer;
+
+        [SetUp]
+        public void CreateBuffer()
+        {
+            buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 8, 4) { name = "Source" };
+            buffer.SetData(new uint[] { 0, 1, 2, 3, 4, 5, 6, 7 });
+        }
+
+        [TearDown]
+        public void ReleaseBuffer() => buffer.Dispose();
+
+        [Test]
+        public void A_request_is_done_at_the_beginning_of_the_second_frame_after_it_and_for_that_frame_only()
+        {
+            int called = 0;
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer, r =>
+            {
+                called++;
+                Assert.That(r.GetData<uint>()[7], Is.EqualTo(7));
+            });
+            Player.Device.WaitIdle();
+            request.Update();
+            Assert.That(request.done, Is.False, "in its own frame");
+            Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message, Does.Contain("Source").And.Contain("second frame"));
+            Frame();
+            Assert.That(request.done, Is.False, "in the next frame");
+            Frame();
+            Assert.That(request.done, Is.True);
+            Assert.That(request.hasError, Is.False);
+            Assert.That(called, Is.EqualTo(1));
+            NativeArray<uint> data = request.GetData<uint>();
+            Assert.That(data.ToArray(), Is.EqualTo(new uint[] { 0, 1, 2, 3, 4, 5, 6, 7 }));
+            Frame();
+            Assert.That(request.hasError, Is.True);
+            Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message, Does.Contain("Source").And.Contain("frame in which it arrived"));
+            Assert.That(() => data[0], Throws.Exception, "the array's memory went with the frame");
+            Assert.That(called, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void The_data_is_of_the_time_of_the_request()
+        {
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer);
+            buffer.SetData(new uint[] { 99, 99, 99, 99, 99, 99, 99, 99 });
+            request.WaitForCompletion();
+            Assert.That(request.done, Is.True);
+            Assert.That(request.GetData<uint>()[3], Is.EqualTo(3));
+        }
+
+        [Test]
+        public void A_range_is_in_bytes_size_first()
+        {
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer, 8, 12);
+            request.WaitForCompletion();
+            Assert.That(request.GetData<uint>().ToArray(), Is.EqualTo(new uint[] { 3, 4 }));
+            Assert.That(request.layerDataSize, Is.EqualTo(8));
+            Assert.That(Assert.Throws<ArgumentException>(() => AsyncGPUReadback.Request(buffer, 8, 28)).Message, Does.Contain("Source").And.Contain("32"));
+        }
+
+        [Test]
+        public void A_native_array_is_filled_and_stays()
+        {
+            var target = new NativeArray<uint>(8, Allocator.Persistent);
+            try
+            {
+                AsyncGPUReadbackRequest request = AsyncGPUReadback.RequestIntoNativeArray(ref target, buffer);
+                Frame();
+                Assert.That(target[5], Is.Zero);
+                Frame();
+                Assert.That(request.done && !request.hasError, Is.True);
+                Frame();
+                Frame();
+                Assert.That(target[5], Is.EqualTo(5));
+                Assert.That(request.hasError, Is.False);
+            }
+            finally
+            {
+                target.Dispose();
+            }
+        }
+
+        [Test]
+        public void Requests_complete_in_order_and_waiting_for_all_completes_them_now()
+        {
+            var order = new List<int>();
+            for (int i = 0; i < 3; i++)
+            {
+                int which = i;
+                AsyncGPUReadback.Request(buffer, r => order.Add(which));
+            }
+            AsyncGPUReadback.WaitAllRequests();
+            Assert.That(order, Is.EqualTo(new[] { 0, 1, 2 }));
+            Frame();
+            Frame();
+            Assert.That(order.Count, Is.EqualTo(3));
+        }
+
+        [Test]
+        public void A_command_buffer_requests_when_it_executes()
+        {
+            uint seen = 0;
+            using (var cmd = new CommandBuffer())
+            {
+                cmd.RequestAsyncReadback(buffer, 4, 8, r => seen = r.GetData<uint>()[0]);
+                Frame();
+                Frame();
+                Assert.That(seen, Is.Zero);
+                Graphics.ExecuteCommandBuffer(cmd);
+                Frame();
+                Assert.That(seen, Is.Zero);
+                Frame();
+                Assert.That(seen, Is.EqualTo(2));
+            }
+        }
+
+        [Test]
+        public void Part_of_a_texture_comes_in_the_format_that_was_asked_for()
+        {
+            var texture = new Texture2D(4, 4, TextureFormat.RGBA32, false, true);
+            for (int i = 0; i < 16; i++)
+                texture.SetPixel(i % 4, i / 4, new Color32((byte)i, 0, 0, 255));
+            texture.Apply();
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture, 0, 1, 2, 2, 2, 0, 1, TextureFormat.RFloat);
+            request.WaitForCompletion();
+            Assert.That(request.width, Is.EqualTo(2));
+            float[] values = request.GetData<float>().ToArray();
+            Assert.That(Array.ConvertAll(values, v => Mathf.RoundToInt(v * 255)), Is.EqualTo(new[] { 9, 10, 13, 14 }));
+            UnityEngine.Object.DestroyImmediate(texture);
+        }
+
+        [Test]
+        public void A_callback_that_throws_does_not_keep_the_others_from_arriving()
+        {
+            bool second = false;
+            AsyncGPUReadback.Request(buffer, r => throw new InvalidOperationException("planted"));
+            AsyncGPUReadback.Request(buffer, r => second = true);
+            Frame();
+            Frame();
+            Assert.That(second, Is.True);
+            Assert.That(Logged, Has.Some.Contains("planted"));
+        }
+    }
+}

@@ -1,0 +1,1 @@
+﻿static const uint kCommon = 7;

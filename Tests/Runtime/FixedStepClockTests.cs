@@ -1,0 +1,72 @@
+using System.Linq;
+using NUnit.Framework;
+
+namespace Rill.Tests
+{
+    public class FixedStepClockTests
+    {
+        const double Step = 1.0 / 60.0;
+
+        [Test]
+        public void A_frame_as_long_as_a_step_takes_one_step_every_time()
+        {
+            var clock = new FixedStepClock();
+            for (int frame = 0; frame < 100000; frame++)
+                Assert.That(clock.Advance(1f / 60f, 1f / 60f, 4), Is.EqualTo(1), $"frame {frame}");
+        }
+
+        [TestCase(0.001)]
+        [TestCase(1.0 / 144.0)]
+        [TestCase(1.0 / 59.94)]
+        [TestCase(1.0 / 30.0)]
+        [TestCase(0.0501)]
+        public void Steps_add_up_to_the_time_that_has_passed(double frameTime)
+        {
+            var clock = new FixedStepClock();
+            const int frames = 10000;
+            long steps = Enumerable.Range(0, frames).Sum(_ => (long)clock.Advance(frameTime, Step, 16));
+            Assert.That(steps * Step, Is.EqualTo(frames * frameTime).Within(Step * 1.01));
+            Assert.That(clock.Dropped, Is.Zero);
+        }
+
+        [Test]
+        public void Frames_of_half_a_step_step_every_other_time()
+        {
+            var clock = new FixedStepClock();
+            int[] steps = Enumerable.Range(0, 6).Select(_ => clock.Advance(Step / 2.0, Step, 4)).ToArray();
+            Assert.That(steps, Is.EqualTo(new[] { 0, 1, 0, 1, 0, 1 }));
+        }
+
+        [Test]
+        public void A_hitch_is_capped_and_the_rest_is_dropped_and_counted()
+        {
+            var clock = new FixedStepClock();
+            Assert.That(clock.Advance(1.0, Step, 4), Is.EqualTo(4));
+            Assert.That(clock.Dropped, Is.EqualTo(56.0 / 60.0).Within(1e-9));
+            Assert.That(clock.Advance(Step, Step, 4), Is.EqualTo(1), "nothing of the hitch is caught up with");
+        }
+
+        [Test]
+        public void A_frame_without_time_takes_no_step()
+        {
+            var clock = new FixedStepClock();
+            Assert.That(clock.Advance(0.0, Step, 4), Is.Zero);
+        }
+
+        [Test]
+        public void A_change_of_the_step_length_keeps_the_time_left_over()
+        {
+            var clock = new FixedStepClock();
+            Assert.That(clock.Advance(1.5 * Step, Step, 4), Is.EqualTo(1));
+            Assert.That(clock.Advance(0.0, Step / 2.0, 4), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void A_very_long_frame_neither_overflows_nor_wraps()
+        {
+            var clock = new FixedStepClock();
+            Assert.That(clock.Advance(1e12, Step, 4), Is.EqualTo(4));
+            Assert.That(clock.Dropped, Is.EqualTo(1e12).Within(1.0));
+        }
+    }
+}

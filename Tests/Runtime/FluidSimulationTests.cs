@@ -1,0 +1,559 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>The component in a playing scene, a frame to each fixed step.</summary>
+    public class FluidSimulationTests
+    {
+        static readonly Vector3 Box = new Vector3(1f, 0.6f, 0.5f);
+        const float Spacing = 0.05f;
+
+        readonly List<GameObject> made = new List<GameObject>();
+
+        [SetUp]
+        public void OneStepAFrame() => Time.captureDeltaTime = 1f / 60f;
+
+        [UnityTearDown]
+        public IEnumerator LeaveNothing()
+        {
+            foreach (GameObject gameObject in made)
+                Object.Destroy(gameObject);
+            made.Clear();
+            Time.captureDeltaTime = 0f;
+            yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator A_volume_fills_its_box_and_every_frame_takes_a_step()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(5);
+            Assert.That(fluid.IsRunning);
+            Assert.That(fluid.StepCount, Is.EqualTo(5));
+            Assert.That(fluid.FluidTime, Is.EqualTo(5.0 / 60.0).Within(1e-6));
+            Assert.That(State(fluid).Count, Is.EqualTo(800));
+        }
+
+        [UnityTest]
+        public IEnumerator Paused_fluid_stands_still_and_goes_on_as_if_nothing_had_been()
+        {
+            FluidSimulation fluid = Dam(), undisturbed = Dam();
+            yield return Frames(3);
+            fluid.Paused = true;
+            ParticleState before = State(fluid);
+            yield return Frames(4);
+            TestFluid.AssertSame(State(fluid), before);
+            Assert.That(fluid.StepCount, Is.EqualTo(3));
+
+            fluid.Paused = false;
+            undisturbed.Paused = true;
+            yield return Frames(4);
+            TestFluid.AssertSame(State(fluid), State(undisturbed));
+        }
+
+        [UnityTest]
+        public IEnumerator A_restart_repeats_the_first_run_bit_for_bit()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(10);
+            ParticleState first = State(fluid);
+            yield return Frames(7);
+            fluid.Restart();
+            Assert.That(fluid.StepCount, Is.Zero);
+            yield return Frames(10);
+            TestFluid.AssertSame(State(fluid), first);
+        }
+
+        [UnityTest]
+        public IEnumerator Enabled_and_disabled_twenty_times_it_runs_as_it_did_at_first()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(5);
+            ParticleState first = State(fluid);
+            for (int i = 0; i < 20; i++)
+            {
+                fluid.enabled = false;
+                Assert.That(fluid.IsRunning, Is.False);
+                if (i % 2 == 0)
+                    yield return null;
+                fluid.enabled = true;
+                Assert.That(fluid.IsRunning);
+            }
+            yield return Frames(5);
+            TestFluid.AssertSame(State(fluid), first);
+        }
+
+        [UnityTest]
+        public IEnumerator Two_simulations_in_a_scene_do_not_disturb_each_other()
+        {
+            FluidSimulation dam = Dam(), other = Other();
+            yield return Frames(15);
+            ParticleState damBesideOther = State(dam), otherBesideDam = State(other);
+            dam.gameObject.SetActive(false);
+            other.gameObject.SetActive(false);
+
+            FluidSimulation damAlone = Dam();
+            yield return Frames(15);
+            TestFluid.AssertSame(damBesideOther, State(damAlone));
+            damAlone.gameObject.SetActive(false);
+
+            FluidSimulation otherAlone = Other();
+            yield return Frames(15);
+            TestFluid.AssertSame(otherBesideDam, State(otherAlone));
+
+            FluidSimulation Other() => Fluid("Other", new Vector3(0.8f, 0.8f, 0.8f), 0.04f, 2000, new Vector3(0.4f, 0.4f, 0.4f), fluid =>
+            {
+                SolverSettings settings = SolverSettings.Default;
+                settings.iterations = 2;
+                settings.substeps = 2;
+                settings.deterministic = true;
+                fluid.Settings = settings;
+                FluidMaterial material = FluidMaterial.Water;
+                material.vorticity = 0.4f;
+                material.artificialPressure = 0.05f;
+                fluid.Material = material;
+                fluid.Gravity = new Vector3(1f, -5f, 0f);
+            });
+        }
+
+        [UnityTest]
+        public IEnumerator Statistics_come_late_and_say_what_they_are_of()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 5);
+            yield return Frames(5);
+            Assert.That(fluid.TryGetStatistics(out _), Is.False, "in the frame that asked for them");
+            yield return Frames(8);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.step % 5, Is.Zero);
+            Assert.That(statistics.particles, Is.EqualTo(800));
+            Assert.That(statistics.time, Is.EqualTo(statistics.step / 60.0).Within(1e-6));
+        }
+
+        [UnityTest]
+        public IEnumerator Statistics_from_before_a_restart_never_come()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 10);
+            yield return Frames(30);
+            Assert.That(fluid.TryGetStatistics(out _));
+            fluid.Restart();
+            Assert.That(fluid.TryGetStatistics(out _), Is.False);
+            for (int frame = 0; frame < 20; frame++)
+            {
+                yield return null;
+                if (fluid.TryGetStatistics(out FluidStatistics statistics))
+                    Assert.That(statistics.step, Is.LessThanOrEqualTo(fluid.StepCount));
+            }
+            Assert.That(fluid.TryGetStatistics(out _));
+        }
+
+        [UnityTest]
+        public IEnumerator An_interval_of_zero_measures_nothing_and_holds_nothing()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);
+            yield return Frames(8);
+            Assert.That(Buffers(fluid), Has.Member("Rill.Statistics.Results"));
+            fluid.StatisticsInterval = 0;
+            yield return Frames(8);
+            Assert.That(Buffers(fluid), Has.No.Member("Rill.Statistics.Results"));
+            Assert.That(fluid.TryGetStatistics(out _), Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator Relaxation_above_the_limit_is_clamped_and_the_statistics_say_so()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);
+            SolverSettings settings = SolverSettings.Default;
+            settings.relaxation = 5f;
+            LogAssert.Expect(LogType.Warning, new Regex("relaxation 5 is outside 0 to 1.2; using 1.2"));
+            fluid.Settings = settings;
+            FluidMaterial material = fluid.Material;
+            material.viscosity = 0.02f;
+            fluid.Material = material;      // validates everything again
+            yield return Frames(8);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.relaxation, Is.EqualTo(SolverSettings.MaxRelaxation));
+            Assert.That(statistics.relaxationClamped);
+            Assert.That(fluid.Settings.relaxation, Is.EqualTo(SolverSettings.MaxRelaxation));
+
+            fluid.Settings = SolverSettings.Default;
+            yield return Frames(8);
+            fluid.TryGetStatistics(out statistics);
+            Assert.That(statistics.relaxationClamped, Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator A_hitch_takes_the_most_steps_and_drops_the_rest()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);
+            yield return Frames(3);
+            float most = Time.maximumDeltaTime;
+            Time.captureDeltaTime = 1f;
+            yield return null;
+            Time.captureDeltaTime = 1f / 60f;
+            Assert.That(fluid.StepCount, Is.EqualTo(3 + 4));
+            yield return Frames(8);
+            Assert.That(fluid.StepCount, Is.EqualTo(3 + 4 + 8), "nothing of the hitch is caught up with");
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.droppedTime, Is.EqualTo(math.min(most, 1.0) - 4.0 / 60.0).Within(1.5 / 60.0));
+            Assert.That(statistics.escaped + statistics.nonFinite, Is.Zero);
+        }
+
+        [UnityTest]
+        public IEnumerator Frames_shorter_than_a_step_add_up()
+        {
+            FluidSimulation fluid = Dam();
+            Time.captureDeltaTime = 1f / 240f;
+            yield return null;
+            int before = fluid.StepCount;
+            yield return Frames(40);
+            Assert.That(fluid.StepCount - before, Is.InRange(9, 11));
+        }
+
+        [UnityTest]
+        public IEnumerator A_transform_that_is_not_finite_turns_it_off_with_a_message()
+        {
+            FluidSimulation fluid = Dam(), healthy = Dam();
+            var stretched = new GameObject("Stretched");
+            made.Add(stretched);
+            fluid.transform.SetParent(stretched.transform, false);
+            fluid.transform.localPosition = new Vector3(1e10f, 1e10f, 1e10f);
+            yield return Frames(2);
+            LogAssert.Expect(LogType.Error, new Regex("'Dam' is off: its transform is not finite.*enable it again"));
+            stretched.transform.localScale = new Vector3(1e38f, 1e38f, 1e38f);
+            yield return Frames(3);
+            Assert.That(fluid.enabled, Is.False);
+            Assert.That(fluid.IsRunning, Is.False);
+            Assert.That(healthy.IsRunning);
+            Assert.That(healthy.StepCount, Is.EqualTo(5));
+
+            stretched.transform.localScale = Vector3.one;
+            fluid.transform.localPosition = Vector3.zero;
+            fluid.enabled = true;
+            yield return Frames(2);
+            Assert.That(fluid.StepCount, Is.EqualTo(2));
+        }
+
+        static readonly BadLayout[] BadLayouts =
+        {
+            new BadLayout(Box, Spacing, 0, "Capacity 0.*1 to 16,777,216 particles"),
+            new BadLayout(Box, Spacing, -7, "Capacity -7"),
+            new BadLayout(Box, 0f, 1000, "Particle spacing 0 m: it must be above 0"),
+            new BadLayout(Box, float.NaN, 1000, "Particle spacing NaN m"),
+            new BadLayout(new Vector3(1f, 0.05f, 1f), Spacing, 1000, "Domain size.*at least the support radius, 0.1 m"),
+            new BadLayout(new Vector3(1f, float.PositiveInfinity, 1f), Spacing, 1000, "Domain size.*not finite"),
+            new BadLayout(new Vector3(1f, 2000f, 1f), Spacing, 1000, "8,192 particle spacings"),
+        };
+
+        [UnityTest]
+        public IEnumerator A_bad_layout_turns_the_component_off_with_a_message_and_no_other([ValueSource(nameof(BadLayouts))] BadLayout bad)
+        {
+            FluidSimulation healthy = Dam();
+            LogAssert.Expect(LogType.Error, new Regex("FluidSimulation 'Bad' is off: .*" + bad.Message));
+            FluidSimulation fluid = Fluid("Bad", bad.Box, bad.Spacing, bad.Capacity, Vector3.one * 0.2f);
+            yield return Frames(2);
+            Assert.That(fluid.enabled, Is.False);
+            Assert.That(fluid.IsRunning, Is.False);
+            Assert.That(healthy.StepCount, Is.EqualTo(2));
+
+            fluid.Configure(Box, Spacing, 1000);
+            fluid.enabled = true;
+            yield return Frames(2);
+            Assert.That(fluid.StepCount, Is.EqualTo(2));
+        }
+
+        [UnityTest]
+        public IEnumerator A_volume_partly_outside_is_filled_as_far_as_it_lies_inside_and_says_so()
+        {
+            LogAssert.Expect(LogType.Warning, new Regex("400 of 800 particles of FluidVolume 'Water' lie outside the domain of 'Half'"));
+            FluidSimulation fluid = Fluid("Half", Box, Spacing, 1000, Vector3.zero, f => AddWater(f, new Vector3(0.5f, 0.4f, 0.5f), new Vector3(0.5f, 0f, 0f)));
+            yield return Frames(1);
+            Assert.That(State(fluid).Count, Is.EqualTo(400));
+        }
+
+        [UnityTest]
+        public IEnumerator Volumes_beyond_the_capacity_are_refused_by_number()
+        {
+            LogAssert.Expect(LogType.Warning, new Regex("'Small' refused 300 of 800 particles of its volumes: the capacity is 500"));
+            FluidSimulation fluid = Fluid("Small", Box, Spacing, 500, new Vector3(0.5f, 0.4f, 0.5f));
+            yield return Frames(1);
+            Assert.That(State(fluid).Count, Is.EqualTo(500));
+        }
+
+        [UnityTest]
+        public IEnumerator A_volume_that_is_not_finite_is_left_out_by_name()
+        {
+            LogAssert.Expect(LogType.Error, new Regex("FluidVolume 'Water' was not filled: .*not finite"));
+            FluidSimulation fluid = Fluid("Fluid", Box, Spacing, 1000, new Vector3(0.5f, 0.4f, 0.5f), f => AddWater(f, new Vector3(0.5f, float.NaN, 0.5f), Vector3.zero));
+            yield return Frames(1);
+            Assert.That(State(fluid).Count, Is.EqualTo(800), "the other volume");
+        }
+
+        [UnityTest]
+        public IEnumerator Added_particles_come_from_world_space_into_the_domain()
+        {
+            FluidSimulation fluid = Fluid("Turned", Box, Spacing, 10, Vector3.zero, f =>
+            {
+                f.transform.SetPositionAndRotation(new Vector3(100f, -50f, 7f), Quaternion.Euler(0f, 90f, 0f));
+                f.Paused = true;
+            });
+            // The domain's x points along the world's -z.
+            Add(fluid, new float3(100f, -50f, 7f - 0.25f), new float3(0f, 0f, -3f));
+            yield return null;
+            ParticleState state = State(fluid);
+            Assert.That(state.Count, Is.EqualTo(1));
+            Assert.That(math.distance(state.positions[0].xyz, new float3(0.75f, 0.3f, 0.25f) / Spacing), Is.LessThan(1e-3f));
+            Assert.That(math.distance(state.velocities[0].xyz, new float3(3f, 0f, 0f) / Spacing), Is.LessThan(1e-3f));
+        }
+
+        [UnityTest]
+        public IEnumerator Added_particles_beyond_the_capacity_are_refused_and_counted()
+        {
+            FluidSimulation fluid = Fluid("Small", Box, Spacing, 3, Vector3.zero, f => f.StatisticsInterval = 1);
+            for (int i = 0; i < 5; i++)
+                Add(fluid, new float3(0.1f * i - 0.2f, 0f, 0f), 0f);
+            yield return Frames(8);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.particles, Is.EqualTo(3));
+            Assert.That(statistics.refused, Is.EqualTo(2));
+        }
+
+        [UnityTest]
+        public IEnumerator Particles_cannot_be_added_to_a_fluid_that_does_not_run_or_without_velocities()
+        {
+            FluidSimulation fluid = Fluid("Fluid", Box, Spacing, 10, Vector3.zero);
+            using (var positions = new NativeArray<float3>(2, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(3, Allocator.Persistent))
+            {
+                Assert.That(Assert.Throws<ArgumentException>(() => fluid.AddParticles(positions, velocities)).Message, Does.Contain("2 positions with 3 velocities"));
+                fluid.enabled = false;
+                Assert.That(Assert.Throws<InvalidOperationException>(() => fluid.AddParticles(positions, positions)).Message, Does.Contain("'Fluid' is not running"));
+            }
+            yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator A_box_that_speeds_up_pushes_its_fluid_only_if_inertial([Values(true, false)] bool inertial)
+        {
+            FluidSimulation fluid = Dam(f => f.Inertial = inertial), still = Dam();
+            yield return Frames(2);
+            double velocity = 0.0;
+            for (int frame = 0; frame < 10; frame++)
+            {
+                velocity += 6.0 / 60.0;     // 6 m/s²
+                fluid.transform.position += Vector3.right * (float)(velocity / 60.0);
+                yield return null;
+                if (frame > 0)
+                    Assert.That(math.distance(fluid.Input.gravity, new float3(inertial ? -6f : 0f, -9.81f, 0f)), Is.LessThan(0.05f), $"frame {frame}");
+            }
+            if (inertial)
+                Assert.That(State(fluid).velocities.Average(v => v.x), Is.LessThan(State(still).velocities.Average(v => v.x) - 1f));
+            else
+                TestFluid.AssertSame(State(fluid), State(still));
+        }
+
+        [UnityTest]
+        public IEnumerator A_turned_box_feels_gravity_from_its_own_side()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(2);
+            fluid.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
+            yield return null;
+            Assert.That(math.distance(fluid.Input.gravity, new float3(-9.81f, 0f, 0f)), Is.LessThan(1e-4f));
+        }
+
+        [UnityTest]
+        public IEnumerator Moving_the_box_while_paused_is_no_push()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(2);
+            fluid.Paused = true;
+            fluid.transform.position += Vector3.right * 3f;
+            yield return Frames(2);
+            fluid.Paused = false;
+            yield return null;
+            Assert.That(math.distance(fluid.Input.gravity, new float3(0f, -9.81f, 0f)), Is.LessThan(1e-3f));
+        }
+
+        [UnityTest]
+        public IEnumerator A_hitch_of_a_box_in_even_motion_is_no_push()
+        {
+            FluidSimulation fluid = Dam();
+            const float speed = 2f;
+            for (int frame = 0; frame < 6; frame++)
+            {
+                fluid.transform.position += Vector3.right * (speed / 60f);
+                yield return null;
+            }
+            float hitch = Time.maximumDeltaTime;
+            Time.captureDeltaTime = hitch;
+            fluid.transform.position += Vector3.right * (speed * hitch);
+            yield return null;
+            Assert.That(math.abs(fluid.Input.gravity.x), Is.LessThan(1f));
+        }
+
+        [UnityTest]
+        public IEnumerator New_settings_go_on_with_the_fluid_as_it_is()
+        {
+            // Sides that the spacing does not divide, in a box where rounding shows.
+            FluidSimulation fluid = Fluid("Odd", new Vector3(1.1f, 0.7f, 0.53f), 0.03f, 5000, new Vector3(0.3f, 0.3f, 0.3f));
+            yield return Frames(3);
+            FluidMaterial material = fluid.Material;
+            material.viscosity = 0.1f;
+            fluid.Material = material;
+            SolverSettings settings = fluid.Settings;
+            settings.iterations = 2;
+            fluid.Settings = settings;
+            yield return Frames(2);
+            Assert.That(fluid.StepCount, Is.EqualTo(5));
+        }
+
+        [UnityTest]
+        public IEnumerator A_new_layout_starts_the_fluid_anew()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(3);
+            fluid.Configure(Box, 0.1f, 1000);
+            yield return Frames(2);
+            Assert.That(fluid.StepCount, Is.EqualTo(2));
+            Assert.That(State(fluid).Count, Is.EqualTo(100));
+
+            SolverSettings settings = fluid.Settings;
+            settings.neighborCapacity = 64;
+            fluid.Settings = settings;
+            yield return Frames(2);
+            Assert.That(fluid.StepCount, Is.EqualTo(2));
+            Assert.That(fluid.Solver.Layout.NeighborCapacity, Is.EqualTo(64));
+        }
+
+        [UnityTest]
+        public IEnumerator Vorticity_turned_on_and_off_leaves_no_buffer()
+        {
+            FluidSimulation fluid = Dam();
+            yield return Frames(2);
+            SetVorticity(0.5f);
+            yield return Frames(2);
+            Assert.That(Buffers(fluid), Has.Member("Rill.Curl"));
+            SetVorticity(0f);
+            yield return Frames(2);
+            Assert.That(Buffers(fluid), Has.No.Member("Rill.Curl").And.No.Member("Rill.Confined"));
+            Assert.That(fluid.StepCount, Is.EqualTo(6));
+
+            void SetVorticity(float value)
+            {
+                FluidMaterial material = fluid.Material;
+                material.vorticity = value;
+                fluid.Material = material;
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator A_renderer_of_the_density_has_it_summed()
+        {
+            FluidSimulation fluid = Dam(f =>
+            {
+                FluidMaterial material = FluidMaterial.Water;
+                material.viscosity = 0f;
+                f.Material = material;
+            });
+            yield return Frames(2);
+            Assert.That(State(fluid).velocities.All(v => v.w == 1f));
+
+            fluid.gameObject.AddComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
+            yield return Frames(3);
+            Assert.That(State(fluid).velocities.Count(v => v.w != 1f), Is.GreaterThan(700));
+        }
+
+        [UnityTest]
+        public IEnumerator A_destroyed_simulation_leaves_the_others_running()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1), other = Dam();
+            yield return Frames(2);
+            Object.Destroy(fluid.gameObject);
+            yield return Frames(3);
+            Assert.That(fluid == null);
+            Assert.That(other.StepCount, Is.EqualTo(5));
+        }
+
+        [Test]
+        public void The_domain_begins_at_its_lowest_corner()
+        {
+            FluidSimulation fluid = Fluid("Placed", Box, Spacing, 10, Vector3.zero, f => f.transform.position = new Vector3(5f, 6f, 7f));
+            Assert.That(Vector3.Distance(fluid.DomainToWorld.MultiplyPoint3x4(Vector3.zero), new Vector3(4.5f, 5.7f, 6.75f)), Is.LessThan(1e-5f));
+            Assert.That(Vector3.Distance(fluid.DomainToWorld.MultiplyPoint3x4(new Vector3(20f, 12f, 10f)), new Vector3(5.5f, 6.3f, 7.25f)), Is.LessThan(1e-5f));
+        }
+
+        /// <summary>A layout that cannot be, and what is said of it.</summary>
+        public sealed class BadLayout
+        {
+            public readonly Vector3 Box;
+            public readonly float Spacing;
+            public readonly int Capacity;
+            public readonly string Message;
+
+            public BadLayout(Vector3 box, float spacing, int capacity, string message)
+            {
+                Box = box;
+                Spacing = spacing;
+                Capacity = capacity;
+                Message = message;
+            }
+
+            public override string ToString() => $"box {Box}, spacing {Spacing}, capacity {Capacity}";
+        }
+
+        FluidSimulation Dam(Action<FluidSimulation> setUp = null) => Fluid("Dam", Box, Spacing, 1000, new Vector3(0.5f, 0.4f, 0.5f), setUp);
+
+        // A simulation that starts after 'setUp'; the water stands in the domain's lowest corner.
+        FluidSimulation Fluid(string name, Vector3 box, float spacing, int capacity, Vector3 water, Action<FluidSimulation> setUp = null)
+        {
+            var gameObject = new GameObject(name);
+            made.Add(gameObject);
+            gameObject.SetActive(false);
+            var fluid = gameObject.AddComponent<FluidSimulation>();
+            fluid.Configure(box, spacing, capacity);
+            if (water != Vector3.zero)
+                AddWater(fluid, water, (water - box) * 0.5f);
+            setUp?.Invoke(fluid);
+            gameObject.SetActive(true);
+            return fluid;
+        }
+
+        static void AddWater(FluidSimulation fluid, Vector3 size, Vector3 center)
+        {
+            var child = new GameObject("Water");
+            child.transform.SetParent(fluid.transform, false);
+            child.transform.localPosition = center;
+            child.AddComponent<FluidVolume>().Size = size;
+        }
+
+        static void Add(FluidSimulation fluid, float3 position, float3 velocity)
+        {
+            using (var positions = new NativeArray<float3>(new[] { position }, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(new[] { velocity }, Allocator.Persistent))
+                fluid.AddParticles(positions, velocities);
+        }
+
+        static IEnumerator Frames(int count)
+        {
+            for (int i = 0; i < count; i++)
+                yield return null;
+        }
+
+        static ParticleState State(FluidSimulation fluid) => TestFluid.Read(fluid.Solver);
+
+        static IEnumerable<string> Buffers(FluidSimulation fluid)
+        {
+            return fluid.Solver.Describe(fluid.Input, fluid.StatisticsInterval).SelectMany(stage => stage.Buffers).Select(buffer => buffer.name).ToArray();
+        }
+    }
+}

@@ -1,0 +1,92 @@
+using NUnit.Framework;
+
+namespace Rill.Tests
+{
+    public class SettingsTests
+    {
+        [Test]
+        public void Defaults_are_valid()
+        {
+            SolverSettings settings = SolverSettings.Default;
+            FluidMaterial water = FluidMaterial.Water;
+            Assert.That(settings.Validate(out string problem), Is.True, problem);
+            Assert.That(water.Validate(out problem), Is.True, problem);
+            Assert.That(problem, Is.Null);
+        }
+
+        [TestCase(0, 1)]
+        [TestCase(-5, 1)]
+        [TestCase(51, 50)]
+        [TestCase(50, 50)]
+        public void Iterations_are_clamped(int given, int expected)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.iterations = given;
+            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"iterations {given} is outside 1 to 50; using {expected}.");
+            Assert.That(settings.iterations, Is.EqualTo(expected));
+        }
+
+        [TestCase(-0.1f, 0f)]
+        [TestCase(0f, 0f)]
+        [TestCase(1.2f, 1.2f)]
+        [TestCase(1.3f, 1.2f)]
+        [TestCase(5f, 1.2f)]
+        [TestCase(float.NaN, 0.5f)]
+        [TestCase(float.PositiveInfinity, 0.5f)]
+        public void Relaxation_is_clamped_to_what_stayed_stable(float given, float expected)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.relaxation = given;
+            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"relaxation {given} is outside 0 to 1.2; using {expected}.");
+            Assert.That(settings.relaxation, Is.EqualTo(expected));
+        }
+
+        [TestCase(0, 1)]
+        [TestCase(17, 16)]
+        public void Substeps_are_clamped(int given, int expected)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.substeps = given;
+            AssertClamped(settings.Validate(out string problem), problem, true, $"substeps {given} is outside 1 to 16; using {expected}.");
+            Assert.That(settings.substeps, Is.EqualTo(expected));
+        }
+
+        [Test]
+        public void A_struct_of_zeros_becomes_valid_and_names_every_value()
+        {
+            SolverSettings settings = default;
+            Assert.That(settings.Validate(out string problem), Is.False);
+            foreach (string name in new[] { "iterations 0", "substeps 0", "softness 0", "list margin 0", "neighbor capacity 0" })
+                Assert.That(problem, Does.Contain(name));
+            Assert.That(settings.Validate(out problem), Is.True, problem);
+        }
+
+        [TestCase(float.NaN)]
+        [TestCase(float.NegativeInfinity)]
+        [TestCase(-1f)]
+        [TestCase(2e6f)]
+        public void A_material_out_of_range_becomes_valid_and_says_so(float bad)
+        {
+            var material = new FluidMaterial { density = bad, viscosity = bad, vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad };
+            Assert.That(material.Validate(out string problem), Is.False);
+            foreach (string name in new[] { "density", "viscosity", "vorticity", "artificial pressure", "artificial pressure distance", "allowed tension" })
+                Assert.That(problem, Does.Contain($"{name} {bad} is outside"));
+            Assert.That(material.Validate(out problem), Is.True, problem);
+        }
+
+        [Test]
+        public void A_value_that_is_no_number_becomes_that_of_water()
+        {
+            FluidMaterial material = FluidMaterial.Water;
+            material.viscosity = float.NaN;
+            material.Validate(out _);
+            Assert.That(material.viscosity, Is.EqualTo(FluidMaterial.Water.viscosity));
+        }
+
+        static void AssertClamped(bool valid, string problem, bool clamped, string message)
+        {
+            Assert.That(valid, Is.EqualTo(!clamped));
+            Assert.That(problem, clamped ? Is.EqualTo(message) : Is.Null);
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill.Tests
+{
+    /// <summary>The stages of a solver one by one over the same particles, each run at once, so that a test sees what it left.</summary>
+    sealed class SolverStages : IDisposable
+    {
+        /// <summary>m; a power of two, so that the way to metres and back rounds nothing.</summary>
+        public const float Spacing = 0.0625f;
+
+        public readonly SolverLayout Layout;
+        public readonly ParticleBuffers Particles;
+        public readonly NeighborSearch Search;
+        public readonly DensityConstraint Constraint;
+        public readonly VelocityUpdate VelocityUpdate = new VelocityUpdate();
+        public readonly GraphicsBuffer Constants;
+        public readonly StepInput Input;
+
+        /// <param name="capacity">0: as many as there are, and some.</param>
+        /// <param name="largestBinding">Bytes of the largest buffer; 0: the device's.</param>
+        public SolverStages(ParticleState state, StepInput input, int capacity = 0, long largestBinding = 0)
+        {
+            Input = input;
+            capacity = capacity > 0 ? capacity : state.Count + 5;
+            Layout = new SolverLayout(state.box * Spacing, Spacing, capacity, input.settings.neighborCapacity, input.settings.listMargin,
+                largestBinding > 0 ? largestBinding : GpuBuffer.LargestBinding);
+            Particles = new ParticleBuffers(capacity);
+            Search = new NeighborSearch(Layout);
+            Constraint = new DensityConstraint(Layout);
+            Constants = GpuTest.UploadConstants(SolverConstants.For(Layout, input, 1));
+            state.WriteTo(Particles);
+        }
+
+        /// <summary>No gravity, 60 steps a second, settings and material as given.</summary>
+        public static StepInput Still(SolverSettings settings, FluidMaterial material)
+        {
+            return new StepInput { timeStep = 1f / 60f, settings = settings, material = material };
+        }
+
+        public static StepInput Still() => Still(SolverSettings.Default, FluidMaterial.Water);
+
+        public int Sorted => (int)Counter(ParticleCounter.Sorted);
+
+        /// <summary>Sorted positions at the start of the step.</summary>
+        public float4[] Start => GpuTest.Read<float4>(Particles.Start, Sorted);
+        /// <summary>Sorted positions, predicted and then corrected.</summary>
+        public float4[] Predicted => GpuTest.Read<float4>(Particles.Predicted, Sorted);
+        /// <summary>After the constraint: the positions that its last multipliers were solved at, and w those.</summary>
+        public float4[] Multipliers => GpuTest.Read<float4>(Particles.Current, Sorted);
+        public float4[] Velocities => GpuTest.Read<float4>(Particles.Velocities, Sorted);
+        public uint[] SortedIds => GpuTest.Read<uint>(Particles.SortedIds, Sorted);
+
+        public uint Counter(ParticleCounter counter) => GpuTest.Read<uint>(Particles.Counters, ParticleBuffers.CounterCount)[(int)counter];
+
+        public SolverStages Sort()
+        {
+            GpuTest.Run(cmd => Search.RecordSort(cmd, Constants, Particles, Input.settings.deterministic));
+            return this;
+        }
+
+        /// <param name="iterations">0: the list and the first multipliers only.</param>
+        public SolverStages Constrain(int iterations)
+        {
+            GpuTest.Run(cmd => Constraint.Record(cmd, Constants, Particles, Search, iterations, Input.material.artificialPressure > 0f));
+            return this;
+        }
+
+        public SolverStages UpdateVelocities()
+        {
+            GpuTest.Run(cmd => VelocityUpdate.Record(cmd, Constants, Particles, Constraint.Lists, Input));
+            return this;
+        }
+
+        /// <summary>The neighbors that the constraint listed for each sorted particle; layout as in NeighborList.hlsl.</summary>
+        public int[][] ListedNeighbors()
+        {
+            int sorted = Sorted, capacity = Layout.NeighborCapacity;
+            uint[] counts = GpuTest.Read<uint>(Constraint.Lists.Counts, sorted);
+            uint[] first = GpuTest.Read<uint>(Constraint.Lists.First, (int)Layout.FirstListEntries);
+            uint[] second = Layout.TwoLists ? GpuTest.Read<uint>(Constraint.Lists.Second, (int)Layout.SecondListEntries) : null;
+            var lists = new int[sorted][];
+            for (int i = 0; i < sorted; i++)
+            {
+                bool inFirst = i < Layout.FirstListParticles;
+                int place = inFirst ? i : i - Layout.FirstListParticles;
+                lists[i] = new int[counts[i]];
+                for (int k = 0; k < lists[i].Length; k++)
+                    lists[i][k] = (int)(inFirst ? first : second)[place / 32 * 32 * capacity + k * 32 + place % 32];
+            }
+            return lists;
+        }
+
+        public void Dispose()
+        {
+            Particles.Dispose();
+            Search.Dispose();
+            Constraint.Dispose();
+            Constants.Release();
+        }
+    }
+}

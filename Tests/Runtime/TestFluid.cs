@@ -1,0 +1,91 @@
+using System;
+using System.Linq;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine.Rendering;
+
+namespace Rill.Tests
+{
+    /// <summary>A whole solver without a component around it. Metres and seconds, in the domain's frame.</summary>
+    sealed class TestFluid : IDisposable
+    {
+        public readonly PbfSolver Solver;
+        public StepInput Input;
+
+        /// <param name="largestBinding">Bytes of the largest buffer; 0: the device's.</param>
+        public TestFluid(float3 box, float spacing, int capacity, SolverSettings settings, long largestBinding = 0)
+        {
+            Input = SolverStages.Still(settings, FluidMaterial.Water);
+            Input.gravity = new float3(0f, -9.81f, 0f);
+            Solver = new PbfSolver(new SolverLayout(box, spacing, capacity, settings.neighborCapacity, settings.listMargin,
+                largestBinding > 0 ? largestBinding : GpuBuffer.LargestBinding));
+        }
+
+        public TestFluid(float3 box, float spacing, int capacity) : this(box, spacing, capacity, SolverSettings.Default) { }
+
+        public float Spacing => Solver.Layout.Spacing;
+
+        /// <summary>Adds a block of still or moving particles on a lattice, its lowest corner at <paramref name="corner"/>.</summary>
+        public TestFluid AddBlock(float3 corner, float3 size, float3 velocity = default, float jitter = 0.02f)
+        {
+            int3 counts = (int3)math.floor(size / Spacing + 1e-3f);
+            ParticleState block = ParticleState.Lattice(0f, 0.5f, counts, jitter);
+            return Add(block.positions.Select(p => corner + p.xyz * Spacing).ToArray(), velocity);
+        }
+
+        public TestFluid Add(float3[] places, float3 velocity = default)
+        {
+            using (var positions = new NativeArray<float4>(places.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
+            using (var velocities = new NativeArray<float4>(places.Select(_ => new float4(velocity, 0f)).ToArray(), Allocator.Persistent))
+                Solver.Add(positions, velocities);
+            return this;
+        }
+
+        public TestFluid Step(int count = 1)
+        {
+            for (int i = 0; i < count; i++)
+                GpuTest.Run(cmd => Solver.Step(cmd, Input));
+            return this;
+        }
+
+        public int Alive => (int)Counter(ParticleCounter.Alive);
+
+        public uint Counter(ParticleCounter counter) => GpuTest.Read<uint>(Solver.Counters, ParticleBuffers.CounterCount)[(int)counter];
+
+        /// <summary>In the order of the buffers, d.</summary>
+        public ParticleState Read() => Read(Solver);
+
+        /// <summary>The particles of a solver in the order of its buffers, d.</summary>
+        public static ParticleState Read(PbfSolver solver)
+        {
+            int count = (int)GpuTest.Read<uint>(solver.Counters, ParticleBuffers.CounterCount)[(int)ParticleCounter.Alive];
+            return new ParticleState(solver.Layout.DomainSize, new float3[0])
+            {
+                positions = GpuTest.Read<float4>(solver.Positions, count),
+                velocities = GpuTest.Read<float4>(solver.Velocities, count),
+                ids = GpuTest.Read<uint>(solver.ParticleIds, count),
+            };
+        }
+
+        /// <summary>Statistics of the current state, waiting for the device.</summary>
+        public FluidStatistics Measure()
+        {
+            GpuTest.Run(cmd => Solver.RecordStatistics(cmd, Input));
+            Solver.RequestStatistics();
+            AsyncGPUReadback.WaitAllRequests();
+            if (!Solver.TryGetStatistics(Input, out FluidStatistics statistics))
+                throw new InvalidOperationException("The statistics did not arrive with WaitAllRequests.");
+            return statistics;
+        }
+
+        public void Dispose() => Solver.Dispose();
+
+        /// <summary>Fails unless both hold the same particles in the same order, bit for bit.</summary>
+        public static void AssertSame(ParticleState actual, ParticleState expected)
+        {
+            Compare.Same("ids", actual.ids, expected.ids);
+            Compare.Same("positions", actual.positions, expected.positions);
+            Compare.Same("velocities", actual.velocities, expected.velocities);
+        }
+    }
+}
