@@ -91,13 +91,10 @@ float Poly6(float distanceSquared)
     return t * t * t;
 }
 
-// Unit vector from b to a, or for a coincident pair a direction of its own that is the opposite for the other particle.
-float3 PairDirection(float3 difference, float distanceSquared, uint a, uint b)
+// A coincident pair has no direction: this gives it one of its own, the opposite for the other particle.
+float3 CoincidentDirection(uint self, uint other)
 {
-    if (distanceSquared >= kCoincident)
-        return difference * rsqrt(distanceSquared);
-
-    uint hash = (min(a, b) * 0x9E3779B1u) ^ (max(a, b) * 0x85EBCA77u);
+    uint hash = (min(self, other) * 0x9E3779B1u) ^ (max(self, other) * 0x85EBCA77u);
     hash ^= hash >> 15;
     hash *= 0x2C1B3C6Du;
     hash ^= hash >> 12;
@@ -105,7 +102,7 @@ float3 PairDirection(float3 difference, float distanceSquared, uint a, uint b)
     float angle = (hash >> 16) * (6.2831853 / 65536.0);
     float ring = sqrt(max(1.0 - z * z, 0.0));
     float3 direction = float3(ring * cos(angle), ring * sin(angle), z);
-    return a < b ? direction : -direction;
+    return self < other ? direction : -direction;
 }
 
 // Share of the rest density that a half space of fluid behind a plane at distance s adds, and its derivative along the

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Runtime.CompilerServices;
 using Host.Assets;
 using NUnit.Framework;
 using UnityEngine;
@@ -19,7 +18,7 @@ namespace Host.Tests
         internal static readonly string ProjectRoot = Path.Combine(Folder(), "Assets", "Project");
         internal static readonly string PackageRoot = Path.Combine(Folder(), "Assets", "Package");
 
-        static string Folder([CallerFilePath] string thisFile = "") => Path.GetDirectoryName(thisFile);
+        static string Folder() => TestFolder.Path;
 
         IAssetSource assetsBefore;
         bool linearBefore, strictBefore;

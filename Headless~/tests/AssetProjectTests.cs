@@ -121,6 +121,15 @@ namespace Host.Tests
             Assert.That(project.FindShader("Not/This"), Is.Null, "named in a comment only");
         }
 
+        [TestCase(10202, 24)]
+        [TestCase(10210, 4)]
+        public void Built_in_meshes_are_found_by_their_ids(long fileId, int vertices)
+        {
+            var text = TemporaryProject.SceneText("  size: 1\n") + $"--- !u!33 &13\nMeshFilter:\n  m_GameObject: {{fileID: 10}}\n  m_Mesh: {{fileID: {fileId}, guid: 0000000000000000e000000000000000, type: 0}}\n";
+            var scene = Temporary().Write("Assets/Main.unity", text, null).Load();
+            Assert.That(Get<MeshFilter>(scene, "Tank").sharedMesh.vertexCount, Is.EqualTo(vertices));
+        }
+
         // ---- Resources
 
         [Test]

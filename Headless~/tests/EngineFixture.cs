@@ -4,6 +4,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.SceneManagement;
+using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
@@ -36,12 +37,14 @@ namespace Host.Tests
             Assert.That(log.Where(e => e.Type != LogType.Log && e.Type != LogType.Warning), Is.Empty, "errors in the log that the test did not expect");
         }
 
-        /// <summary>Takes the errors out of the log.</summary>
+        /// <summary>Takes the errors out of the log, which makes them expected.</summary>
         protected List<string> Errors()
         {
-            List<string> errors = log.Where(e => e.Type != LogType.Log && e.Type != LogType.Warning).Select(e => e.Message).ToList();
+            List<LogEntry> errors = log.Where(e => e.Type != LogType.Log && e.Type != LogType.Warning).ToList();
             log.Clear();
-            return errors;
+            foreach (LogEntry error in errors)
+                LogAssert.Expect(error.Type, error.Message);
+            return errors.Select(e => e.Message).ToList();
         }
 
         protected List<string> Warnings() => log.Where(e => e.Type == LogType.Warning).Select(e => e.Message).ToList();

@@ -5,6 +5,7 @@ using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
+using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
@@ -144,6 +145,7 @@ namespace Host.Tests
         [Test]
         public void A_callback_that_throws_does_not_keep_the_others_from_arriving()
         {
+            LogAssert.Expect(LogType.Exception, "InvalidOperationException: planted");
             bool second = false;
             AsyncGPUReadback.Request(buffer, r => throw new InvalidOperationException("planted"));
             AsyncGPUReadback.Request(buffer, r => second = true);

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.IO;
-using System.Runtime.CompilerServices;
 using Host.Shaders;
 using Host.Vulkan;
 using NUnit.Framework;
@@ -9,18 +8,18 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>One device for all tests that go through the engine, under the validation layer; made when first asked for.</summary>
+    /// <summary>The test run's device, for all tests that go through the engine; without one, its own, under the validation layer.</summary>
     [SetUpFixture]
     public class HostSetup
     {
-        static VulkanDevice device;
+        static VulkanDevice device, own;
 
-        internal static VulkanDevice Device => device ??= new VulkanDevice(validation: true);
+        internal static VulkanDevice Device => device ??= Player.Device as VulkanDevice ?? (own = new VulkanDevice(validation: true));
 
         [OneTimeTearDown]
         public void ValidationLayerIsSilentAndNothingIsLeft()
         {
-            if (device == null)
+            if (own == null)
                 return;
             Player.Device = device;
             Gpu.Reset();
@@ -82,7 +81,7 @@ namespace Host.Tests
         static readonly Dictionary<string, ComputeShaderSource> computeSources = new Dictionary<string, ComputeShaderSource>();
         static readonly Dictionary<string, ShaderSource> shaderSources = new Dictionary<string, ShaderSource>();
 
-        static string Folder([CallerFilePath] string here = "") => Path.Combine(Path.GetDirectoryName(here), "Shaders", "Graphics");
+        static string Folder() => Path.Combine(TestFolder.Path, "Shaders", "Graphics");
 
         /// <summary>A new object over a file of Shaders/Graphics, which is imported once.</summary>
         protected static ComputeShader Compute(string name)

@@ -27,7 +27,7 @@ namespace Rill.Tests
             {
                 float4[] velocities = stages.Velocities;
                 Velocities reference = ReferenceOf(stages, out _, out _);
-                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => reference.Smoothed(i, 0.3f), i => 2e-3);
+                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => reference.Smoothed(i, 0.3f), i => 2e-4);
             }
         }
 
@@ -86,7 +86,7 @@ namespace Rill.Tests
             using (var plain = Updated(state, viscosity: 0f, iterations: 0))
             {
                 float4[] expected = plain.Velocities, actual = smooth.Velocities;
-                Compare.Vectors("velocities", state.Count, i => actual[i].xyz, i => expected[i].xyz, i => 2e-3);
+                Compare.Vectors("velocities", state.Count, i => actual[i].xyz, i => expected[i].xyz, i => 2e-4);
             }
         }
 
@@ -111,6 +111,19 @@ namespace Rill.Tests
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.Zero);
                 Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, 8), Is.EqualTo(ParticleState.ArgumentsFor(0)));
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Velocities, stages.Layout.Capacity).All(GpuTest.IsGarbage));
+            }
+        }
+
+        [Test]
+        public void A_whole_substep_does_not_depend_on_the_order_of_the_input()
+        {
+            ParticleState state = ParticleState.Random(997, seed: 9, speed: 10f);
+            using (var stages = Updated(state, viscosity: 0.1f, iterations: 3))
+            using (var shuffled = Updated(state.Shuffled(seed: 10), viscosity: 0.1f, iterations: 3))
+            {
+                Compare.Same("ids", shuffled.SortedIds, stages.SortedIds);
+                Compare.Same("positions", shuffled.Predicted, stages.Predicted);
+                Compare.Same("velocities", shuffled.Velocities, stages.Velocities);
             }
         }
 

@@ -38,7 +38,7 @@ namespace Rill.Tests
                 {
                     VectorSum eta = reference.Eta(i, magnitudes);
                     double turn = Math.Min(2.0, (1e-6 + 1e-5 * eta.size) / Math.Max(math.length(eta.value), 1e-30));
-                    return 2e-3 + turn * strength * TimeStep * magnitudes[i];
+                    return 2e-4 + turn * strength * TimeStep * magnitudes[i];
                 }
             }
         }

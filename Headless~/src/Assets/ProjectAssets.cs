@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using System.Reflection;
 using UnityEngine;
@@ -40,12 +39,6 @@ namespace Host.Assets
         /// <exception cref="AssetException">The folder is neither.</exception>
         public static ProjectAssets Open(string root, IEnumerable<Assembly> scripts, bool strict = true) =>
             new ProjectAssets(ProjectFolders.Of(root), scripts, strict);
-
-        public void Mount(string assetPath, string folder)
-        {
-            Index.Mount(new MountedFolder(assetPath, Path.GetFullPath(folder)));
-            shaders = null;
-        }
 
         /// <summary>Destroys every loaded asset and gives back its memory; the next request reads its file anew.</summary>
         public void ReloadAll()

@@ -1,5 +1,6 @@
 using System;
 using System.CommandLine;
+using System.CommandLine.Help;
 using System.CommandLine.Invocation;
 using System.Linq;
 using System.Reflection;
@@ -16,12 +17,14 @@ namespace Host
     {
         static int Main(string[] arguments)
         {
-            var root = new RootCommand("Runs scenes and tests of a Unity compute package without Unity.")
+            var root = new Command("rill", "Runs scenes and tests of a Unity compute package without Unity.")
             {
+                new HelpOption(),
                 RunCommand.Create(),
                 TestCommand.Create(),
                 ExplainCommand.Create(),
                 BenchCommand.Create(),
+                StudyCommand.Create(),
             };
             ParseResult parsed = root.Parse(arguments);
             if (parsed.Action is ParseErrorAction)

@@ -19,6 +19,7 @@ namespace Host
 
         readonly RunSettings settings;
         readonly TextWriter output;
+        readonly Dictionary<string, double> stageTimes = new();
         string folder;
 
         public SceneRun(RunSettings settings, TextWriter output)
@@ -46,13 +47,14 @@ namespace Host
             var statistics = new Statistics(OwnColumns.Concat(probes.SelectMany(probe => probe.Columns)));
             using (var frames = settings.Draw ? new FrameWriter(Path.Combine(folder, "frames")) : null)
             {
-                Play(probes, statistics, frames);
+                Play(session, probes, statistics, frames);
                 Report(new StatisticsPage
                 {
                     Title = Path.GetFileNameWithoutExtension(scene.File),
                     Command = settings.Command,
                     Statistics = statistics,
                     Plots = new List<Plot> { new("step-time", "Time of a step", "ms", "step_ms", "gpu_ms") }.Concat(probes.SelectMany(probe => probe.Plots)).ToList(),
+                    Stages = stageTimes.Select(stage => (stage.Key, stage.Value / statistics.Rows.Count)).ToList(),
                     Settings = OwnSettings(scene, session).Concat(probes.SelectMany(probe => probe.Settings)).ToList(),
                 }, frames);
             }
@@ -61,7 +63,7 @@ namespace Host
             return Close(session);
         }
 
-        void Play(List<IRunProbe> probes, Statistics statistics, FrameWriter frames)
+        void Play(Session session, List<IRunProbe> probes, Statistics statistics, FrameWriter frames)
         {
             int steps = (int)Math.Ceiling(settings.Seconds * settings.FramesPerSecond - 1e-6);
             IGraphicsDevice device = Player.Device;
@@ -72,12 +74,13 @@ namespace Host
                 {
                     var clock = Stopwatch.StartNew();
                     PlayerLoop.Frame((float)(1 / settings.FramesPerSecond));
+                    session.ThrowFault();
                     device.WaitIdle();
                     double milliseconds = clock.Elapsed.TotalMilliseconds;
                     double time = step / settings.FramesPerSecond;
 
                     statistics.Add(Row(time, milliseconds, probes));
-                    if (frames != null && step % settings.DrawEvery == 0)
+                    if (frames != null && (step % settings.DrawEvery == 0 || step == steps && frames.Frames.Count == 0))
                         frames.Add(time, Draw());
                     if (Array.IndexOf(settings.DumpAt, step) >= 0)
                         BufferDump.Write(settings.DumpFolder, step);
@@ -86,9 +89,12 @@ namespace Host
             });
         }
 
-        static double[] Row(double time, double milliseconds, List<IRunProbe> probes)
+        double[] Row(double time, double milliseconds, List<IRunProbe> probes)
         {
-            var row = new List<double> { time, milliseconds, Player.Device.CollectSamples().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds) };
+            List<DeviceSample> samples = Player.Device.CollectSamples();
+            foreach (DeviceSample sample in samples)
+                stageTimes[sample.Name] = stageTimes.GetValueOrDefault(sample.Name) + sample.Milliseconds;
+            var row = new List<double> { time, milliseconds, samples.Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds) };
             foreach (IRunProbe probe in probes)
             {
                 var values = new double[probe.Columns.Length];
@@ -113,8 +119,6 @@ namespace Host
             if (frames != null)
             {
                 frames.Finish();
-                if (frames.Frames.Count == 0)
-                    throw new HostException($"no frame was drawn: --every {settings.DrawEvery} is more than the run's steps; lower it or add --no-frames.");
                 Video.ContactSheet(frames.Frames, Path.Combine(folder, "contact.png"));
                 page.HasContactSheet = true;
                 if (settings.Video)
@@ -147,7 +151,7 @@ namespace Host
             yield return ("scene", Path.GetRelativePath(scene.Root, scene.File));
             yield return ("device", session.DescribeDevice());
             yield return ("simulated time", string.Create(CultureInfo.InvariantCulture, $"{settings.Seconds} s at {settings.FramesPerSecond} frames a second"));
-            yield return ("frames", settings.Draw ? $"{settings.Width} x {settings.Height}, each {settings.DrawEvery}. step drawn" : "none drawn");
+            yield return ("frames", settings.Draw ? $"{settings.Width} x {settings.Height}, one of {settings.DrawEvery} steps drawn" : "none drawn");
             if (settings.Seed is int seed)
                 yield return ("seed", seed.ToString(CultureInfo.InvariantCulture));
             yield return ("date", DateTime.UtcNow.ToString("yyyy-MM-dd HH:mm 'UTC'", CultureInfo.InvariantCulture));

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Reflection;
+using System.Runtime.ExceptionServices;
 using Host.Assets;
 using Host.Vulkan;
 using UnityEngine;
@@ -20,6 +21,7 @@ namespace Host
         readonly VulkanDevice device;
         readonly ProjectAssets assets;
         readonly HashSet<string> said = new();
+        ExceptionDispatchInfo fault;
 
         /// <param name="root">A Unity project's or package's folder.</param>
         /// <param name="mounts">Null: those of the root.</param>
@@ -53,6 +55,9 @@ namespace Host
 
         public DeviceInfo Info => device.Info;
 
+        /// <summary>Strict: throws the first fault that a script's use of the graphics API raised. The loop has caught and logged it, as it does with every exception of a script.</summary>
+        public void ThrowFault() => fault?.Throw();
+
         public IReadOnlyList<string> ValidationMessages => device.ValidationMessages;
 
         /// <summary>Errors, exceptions and assertions that scripts or the engine logged.</summary>
@@ -81,6 +86,7 @@ namespace Host
             Initializers.Run(RuntimeInitializeLoadType.AfterSceneLoad);
             foreach (string warning in assets.Warnings)
                 Console.Error.WriteLine("warning: " + warning);
+            ThrowFault();
         }
 
         /// <summary>Destroys the scene and names the objects with GPU memory that outlived it.</summary>
@@ -88,7 +94,13 @@ namespace Host
         {
             PlayerLoop.Reset();
             assets.ReloadAll();
-            return LiveObjects.Report();
+            List<string> left = LiveObjects.Report();
+            Gpu.Reset();
+            device.WaitIdle();
+            // Nothing that the engine knows of, and yet the device holds something: a fault of the host itself.
+            if (left.Count == 0 && device.LiveResources > 0)
+                left.Add($"{device.LiveResources} resources of the device that no object owns");
+            return left;
         }
 
         public void Dispose()
@@ -105,11 +117,15 @@ namespace Host
         {
             if (entry.Type is LogType.Error or LogType.Exception or LogType.Assert)
                 ErrorsLogged++;
+            if (IsFault(entry))
+                fault ??= ExceptionDispatchInfo.Capture(entry.Exception);
         }
+
+        static bool IsFault(LogEntry entry) => Player.Strict && entry.Exception is GpuUsageException or ShaderCompileException or OutOfGpuMemoryException;
 
         void Print(LogEntry entry)
         {
-            if (!said.Add(entry.Type + entry.Message))
+            if (IsFault(entry) || !said.Add(entry.Type + entry.Message))
                 return;
             if (entry.Type == LogType.Log)
                 Console.Out.WriteLine(entry.Message);

@@ -27,7 +27,8 @@ namespace Host.Shaders
         static readonly SourceSegment Dialect = new SourceSegment
         {
             DisplayPath = "(dialect)",
-            Text = "#define ldexp(x, e) ((x) * exp2(e))\n",
+            Text = "#define ldexp(x, e) ((x) * exp2(e))\n" +
+                "#define InterlockedCompareStore(d, c, v) do { uint rill_before; InterlockedCompareExchange(d, c, v, rill_before); } while (false)\n",
         };
 
         readonly IncludeResolver resolver;

@@ -52,7 +52,7 @@ namespace Host.Vulkan
         {
             var k = (VulkanKernel)kernel;
             if (k.IsDisposed) throw new ObjectDisposedException(k.Name, $"Kernel {k.Name} was released.");
-            GpuWork.Dispatches++;
+            GpuWork.Dispatched(k.Name);
             BeginOperation();
             SuspendPass();
             Resolve(k.Slots, bindings, Scope.Compute, k.Name);

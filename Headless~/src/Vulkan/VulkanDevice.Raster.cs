@@ -94,6 +94,7 @@ namespace Host.Vulkan
 
             p.LastSubmission = nextSubmission;
             lastProgram = p.Name;
+            GpuWork.Drawn(p.Name);
             if (boundGraphics != pipeline)
             {
                 vk.CmdBindPipeline(commands, VkPipelineBindPoint.GRAPHICS, pipeline);

@@ -37,6 +37,6 @@ namespace Host.Assets
     /// <summary>Ids of the one object in files that hold one (class id times 100000).</summary>
     internal static class MainFileId
     {
-        public const long Material = 2100000, Texture = 2800000, Shader = 4800000, TextAsset = 4900000, ComputeShader = 7200000, MonoScript = 11500000;
+        public const long Material = 2100000, Texture = 2800000, Shader = 4800000, TextAsset = 4900000, ComputeShader = 7200000;
     }
 }

@@ -21,12 +21,13 @@ namespace Host.Commands
             var list = new Option<bool>("--list") { Description = "Name the tests, run none." };
             var package = new Option<bool>("--package-only") { Description = "Only the package's tests." };
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
-            var command = new Command("test", "Runs the tests.") { filter, list, package, host };
-            command.SetAction(parsed => Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host)));
+            var noValidation = new Option<bool>("--no-validation") { Description = "Without Vulkan's validation layer, where it is not installed." };
+            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation };
+            command.SetAction(parsed => Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation)));
             return command;
         }
 
-        static int Execute(string[] texts, bool list, bool packageOnly, bool hostOnly)
+        static int Execute(string[] texts, bool list, bool packageOnly, bool hostOnly, bool validation)
         {
             if (packageOnly && hostOnly)
                 throw new HostException("--package-only and --host-only leave nothing to run; name one of them.");
@@ -41,7 +42,7 @@ namespace Host.Commands
                 return 0;
             }
 
-            using var session = new Session(Session.Root(), scripts: assemblies, validation: true);
+            using var session = new Session(Session.Root(), scripts: assemblies, validation: validation);
             var run = new TestRun(output);
             foreach (Assembly assembly in assemblies)
                 run.Run(assembly, filter);
@@ -59,6 +60,7 @@ namespace Host.Commands
 
             output.WriteLine();
             output.WriteLine($"device: {session.DescribeDevice()}");
+            output.WriteLine(validation ? $"validation layer: {session.ValidationMessages.Count} messages" : "validation layer: off (--no-validation)");
             output.WriteLine($"{run.Methods} test methods, {run.DispatchingMethods} of them dispatched on the device");
             foreach (string complaint in complaints)
                 output.WriteLine("FAILED " + complaint);

@@ -24,7 +24,13 @@ namespace Host.Fluids
         {
             Lattice = LatticeOf(particles);
             Spacing = 1f / Lattice.y;
-            Domain = new float3(2f * Lattice.x * Spacing, 2f, Lattice.z * Spacing);
+        }
+
+        /// <summary>A block of its own size.</summary>
+        public BenchScene(int3 lattice, float spacing)
+        {
+            Lattice = lattice;
+            Spacing = spacing;
         }
 
         public int3 Lattice { get; }
@@ -32,7 +38,7 @@ namespace Host.Fluids
         /// <summary>m.</summary>
         public float Spacing { get; }
         /// <summary>m.</summary>
-        public float3 Domain { get; }
+        public float3 Domain => new float3(2f * Lattice.x * Spacing, 2f, Lattice.z * Spacing);
 
         /// <summary>Fills a solver that was just cleared.</summary>
         public void Fill(PbfSolver solver)

@@ -14,6 +14,8 @@ namespace Host.Output
         public string Command;
         public List<(string Name, string Value)> Settings = new();
         public List<Plot> Plots = new();
+        /// <summary>GPU samples by name, mean milliseconds a step.</summary>
+        public List<(string Name, double Milliseconds)> Stages = new();
         public Statistics Statistics;
         public bool HasContactSheet, HasVideo;
 
@@ -42,7 +44,14 @@ namespace Host.Output
             text.Append("<h2>Statistics</h2>\n<table>\n<tr><th>column</th>").Append(string.Concat(SummaryHeads.Select(head => $"<th class=\"n\">{head}</th>"))).Append("</tr>\n");
             foreach (string[] row in Summary())
                 text.Append($"<tr><td>{Escape(row[0])}</td>").Append(string.Concat(row.Skip(1).Select(value => $"<td class=\"n\">{value}</td>"))).Append("</tr>\n");
-            text.Append("</table>\n<p>Every step: <a href=\"statistics.csv\">statistics.csv</a></p>\n<h2>Settings</h2>\n<table>\n");
+            text.Append("</table>\n<p>Every step: <a href=\"statistics.csv\">statistics.csv</a></p>\n");
+            if (Stages.Count > 0)
+                text.Append("<h2>GPU time by stage</h2>\n<table>\n<tr><th>stage</th><th class=\"n\">ms a step</th></tr>\n");
+            foreach ((string name, double milliseconds) in Stages)
+                text.Append($"<tr><td>{Escape(name)}</td><td class=\"n\">{Number(milliseconds)}</td></tr>\n");
+            if (Stages.Count > 0)
+                text.Append("</table>\n");
+            text.Append("<h2>Settings</h2>\n<table>\n");
             foreach ((string name, string value) in Settings)
                 text.Append($"<tr><td>{Escape(name)}</td><td>{Escape(value)}</td></tr>\n");
             return text.Append("</table>\n</body>\n</html>\n").ToString();
@@ -59,6 +68,10 @@ namespace Host.Output
             text.Append($"| column | {string.Join(" | ", SummaryHeads)} |\n| --- |{string.Concat(SummaryHeads.Select(_ => " ---: |"))}\n");
             foreach (string[] row in Summary())
                 text.Append($"| {string.Join(" | ", row)} |\n");
+            if (Stages.Count > 0)
+                text.Append("\n| GPU stage | ms a step |\n| --- | ---: |\n");
+            foreach ((string name, double milliseconds) in Stages)
+                text.Append($"| {name} | {Number(milliseconds)} |\n");
             text.Append("\n| setting | value |\n| --- | --- |\n");
             foreach ((string name, string value) in Settings)
                 text.Append($"| {name} | {value.Replace("|", "\\|")} |\n");
@@ -69,7 +82,8 @@ namespace Host.Output
 
         IEnumerable<string[]> Summary()
         {
-            foreach (string column in Statistics.Columns)
+            // The first column is the time.
+            foreach (string column in Statistics.Columns.Skip(1))
             {
                 double[] values = Statistics.Known(column);
                 if (values.Length == 0)

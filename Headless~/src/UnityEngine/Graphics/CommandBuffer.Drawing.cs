@@ -175,6 +175,19 @@ namespace UnityEngine.Rendering
         public void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int submeshIndex, int shaderPass, MaterialPropertyBlock properties) =>
             Draw(new DrawCall { Call = "DrawMesh", Mesh = NotNull(mesh, "mesh", "DrawMesh"), Submesh = submeshIndex, Matrix = matrix, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Instances = 1 }, properties);
 
+        // Instances of matrices are drawn one by one: the same picture, without instanced properties.
+        public void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, int shaderPass, Matrix4x4[] matrices) => DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, NotNull(matrices, "matrices", "DrawMeshInstanced").Length);
+        public void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, int shaderPass, Matrix4x4[] matrices, int count) => DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, count, null);
+        public void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, int shaderPass, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties)
+        {
+            if (!NotNull(material, "material", "DrawMeshInstanced").enableInstancing)
+                throw new InvalidOperationException("Material needs to enable instancing for use with DrawMeshInstanced.");
+            if (count < 0 || count > Math.Min(1023, matrices.Length))
+                throw new ArgumentOutOfRangeException(nameof(count), count, $"DrawMeshInstanced takes 0 to {Math.Min(1023, matrices.Length)} of these matrices.");
+            for (int i = 0; i < count; i++)
+                DrawMesh(mesh, matrices[i], material, submeshIndex, shaderPass, properties);
+        }
+
         public void DrawMeshInstancedProcedural(Mesh mesh, int submeshIndex, Material material, int shaderPass, int count, MaterialPropertyBlock properties = null) =>
             Draw(new DrawCall { Call = "DrawMeshInstancedProcedural", Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedProcedural"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Instances = count }, properties);
 

@@ -48,6 +48,13 @@ namespace UnityEngine.Headless
                 throw NoDevice(what);
         }
 
+        /// <summary>Throws where there is no graphics at all: textures and drawing need no compute shaders.</summary>
+        public static void RequireDevice(string what)
+        {
+            if (Player.Device == null)
+                throw NoDevice(what);
+        }
+
         /// <summary>The largest resource Direct3D 11 allows.</summary>
         public const long MaxResourceBytes = 1L << 31;
 

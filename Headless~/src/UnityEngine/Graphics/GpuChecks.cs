@@ -115,17 +115,21 @@ namespace UnityEngine.Headless
         public static bool Texture(string program, ShaderResource resource, Texture texture, DeviceTexture device)
         {
             if (device == null)
-                return Released(program, resource, $"{texture.GetType().Name} '{texture.name}'");
+            {
+                GpuError.Report($"{program}: {texture.GetType().Name} '{texture.NameOf}', bound to '{resource.Name}', does not exist: it was never created (RenderTexture.Create), or it was released or destroyed.",
+                    $"{program}: Property ({resource.Name}) is bound to a texture that was not created: '{texture.NameOf}'");
+                return false;
+            }
             if (device.Description.Dimension != resource.Dimension)
             {
-                GpuError.Report($"{program}: '{resource.Name}' is a {resource.Dimension} texture, but {texture.GetType().Name} '{texture.name}' is {device.Description.Dimension}.",
+                GpuError.Report($"{program}: '{resource.Name}' is a {resource.Dimension} texture, but {texture.GetType().Name} '{texture.NameOf}' is {device.Description.Dimension}.",
                     $"{program}: Texture dimension mismatch at '{resource.Name}': expected {resource.Dimension}, got {device.Description.Dimension}");
                 return false;
             }
             if (resource.Kind == ShaderResourceKind.RWTexture && !device.Description.RandomWrite)
             {
-                GpuError.Report($"{program}: '{resource.Name}' is an RWTexture, but {texture.GetType().Name} '{texture.name}' was created without enableRandomWrite.",
-                    $"{program}: Attempting to bind texture '{texture.name}' as UAV but the texture wasn't created with the UAV usage flag set!");
+                GpuError.Report($"{program}: '{resource.Name}' is an RWTexture, but {texture.GetType().Name} '{texture.NameOf}' was created without enableRandomWrite.",
+                    $"{program}: Attempting to bind texture '{texture.NameOf}' as UAV but the texture wasn't created with the UAV usage flag set!");
                 return false;
             }
             return true;

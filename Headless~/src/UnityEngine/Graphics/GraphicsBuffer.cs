@@ -131,16 +131,4 @@ namespace UnityEngine
         public static void CopyCount(ComputeBuffer src, GraphicsBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
         public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
     }
-
-    public readonly struct GraphicsBufferHandle : IEquatable<GraphicsBufferHandle>
-    {
-        public readonly uint value;
-        internal GraphicsBufferHandle(uint value) => this.value = value;
-        public bool Equals(GraphicsBufferHandle other) => value == other.value;
-        public int CompareTo(GraphicsBufferHandle other) => value.CompareTo(other.value);
-        public override bool Equals(object obj) => obj is GraphicsBufferHandle other && Equals(other);
-        public override int GetHashCode() => value.GetHashCode();
-        public static bool operator ==(GraphicsBufferHandle a, GraphicsBufferHandle b) => a.value == b.value;
-        public static bool operator !=(GraphicsBufferHandle a, GraphicsBufferHandle b) => a.value != b.value;
-    }
 }

@@ -24,6 +24,8 @@ namespace UnityEngine
         readonly int[] uvSize = new int[8];
         readonly List<Submesh> submeshes = new List<Submesh> { new Submesh { Indices = Array.Empty<int>() } };
         MeshBuffers buffers;
+        /// <summary>The engine's own: what it holds on the device is nobody's leak.</summary>
+        internal bool IsBuiltIn;
 
         public Mesh() { }
 
@@ -396,7 +398,11 @@ namespace UnityEngine
             if (At(submesh).Topology == MeshTopology.Quads)
                 throw new NotSupportedException($"Mesh '{name}' has a submesh of quads, which Direct3D 11 does not draw; use triangles.");
             if (buffers == null || buffers.Owner != Player.Device)
-                buffers = new MeshBuffers(name, Player.Device, positions, normalData, tangentData, colorData, uvData, AllIndices());
+            {
+                buffers = new MeshBuffers(name, Player.Device, positions, normalData, tangentData, colorData, uvData, triangles);
+                if (!IsBuiltIn)
+                    LiveObjects.Add(buffers, "Mesh", name);
+            }
             draw.Indices = buffers.Indices;
             draw.Indices32 = true;
             draw.FirstVertex = (int)GetIndexStart(submesh);
@@ -404,8 +410,6 @@ namespace UnityEngine
             draw.Streams = buffers.Streams(vertex);
             return true;
         }
-
-        int[] AllIndices() => triangles;
 
         internal override void ReleaseNative() => Changed();
 

@@ -29,7 +29,6 @@ namespace UnityEngine.Headless
             Add("COLOR", Array.ConvertAll(colors, c => (Vector4)c));
             for (int i = 0; i < uvs.Length; i++)
                 Add("TEXCOORD" + i, uvs[i] ?? Array.Empty<Vector4>());
-            LiveObjects.Add(this, "Mesh", name);
         }
 
         void Add(string semantic, Vector4[] data)

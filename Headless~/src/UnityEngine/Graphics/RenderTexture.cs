@@ -14,6 +14,8 @@ namespace UnityEngine
     {
         RenderTextureDescriptor description;
         DeviceTexture color, depthTexture;
+        /// <summary>The engine's own: what it holds on the device is nobody's leak.</summary>
+        internal bool IsBuiltIn;
 
         protected RenderTexture() => wrapMode = TextureWrapMode.Clamp;
         public RenderTexture(RenderTextureDescriptor desc) : this() => description = Checked(desc);
@@ -54,13 +56,14 @@ namespace UnityEngine
         {
             if (color != null || depthTexture != null)
                 return true;
-            Gpu.RequireCompute($"RenderTexture.Create of '{name}'");
+            Gpu.RequireDevice($"RenderTexture.Create of '{name}'");
             string label = name.Length > 0 ? name : $"RenderTexture {width} x {height}";
             if (description.graphicsFormat != GraphicsFormat.None)
                 color = CreateDevice(label, description.graphicsFormat, description.enableRandomWrite);
             if (description.depthStencilFormat != GraphicsFormat.None && dimension != TextureDimension.Tex3D)
                 depthTexture = CreateDevice(label + " depth", description.depthStencilFormat, false);
-            LiveObjects.Add(this, "RenderTexture", label);
+            if (!IsBuiltIn)
+                LiveObjects.Add(this, "RenderTexture", label);
             return true;
         }
 
@@ -215,63 +218,5 @@ namespace UnityEngine
         }
 
         public IntPtr GetNativeRenderBufferPtr() => throw new NotSupportedException("RenderBuffer.GetNativeRenderBufferPtr: the headless host has no native graphics objects to hand out.");
-    }
-}
-
-namespace UnityEngine.Headless
-{
-    /// <summary>What stands for the window: cameras without a target texture draw here.</summary>
-    internal static class ScreenTarget
-    {
-        static RenderTexture texture;
-
-        public static RenderTexture Texture
-        {
-            get
-            {
-                if (texture != null && (texture.width != Player.ScreenWidth || texture.height != Player.ScreenHeight || texture.sRGB != Player.LinearColorSpace))
-                    Forget();
-                if (texture == null)
-                {
-                    GraphicsFormat format = Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm;
-                    texture = new RenderTexture(Player.ScreenWidth, Player.ScreenHeight, format, GraphicsFormat.D32_SFloat) { name = "Screen", hideFlags = HideFlags.HideAndDontSave };
-                    texture.Create();
-                    LiveObjects.Remove(texture);    // the engine's own, not a leak of anybody's
-                }
-                return texture;
-            }
-        }
-
-        public static void Forget()
-        {
-            if (texture is object)
-                Object.DestroyImmediate(texture, true);
-            texture = null;
-        }
-    }
-
-    internal static class Screenshot
-    {
-        /// <summary>The picture as one looks at it: top row first, 8 bits a channel, alpha as stored. Null reads the screen.</summary>
-        public static byte[] ReadRgba(RenderTexture source = null)
-        {
-            if (source == null)
-                source = ScreenTarget.Texture;
-            source.Create();
-            byte[] texels = Gpu.Device.ReadTexture(source.GetDevice(RenderTextureSubElement.Color), 0, 0);
-            TextureFormat format = Formats.ToTextureFormat(source.graphicsFormat);
-            int w = source.width, h = source.height;
-            var rgba = new byte[w * h * 4];
-            for (int y = 0; y < h; y++)
-            {
-                int from = (h - 1 - y) * w;
-                if (format == TextureFormat.RGBA32)
-                    Buffer.BlockCopy(texels, from * 4, rgba, y * w * 4, w * 4);
-                else
-                    for (int x = 0; x < w; x++)
-                        TexelCodec.Encode(rgba, y * w + x, TextureFormat.RGBA32, TexelCodec.Decode(texels, from + x, format));
-            }
-            return rgba;
-        }
     }
 }

@@ -24,7 +24,7 @@ namespace UnityEngine.Headless
         {
             if (width <= 0 || height <= 0 || depth <= 0 || slices <= 0)
                 throw new UnityException($"Failed to create {name} of {width} x {height} x {Math.Max(depth, slices)}: each side must be at least 1.");
-            Gpu.RequireCompute($"new {name}");
+            Gpu.RequireDevice($"new {name}");
             int limit = dimension == DeviceTextureDimension.Tex3D ? Player.Device.Info.MaxTexture3D : Player.Device.Info.MaxTexture2D;
             if (Math.Max(width, Math.Max(height, depth)) > limit)
                 throw new UnityException($"Failed to create {name} of {width} x {height} x {depth}: {Player.Device.Info.Name} allows {limit} a side.");

@@ -1,9 +1,22 @@
+using System.Collections.Generic;
+
 namespace UnityEngine.Headless
 {
-    /// <summary>How much the device was asked to do, so that a test run can tell which tests truly reached it.</summary>
+    /// <summary>What the device was asked to do: how often, for the test runner, and what, for those who ask.</summary>
     internal static class GpuWork
     {
         /// <summary>Compute dispatches handed to the device, direct and indirect.</summary>
         public static long Dispatches;
+
+        /// <summary>While not null, gets the name of each kernel dispatched and each pass drawn with.</summary>
+        public static List<string> Log;
+
+        public static void Dispatched(string kernel)
+        {
+            Dispatches++;
+            Log?.Add(kernel);
+        }
+
+        public static void Drawn(string pass) => Log?.Add(pass);
     }
 }

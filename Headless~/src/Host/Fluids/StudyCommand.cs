@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Rill;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Host.Fluids
+{
+    /// <summary>
+    /// <c>study</c>: relaxation against stability. A tank that should stay still and a dam, each for a sweep of ω and
+    /// iterations: what the clamp of <see cref="SolverSettings.MaxRelaxation"/> and the defaults rest on.
+    /// </summary>
+    static class StudyCommand
+    {
+        static readonly float[] Relaxations = { 0.3f, 0.5f, 0.8f, 1f, 1.1f, 1.2f, 1.3f, 1.4f, 1.5f, 1.7f, 2f };
+        static readonly int[] Iterations = { 2, 4, 8 };
+        const float Spacing = 0.05f, Step = 1f / 60f;
+
+        // A block of this many particles at the low corner of a box of that many spacings.
+        static readonly (string Name, int3 Block, int3 Box)[] Scenes =
+        {
+            ("tank", new int3(24, 10, 24), new int3(24, 30, 24)),
+            ("dam", new int3(20, 16, 20), new int3(60, 40, 20)),
+        };
+
+        public static Command Create()
+        {
+            var seconds = new Option<float>("--seconds") { Description = "Fluid time of a run; the last two seconds are averaged.", DefaultValueFactory = _ => 8f };
+            var csv = new Option<string>("--csv") { Description = "Also write the table to this file." };
+            var command = new Command("study", "Sweeps relaxation and iterations over a still tank and a dam.") { seconds, csv };
+            command.SetAction(parsed => Execute(parsed.GetValue(seconds), parsed.GetValue(csv), System.Console.Out));
+            return command;
+        }
+
+        static int Execute(float seconds, string csv, TextWriter output)
+        {
+            if (!(seconds >= 4f))
+                throw new HostException($"--seconds {seconds}: the last two are averaged after settling; give at least 4.");
+            using var session = new Session(Session.Root());
+            output.WriteLine(session.DescribeDevice());
+            var lines = new List<string> { "scene,particles,iterations,relaxation,density_error,volume_ratio,noise_m_s,jitter_m_s,highest_energy_over_start,coincident" };
+            output.WriteLine(lines[0]);
+            foreach ((string name, int3 block, int3 box) in Scenes)
+                foreach (int iterations in Iterations)
+                    foreach (float relaxation in Relaxations)
+                    {
+                        lines.Add(Run(name, block, box, iterations, relaxation, seconds));
+                        output.WriteLine(lines[^1]);
+                    }
+            if (csv != null)
+                File.WriteAllLines(csv, lines);
+            return 0;
+        }
+
+        static string Run(string name, int3 block, int3 box, int iterations, float relaxation, float seconds)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.iterations = iterations;
+            settings.relaxation = relaxation;       // not validated: what lies beyond the clamp is the question
+            var input = new StepInput { timeStep = Step, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
+
+            var scene = new BenchScene(block, Spacing);
+            using var solver = new PbfSolver(new SolverLayout((float3)box * Spacing, Spacing, scene.Particles, settings.neighborCapacity, settings.listMargin));
+            scene.Fill(solver);
+            var samples = new List<FluidStatistics>();
+            using var cmd = new CommandBuffer { name = "study" };
+            int steps = (int)Math.Round(seconds / Step);
+            for (int step = 0; step <= steps; step++)
+            {
+                cmd.Clear();
+                if (step > 0)
+                    solver.Step(cmd, input);
+                bool measures = step % 10 == 0;
+                if (measures)
+                    solver.RecordStatistics(cmd, input);
+                Graphics.ExecuteCommandBuffer(cmd);
+                if (!measures)
+                    continue;
+                solver.RequestStatistics();
+                AsyncGPUReadback.WaitAllRequests();
+                solver.TryGetStatistics(input, out FluidStatistics statistics);
+                samples.Add(statistics);
+            }
+
+            var settled = samples.Where(sample => sample.time >= seconds - 2f).ToList();
+            double start = samples[0].Energy;
+            return string.Create(CultureInfo.InvariantCulture, $"{name},{scene.Particles},{iterations},{relaxation},{settled.Average(s => s.densityError):0.00000},{settled.Average(s => s.volumeRatio):0.0000},{settled.Average(s => s.speed):0.0000},{settled.Average(s => s.jitter):0.0000},{samples.Max(s => s.Energy) / start:0.0000},{settled.Max(s => s.coincident)}");
+        }
+    }
+}

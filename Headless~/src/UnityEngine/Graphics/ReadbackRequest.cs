@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
+using UnityEngine.Rendering;
+
+namespace UnityEngine.Headless
+{
+    /// <summary>Memory of the caller's that a read-back fills, by a NativeArray over it.</summary>
+    internal sealed class ReadbackOutput
+    {
+        public delegate void Filler(ReadOnlySpan<byte> data);
+        public long Bytes;
+        public Filler Fill;
+
+        public static ReadbackOutput Of<T>(NativeArray<T> array) where T : struct
+        {
+            if (!array.IsCreated)
+                throw new ArgumentException("AsyncGPUReadback: the output array was not created.");
+            return new ReadbackOutput
+            {
+                Bytes = (long)array.Length * ElementSize<T>.Bytes,
+                Fill = data => data.CopyTo(Transfer.Bytes(array)),      // throws when the array was disposed meanwhile
+            };
+        }
+    }
+
+    internal readonly struct ReadbackRegion
+    {
+        public readonly int X, Width, Y, Height, Z, Depth;
+        public ReadbackRegion(int x, int width, int y, int height, int z, int depth) => (X, Width, Y, Height, Z, Depth) = (x, width, y, height, z, depth);
+
+        public static ReadbackRegion Whole(Texture texture, int mip)
+        {
+            if (texture == null)
+                throw new ArgumentNullException("src", "AsyncGPUReadback.Request: the texture is null.");
+            return new ReadbackRegion(0, Math.Max(1, texture.width >> mip), 0, Math.Max(1, texture.height >> mip), 0, FullDepth(texture, mip));
+        }
+
+        public static int FullDepth(Texture texture, int mip)
+        {
+            switch (texture)
+            {
+                case Texture3D volume: return Math.Max(1, volume.depth >> mip);
+                case Texture2DArray array: return array.depth;
+                case RenderTexture target: return target.dimension == TextureDimension.Tex3D ? Math.Max(1, target.volumeDepth >> mip) : target.volumeDepth;
+                default: return 1;
+            }
+        }
+    }
+
+    /// <summary>One read-back on its way: copied on the device at the request, fetched at the second frame after it, gone with the next.</summary>
+    internal sealed unsafe class ReadbackRequest
+    {
+        public int LayerCount, LayerBytes, Width, Height, Depth;
+        public bool ForceUpdate;
+        public int DueFrame, DoneFrame = -1;
+        /// <summary>For messages: the buffer or texture.</summary>
+        public object Source;
+
+        public List<DeviceReadback> Copies = new List<DeviceReadback>();
+        /// <summary>Turns what the device copied into the layers that were asked for; null takes them as they are.</summary>
+        public Func<List<DeviceReadback>, byte[][]> Convert;
+        public ReadbackOutput Output;
+        public Action<AsyncGPUReadbackRequest> Callback;
+
+        readonly List<IntPtr> layers = new List<IntPtr>();
+        SafetyHandle safety;
+        bool expired;
+
+        public bool IsDone => DoneFrame >= 0;
+        public bool HasError => expired;
+
+        public string WhyUnavailable() => !IsDone ? $"the request for {Source} is not done; it arrives at the beginning of the second frame after it."
+            : $"the data of {Source} was valid in the frame in which it arrived; copy it there, or request into a NativeArray.";
+
+        /// <summary>Waits for the device if need be; the callback comes now.</summary>
+        public void Complete()
+        {
+            if (IsDone)
+                return;
+            DoneFrame = ReadbackQueue.Frame;
+            byte[][] converted = Convert?.Invoke(Copies);
+            int count = converted?.Length ?? Copies.Count;
+            if (Output == null)
+                safety = NativeMemory.OpenView();
+            for (int i = 0; i < count; i++)
+            {
+                ReadOnlySpan<byte> data = converted != null ? converted[i] : Copies[i].Data;
+                if (Output != null)
+                {
+                    Output.Fill(data);
+                    continue;
+                }
+                void* memory = NativeMemory.Raw(data.Length);
+                data.CopyTo(new Span<byte>(memory, data.Length));
+                layers.Add((IntPtr)memory);
+            }
+            foreach (DeviceReadback copy in Copies)
+                copy.Dispose();
+            Copies.Clear();
+            Callback?.Invoke(new AsyncGPUReadbackRequest(this));
+        }
+
+        public NativeArray<T> View<T>(int layer) where T : struct
+        {
+            if (Output != null)
+                throw new InvalidOperationException($"The data of {Source} was requested into a NativeArray; read it there.");
+            return NativeArray<T>.View((void*)layers[layer], LayerBytes / ElementSize<T>.Bytes, Allocator.None, safety);
+        }
+
+        /// <summary>The frame of the data is over.</summary>
+        public void Expire()
+        {
+            expired = true;
+            NativeMemory.Close(safety);
+            foreach (IntPtr layer in layers)
+                NativeMemory.FreeRaw((void*)layer);
+            layers.Clear();
+            foreach (DeviceReadback copy in Copies)
+                copy.Dispose();
+            Copies.Clear();
+        }
+    }
+}

@@ -1,0 +1,167 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Rill;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.TestTools;
+
+namespace Host.Tests
+{
+    /// <summary>What the package says of itself, held against what the device was asked to do and what memory is alive.</summary>
+    public class FluidSceneTests : GraphicsFixture
+    {
+        const float Frame = 1f / 60f;
+
+        static readonly (string Name, Action<FluidSimulation> Change, bool Particles, bool Domain)[] Scenes =
+        {
+            ("everything off", WithMaterial((ref FluidMaterial m) => m.viscosity = 0f), false, false),
+            ("viscosity", WithMaterial((ref FluidMaterial m) => m.viscosity = 0.01f), false, false),
+            ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
+            ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
+            ("three substeps of one iteration", s => s.Settings = WithCounts(s.Settings, substeps: 3, iterations: 1), false, false),
+            ("particles drawn", s => { }, true, false),
+            ("particles and domain drawn", s => { }, true, true),
+        };
+
+        public static IEnumerable<string> SceneNames => Scenes.Select(scene => scene.Name);
+
+        [TestCaseSource(nameof(SceneNames))]
+        public void A_step_dispatches_what_is_explained_and_nothing_else(string name)
+        {
+            FluidSimulation simulation = Build(name);
+            PlayerLoop.Frame(Frame);
+
+            GpuWork.Log = new List<string>();
+            PlayerLoop.Frame(Frame);
+            List<string> asked = GpuWork.Log.Where(entry => !entry.EndsWith(" clear")).Select(Short).OrderBy(entry => entry).ToList();
+            GpuWork.Log = null;
+
+            var explained = simulation.Describe().SelectMany(stage => stage.Kernels)
+                .SelectMany(kernel => Enumerable.Repeat(Short(kernel.kernel), kernel.perStep)).OrderBy(entry => entry).ToList();
+            Assert.That(asked, Is.EqualTo(explained));
+        }
+
+        [TestCaseSource(nameof(SceneNames))]
+        public void The_buffers_alive_are_those_explained(string name)
+        {
+            FluidSimulation simulation = Build(name);
+            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(Frame);
+
+            var alive = BufferStorage.Live.Select(buffer => $"{buffer.Name} {buffer.Bytes}").OrderBy(entry => entry);
+            var explained = simulation.Describe().SelectMany(stage => stage.Buffers).Select(buffer => $"{buffer.name} {buffer.bytes}").OrderBy(entry => entry);
+            Assert.That(alive, Is.EqualTo(explained));
+        }
+
+        [Test]
+        public void A_stage_that_is_off_has_no_kernel_and_no_buffer()
+        {
+            FluidSimulation simulation = Build("everything off");
+            PlayerLoop.Frame(Frame);
+            List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
+            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Vorticity confinement", "Statistics", "Rendering" }));
+            Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
+            Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
+        }
+
+        [Test]
+        public void Measuring_takes_buffers_only_while_it_is_on()
+        {
+            FluidSimulation simulation = Build("everything off");
+            simulation.StatisticsInterval = 1;
+            for (int i = 0; i < 6; i++)
+                PlayerLoop.Frame(Frame);
+            Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics), Is.True);
+            Assert.That(statistics.particles, Is.EqualTo(512));
+            Assert.That(BufferStorage.Live.Select(buffer => buffer.Name), Has.Member("Rill.Statistics.Results"));
+
+            simulation.StatisticsInterval = 0;
+            PlayerLoop.Frame(Frame);
+            Assert.That(BufferStorage.Live.Select(buffer => buffer.Name), Has.No.Member("Rill.Statistics.Results"));
+        }
+
+        [Test]
+        public void Twenty_cycles_of_enabling_leave_nothing_alive()
+        {
+            FluidSimulation simulation = Build("particles and domain drawn");
+            PlayerLoop.Frame(Frame);
+            simulation.gameObject.SetActive(false);
+            PlayerLoop.Frame(Frame);
+            int idle = LiveObjects.Count;
+            Assert.That(BufferStorage.Live, Is.Empty);
+            for (int i = 0; i < 20; i++)
+            {
+                simulation.gameObject.SetActive(true);
+                PlayerLoop.Frame(Frame);
+                Assert.That(BufferStorage.Live, Is.Not.Empty);
+                simulation.gameObject.SetActive(false);
+                PlayerLoop.Frame(Frame);
+                Assert.That(BufferStorage.Live, Is.Empty, $"cycle {i}");
+                Assert.That(LiveObjects.Count, Is.EqualTo(idle), $"cycle {i}: " + string.Join(", ", LiveObjects.Report()));
+            }
+        }
+
+        [Test]
+        public void A_machine_without_compute_shaders_is_told_and_the_scene_goes_on()
+        {
+            LogAssert.Expect(LogType.Error, new Regex("'Fluid' is off: this device has no compute shaders.*Run on"));
+            Player.PretendNoCompute = true;
+            FluidSimulation simulation = Build("particles drawn");
+            PlayerLoop.Frame(Frame);
+            Player.PretendNoCompute = false;
+            Assert.That(simulation.enabled, Is.False);
+            Assert.That(simulation.IsRunning, Is.False);
+            Assert.That(Logged.Count(entry => entry.Contains("no compute shaders")), Is.EqualTo(1), string.Join("\n", Logged));
+            Assert.That(BufferStorage.Live, Is.Empty);
+        }
+
+        delegate void MaterialChange(ref FluidMaterial material);
+
+        static Action<FluidSimulation> WithMaterial(MaterialChange change) => simulation =>
+        {
+            FluidMaterial material = simulation.Material;
+            material.viscosity = 0f;
+            change(ref material);
+            simulation.Material = material;
+        };
+
+        static SolverSettings WithCounts(SolverSettings settings, int substeps, int iterations)
+        {
+            settings.substeps = substeps;
+            settings.iterations = iterations;
+            return settings;
+        }
+
+        // 8 x 8 x 8 particles in the middle of a box, seen by a camera, measured never.
+        static FluidSimulation Build(string name)
+        {
+            var scene = Scenes.Single(candidate => candidate.Name == name);
+            var fluid = new GameObject("Fluid");
+            fluid.SetActive(false);
+            var simulation = fluid.AddComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(1.6f, 1.6f, 1.6f), 0.1f, 600);
+            simulation.StatisticsInterval = 0;
+            scene.Change(simulation);
+            fluid.AddComponent<FluidVolume>().Size = new Vector3(0.8f, 0.8f, 0.8f);
+            if (scene.Particles)
+            {
+                fluid.AddComponent<ParticleRenderer>();
+                new GameObject("Camera").AddComponent<Camera>().transform.position = new Vector3(0f, 0f, -4f);
+            }
+            if (scene.Domain)
+                fluid.AddComponent<DomainRenderer>();
+            fluid.SetActive(true);
+            return simulation;
+        }
+
+        // "…/PrefixSum.compute (SumTiles)" and "PrefixSum.compute: SumTiles [variant]" both become "PrefixSum.compute SumTiles"; of a draw, its file.
+        static string Short(string entry)
+        {
+            Match match = Regex.Match(entry, @"(\w+\.compute)\W+(\w+)|(\w+\.shader)");
+            return match.Groups[3].Success ? match.Groups[3].Value : $"{match.Groups[1].Value} {match.Groups[2].Value}";
+        }
+    }
+}
