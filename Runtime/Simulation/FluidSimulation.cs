@@ -275,7 +275,8 @@ namespace Rill
         void ValidateSettings()
         {
             // Stays on while the value is the one that clamping left.
-            relaxationClamped = solver.relaxation > SolverSettings.MaxRelaxation || relaxationClamped && solver.relaxation == SolverSettings.MaxRelaxation;
+            float highest = SolverSettings.MaxRelaxation(solver.iterations);
+            relaxationClamped = solver.relaxation > highest || relaxationClamped && solver.relaxation == highest;
             bool valid = solver.Validate(out string settingsProblem);
             valid &= material.Validate(out string materialProblem);
             if (!valid)

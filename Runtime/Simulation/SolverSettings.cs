@@ -7,14 +7,14 @@ namespace Rill
     [Serializable]
     public struct SolverSettings
     {
-        /// <summary>Largest relaxation that stayed bounded in every scene of the stability study; see Documentation~/solver.md.</summary>
-        public const float MaxRelaxation = 1.2f;
+        /// <summary>Largest relaxation of any number of iterations.</summary>
+        const float RelaxationLimit = 1.3f;
 
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 
-        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 1.2; above 0.8 the fluid gets noisier.")]
-        [Range(0f, MaxRelaxation)] public float relaxation;
+        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 1.2 (0.3 with 1 iteration, 1 with 2, 1.3 with 8 and more); above 0.8 the fluid gets noisier.")]
+        [Range(0f, RelaxationLimit)] public float relaxation;
 
         [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do.")]
         [Range(1, 16)] public int substeps;
@@ -34,13 +34,27 @@ namespace Rill
         public static SolverSettings Default => new SolverSettings
         {
             iterations = 4,
-            relaxation = 0.5f,
+            relaxation = 0.8f,
             substeps = 1,
             softness = 1e-3f,
             listMargin = 1f,
             neighborCapacity = 96,
             deterministic = true,
         };
+
+        /// <summary>
+        /// Largest relaxation at which no scene of the stability study gained energy; see Documentation~/solver.md. More is
+        /// clamped to it.
+        /// </summary>
+        /// <param name="iterations">Of a substep.</param>
+        public static float MaxRelaxation(int iterations)
+        {
+            if (iterations >= 8)
+                return RelaxationLimit;
+            if (iterations >= 3)
+                return 1.2f;
+            return iterations == 2 ? 1f : 0.3f;
+        }
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
@@ -49,7 +63,7 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("iterations", ref iterations, 1, 50, ref problem);
-            Limit.Clamp("relaxation", ref relaxation, 0f, MaxRelaxation, Default.relaxation, ref problem);
+            Limit.Clamp("relaxation", ref relaxation, 0f, MaxRelaxation(iterations), Math.Min(Default.relaxation, MaxRelaxation(iterations)), ref problem);
             Limit.Clamp("substeps", ref substeps, 1, 16, ref problem);
             Limit.Clamp("softness", ref softness, 1e-6f, 1f, Default.softness, ref problem);
             Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);

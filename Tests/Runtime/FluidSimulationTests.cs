@@ -181,9 +181,9 @@ namespace Rill.Tests
             fluid.Material = material;      // validates everything again
             yield return Frames(8);
             Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
-            Assert.That(statistics.relaxation, Is.EqualTo(SolverSettings.MaxRelaxation));
+            Assert.That(statistics.relaxation, Is.EqualTo(SolverSettings.MaxRelaxation(fluid.Settings.iterations)));
             Assert.That(statistics.relaxationClamped);
-            Assert.That(fluid.Settings.relaxation, Is.EqualTo(SolverSettings.MaxRelaxation));
+            Assert.That(fluid.Settings.relaxation, Is.EqualTo(SolverSettings.MaxRelaxation(fluid.Settings.iterations)));
 
             fluid.Settings = SolverSettings.Default;
             yield return Frames(8);

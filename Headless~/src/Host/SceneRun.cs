@@ -70,6 +70,13 @@ namespace Host
             device.Timing = true;
             Output.Progress.Run(output, "simulating", steps, report =>
             {
+                if (frames != null)
+                {
+                    // The state at the start: a frame in which no time passes.
+                    PlayerLoop.Frame(0f);
+                    session.ThrowFault();
+                    frames.Add(0, Draw());
+                }
                 for (int step = 1; step <= steps; step++)
                 {
                     var clock = Stopwatch.StartNew();
@@ -80,7 +87,7 @@ namespace Host
                     double time = step / settings.FramesPerSecond;
 
                     statistics.Add(Row(time, milliseconds, probes));
-                    if (frames != null && (step % settings.DrawEvery == 0 || step == steps && frames.Frames.Count == 0))
+                    if (frames != null && step % settings.DrawEvery == 0)
                         frames.Add(time, Draw());
                     if (Array.IndexOf(settings.DumpAt, step) >= 0)
                         BufferDump.Write(settings.DumpFolder, step);
@@ -121,6 +128,8 @@ namespace Host
                 frames.Finish();
                 Video.ContactSheet(frames.Frames, Path.Combine(folder, "contact.png"));
                 page.HasContactSheet = true;
+                if (settings.Stills.Length > 0)
+                    Video.ContactSheet(Array.ConvertAll(settings.Stills, time => frames.Frames.MinBy(frame => Math.Abs(frame.Time - time))), Path.Combine(folder, "stills.png"), columns: settings.Stills.Length, rows: 1);
                 if (settings.Video)
                     Video.Encode(frames.Pattern, settings.FramesPerSecond / settings.DrawEvery, Path.Combine(folder, "video.mp4"));
                 page.HasVideo = settings.Video;
@@ -142,7 +151,7 @@ namespace Host
                 return 3;
             if (session.ErrorsLogged == 0)
                 return 0;
-            Console.Error.WriteLine($"rill: {session.ErrorsLogged} errors were logged");
+            Console.Error.WriteLine($"rill: errors logged: {session.ErrorsLogged}");
             return 1;
         }
 

@@ -21,6 +21,7 @@ namespace Host
         readonly VulkanDevice device;
         readonly ProjectAssets assets;
         readonly HashSet<string> said = new();
+        readonly List<string> dropped = new();
         ExceptionDispatchInfo fault;
 
         /// <param name="root">A Unity project's or package's folder.</param>
@@ -89,12 +90,12 @@ namespace Host
             ThrowFault();
         }
 
-        /// <summary>Destroys the scene and names the objects with GPU memory that outlived it.</summary>
+        /// <summary>Destroys the scene and names the objects with GPU memory that outlived it, or were dropped without a release.</summary>
         public List<string> End()
         {
             PlayerLoop.Reset();
             assets.ReloadAll();
-            List<string> left = LiveObjects.Report();
+            List<string> left = dropped.Concat(LiveObjects.Report()).ToList();
             Gpu.Reset();
             device.WaitIdle();
             // Nothing that the engine knows of, and yet the device holds something: a fault of the host itself.
@@ -117,6 +118,9 @@ namespace Host
         {
             if (entry.Type is LogType.Error or LogType.Exception or LogType.Assert)
                 ErrorsLogged++;
+            // The engine's warning about a buffer that its finalizer had to release; the name stands in the last brackets.
+            if (Player.Strict && entry.Type == LogType.Warning && entry.Message.StartsWith("GarbageCollector disposing of", StringComparison.Ordinal))
+                dropped.Add(entry.Message.Substring(entry.Message.LastIndexOf('(')).Trim('(', ')'));
             if (IsFault(entry))
                 fault ??= ExceptionDispatchInfo.Capture(entry.Exception);
         }

@@ -1,5 +1,6 @@
 using System;
 using System.CommandLine;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 
@@ -18,6 +19,7 @@ namespace Host.Commands
             var target = new Option<string>("--out") { Description = "Folder for the results; out/<scene> by default." };
             var noVideo = new Option<bool>("--no-video") { Description = "No video.mp4." };
             var noFrames = new Option<bool>("--no-frames") { Description = "Draw nothing: no frames, contact sheet and film." };
+            var stills = new Option<string>("--stills") { Description = "Also put the frames nearest to these seconds side by side in stills.png: 0,0.5,1,2,5." };
             var hash = new Option<bool>("--hash") { Description = "Print a hash of all buffers after the last frame." };
             var dump = new Option<string>("--dump") { Description = "Folder for the bytes of all buffers after the frames of --at." };
             var at = new Option<string>("--at") { Description = "Frames to dump, by number from 1: 1,60,300." };
@@ -25,7 +27,7 @@ namespace Host.Commands
             var noCompute = new Option<bool>("--no-compute") { Description = "Pretend that the machine cannot run compute shaders." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, seconds, fps, every, size, target, noVideo, noFrames, hash, dump, at, seed, noCompute, notStrict };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, seconds, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, notStrict };
             command.SetAction(parsed =>
             {
                 (int width, int height) = Size(parsed.GetValue(size));
@@ -40,6 +42,7 @@ namespace Host.Commands
                     Target = parsed.GetValue(target),
                     Video = !parsed.GetValue(noVideo),
                     Draw = !parsed.GetValue(noFrames),
+                    Stills = Times(parsed.GetValue(stills)),
                     Hash = parsed.GetValue(hash),
                     DumpFolder = parsed.GetValue(dump),
                     DumpAt = Frames(parsed.GetValue(at)),
@@ -48,6 +51,8 @@ namespace Host.Commands
                     Strict = !parsed.GetValue(notStrict),
                     Command = "rill " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
                 };
+                if (settings.Stills.Length > 0 && !settings.Draw)
+                    throw new HostException("--stills needs frames; leave out --no-frames.");
                 if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
                     throw new HostException("--dump <folder> and --at <frame,...> go together.");
                 return new SceneRun(settings, Console.Out).Execute();
@@ -72,6 +77,15 @@ namespace Host.Commands
                 : throw new HostException($"--at {text}: \"{part}\" is no frame number; they count from 1, as in 1,60,300."));
         }
 
+        internal static double[] Times(string text)
+        {
+            if (string.IsNullOrEmpty(text))
+                return Array.Empty<double>();
+            return Array.ConvertAll(text.Split(','), part => double.TryParse(part, NumberStyles.Float, CultureInfo.InvariantCulture, out double time) && time >= 0
+                ? time
+                : throw new HostException($"--stills {text}: \"{part}\" is no time in seconds, as in 0,0.5,1."));
+        }
+
         static double Positive(double value, string option) => value > 0 && double.IsFinite(value) ? value : throw new HostException($"{option} must be above 0, not {value}.");
     }
 
@@ -82,6 +96,7 @@ namespace Host.Commands
         public int Width, Height, DrawEvery;
         public bool Video, Draw, Hash, Compute, Strict;
         public int[] DumpAt;
+        public double[] Stills;
         public int? Seed;
     }
 }

@@ -18,7 +18,7 @@ namespace Host.Fluids
     static class StudyCommand
     {
         static readonly float[] Relaxations = { 0.3f, 0.5f, 0.8f, 1f, 1.1f, 1.2f, 1.3f, 1.4f, 1.5f, 1.7f, 2f };
-        static readonly int[] Iterations = { 2, 4, 8 };
+        static readonly int[] Iterations = { 1, 2, 3, 4, 8 };
         const float Spacing = 0.05f, Step = 1f / 60f;
 
         // A block of this many particles at the low corner of a box of that many spacings.
