@@ -60,7 +60,6 @@ namespace Rill
         StepInput input;
         int stepsSinceStatistics;
         float3 lastPosition, lastVelocity;
-        bool relaxationClamped;
         bool layoutChanged;
 
         /// <summary>Fixed steps taken since the last restart.</summary>
@@ -129,7 +128,7 @@ namespace Rill
             if (pbf == null || !pbf.TryGetStatistics(input, out statistics))
                 return false;
             statistics.relaxation = input.settings.relaxation;
-            statistics.relaxationClamped = relaxationClamped;
+            statistics.relaxationClamped = input.settings.relaxation < solver.relaxation;
             statistics.droppedTime = clock.Dropped;
             return true;
         }
@@ -270,13 +269,11 @@ namespace Rill
                 material = material,
                 needsDensity = NeedsDensity,
             };
+            input.settings.relaxation = solver.StableRelaxation;
         }
 
         void ValidateSettings()
         {
-            // Stays on while the value is the one that clamping left.
-            float highest = SolverSettings.MaxRelaxation(solver.iterations);
-            relaxationClamped = solver.relaxation > highest || relaxationClamped && solver.relaxation == highest;
             bool valid = solver.Validate(out string settingsProblem);
             valid &= material.Validate(out string materialProblem);
             if (!valid)

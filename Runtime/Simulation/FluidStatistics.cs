@@ -61,7 +61,7 @@ namespace Rill
         /// <summary>With respect to the domain's lowest corner.</summary>
         public float potentialEnergy;
 
-        /// <summary>Relaxation ω of the last step, after clamping.</summary>
+        /// <summary>Relaxation ω of the last step.</summary>
         public float relaxation;
         /// <summary>Whether the ω asked for was above what was measured stable.</summary>
         public bool relaxationClamped;

@@ -7,14 +7,14 @@ namespace Rill
     [Serializable]
     public struct SolverSettings
     {
-        /// <summary>Largest relaxation of any number of iterations.</summary>
-        const float RelaxationLimit = 1.3f;
+        /// <summary>Where over-relaxation ends in theory.</summary>
+        const float LargestRelaxation = 2f;
 
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 
-        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 1.2 (0.3 with 1 iteration, 1 with 2, 1.3 with 8 and more); above 0.8 the fluid gets noisier.")]
-        [Range(0f, RelaxationLimit)] public float relaxation;
+        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, 1 with 2, 1.2 from 3, 1.3 from 8). Above 0.8 the fluid gets noisier.")]
+        [Range(0f, LargestRelaxation)] public float relaxation;
 
         [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do.")]
         [Range(1, 16)] public int substeps;
@@ -43,18 +43,20 @@ namespace Rill
         };
 
         /// <summary>
-        /// Largest relaxation at which no scene of the stability study gained energy; see Documentation~/solver.md. More is
-        /// clamped to it.
+        /// Largest relaxation at which no scene of the stability study gained energy; see Documentation~/solver.md.
         /// </summary>
         /// <param name="iterations">Of a substep.</param>
         public static float MaxRelaxation(int iterations)
         {
             if (iterations >= 8)
-                return RelaxationLimit;
+                return 1.3f;
             if (iterations >= 3)
                 return 1.2f;
             return iterations == 2 ? 1f : 0.3f;
         }
+
+        /// <summary>The relaxation that a simulation uses: the one asked for, or the largest stable one.</summary>
+        public float StableRelaxation => Math.Min(relaxation, MaxRelaxation(iterations));
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
@@ -63,7 +65,7 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("iterations", ref iterations, 1, 50, ref problem);
-            Limit.Clamp("relaxation", ref relaxation, 0f, MaxRelaxation(iterations), Math.Min(Default.relaxation, MaxRelaxation(iterations)), ref problem);
+            Limit.Clamp("relaxation", ref relaxation, 0f, LargestRelaxation, Default.relaxation, ref problem);
             Limit.Clamp("substeps", ref substeps, 1, 16, ref problem);
             Limit.Clamp("softness", ref softness, 1e-6f, 1f, Default.softness, ref problem);
             Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);

@@ -28,17 +28,32 @@ namespace Rill.Tests
 
         [TestCase(-0.1f, 0f)]
         [TestCase(0f, 0f)]
-        [TestCase(1.2f, 1.2f)]
-        [TestCase(1.3f, 1.2f)]
-        [TestCase(5f, 1.2f)]
-        [TestCase(float.NaN, 0.5f)]
-        [TestCase(float.PositiveInfinity, 0.5f)]
-        public void Relaxation_is_clamped_to_what_stayed_stable(float given, float expected)
+        [TestCase(2f, 2f)]
+        [TestCase(5f, 2f)]
+        [TestCase(float.NaN, 0.8f)]
+        [TestCase(float.PositiveInfinity, 0.8f)]
+        public void Relaxation_is_clamped_to_where_over_relaxation_ends(float given, float expected)
         {
             SolverSettings settings = SolverSettings.Default;
             settings.relaxation = given;
-            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"relaxation {given} is outside 0 to 1.2; using {expected}.");
+            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"relaxation {given} is outside 0 to 2; using {expected}.");
             Assert.That(settings.relaxation, Is.EqualTo(expected));
+        }
+
+        [TestCase(1, 0.3f)]
+        [TestCase(2, 1f)]
+        [TestCase(3, 1.2f)]
+        [TestCase(7, 1.2f)]
+        [TestCase(8, 1.3f)]
+        [TestCase(50, 1.3f)]
+        public void No_more_relaxation_is_used_than_stays_stable_with_the_iterations(int iterations, float largest)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.iterations = iterations;
+            settings.relaxation = 2f;
+            Assert.That(settings.StableRelaxation, Is.EqualTo(largest));
+            settings.relaxation = 0.2f;
+            Assert.That(settings.StableRelaxation, Is.EqualTo(0.2f));
         }
 
         [TestCase(0, 1)]
