@@ -83,6 +83,9 @@ float4 ParticleColor(ParticleFragment fragment, out float depth : SV_Depth) : SV
     float3 normal = (hit - fragment.center) / _ParticleRadius;
     float4 clip = RillWorldToClip(hit);
     depth = clip.z / clip.w;
+#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)
+    depth = depth * 0.5 + 0.5;      // OpenGL's clip space is -1 to 1
+#endif
 
     float diffuse = saturate(dot(normal, _LightDirection.xyz) * 0.6 + 0.4);
     float highlight = pow(saturate(dot(reflect(ray, normal), _LightDirection.xyz)), 40.0);

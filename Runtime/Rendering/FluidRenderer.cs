@@ -67,7 +67,6 @@ namespace Rill
 
         void OnDisable()
         {
-            Simulation.NeedsDensity = false;
             if (Application.isPlaying)
                 Destroy(material);
             else

@@ -49,9 +49,9 @@ namespace Rill
 
         private protected override void Draw()
         {
-            Simulation.NeedsDensity = colorBy == Quantity.Density;
+            Simulation.NeedsDensity |= colorBy == Quantity.Density;
             SetProperties();
-            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments, 1, 1);
+            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments);
         }
 
         private protected override void DescribeDraws(StageDescription description) => description.Draw("Particles", 1);

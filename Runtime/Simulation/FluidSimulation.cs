@@ -19,6 +19,9 @@ namespace Rill
     [DisallowMultipleComponent]
     public sealed partial class FluidSimulation : MonoBehaviour
     {
+        const float DefaultStepRate = 60f;
+        static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
+
         [Tooltip("Inner size of the box, m. Each side at least two particle spacings.")]
         [SerializeField] Vector3 domainSize = new Vector3(2f, 2f, 1f);
 
@@ -32,11 +35,11 @@ namespace Rill
         [SerializeField] SolverSettings solver = SolverSettings.Default;
 
         [Tooltip("Acceleration in world space, m/s².")]
-        [SerializeField] Vector3 gravity = new Vector3(0f, -9.81f, 0f);
+        [SerializeField] Vector3 gravity = DefaultGravity;
 
         [Tooltip("Fixed steps in a second of fluid time. 10 to 1000.")]
         [Range(10f, 1000f)]
-        [SerializeField] float stepRate = 60f;
+        [SerializeField] float stepRate = DefaultStepRate;
 
         [Tooltip("Steps that one frame takes at most, 1 to 16. Time beyond that is dropped and counted.")]
         [Range(1, 16)]
@@ -89,8 +92,8 @@ namespace Rill
         /// <summary>What the fluid is. Out-of-range values are clamped with a warning.</summary>
         public FluidMaterial Material { get => material; set { material = value; OnValidate(); } }
 
-        /// <summary>Acceleration in world space, m/s².</summary>
-        public Vector3 Gravity { get => gravity; set => gravity = value; }
+        /// <summary>Acceleration in world space, m/s². One that is not finite becomes the default, with a warning.</summary>
+        public Vector3 Gravity { get => gravity; set { gravity = value; OnValidate(); } }
 
         /// <summary>Steps between measurements; 0 for none.</summary>
         public int StatisticsInterval { get => statisticsInterval; set => statisticsInterval = Math.Max(value, 0); }
@@ -106,7 +109,7 @@ namespace Rill
         internal PbfSolver Solver => pbf;
         internal StepInput Input => input;
 
-        /// <summary>Set by what draws the density, which then is summed with the velocities.</summary>
+        /// <summary>Set every frame by what draws the density, which then is summed with the velocities of the next steps.</summary>
         internal bool NeedsDensity { get; set; }
 
         /// <summary>Sets box, resolution and capacity; a running fluid starts anew.</summary>
@@ -240,7 +243,7 @@ namespace Rill
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending;
             if (measures)
                 pbf.RecordStatistics(commands, input);
-            else if (statisticsInterval == 0)
+            else if (statisticsInterval <= 0 && !pbf.StatisticsPending)     // releasing a pending one would wait for the GPU
                 pbf.ReleaseStatistics();
             Graphics.ExecuteCommandBuffer(commands);
 
@@ -269,15 +272,20 @@ namespace Rill
                 material = material,
                 needsDensity = NeedsDensity,
             };
+            NeedsDensity = false;
             input.settings.relaxation = solver.StableRelaxation;
         }
 
         void ValidateSettings()
         {
-            bool valid = solver.Validate(out string settingsProblem);
-            valid &= material.Validate(out string materialProblem);
-            if (!valid)
-                Debug.LogWarning($"Rill: FluidSimulation '{name}': {settingsProblem} {materialProblem}".TrimEnd(), this);
+            solver.Validate(out string problem);
+            material.Validate(out string materialProblem);
+            Limit.Append(ref problem, materialProblem);
+            Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
+            Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
+            Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
+            if (problem != null)
+                Debug.LogWarning($"Rill: FluidSimulation '{name}': {problem}", this);
         }
 
         bool Matches(SolverLayout layout)

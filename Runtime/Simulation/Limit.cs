@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace Rill
 {
     /// <summary>Clamps settings and says so.</summary>
@@ -30,6 +32,22 @@ namespace Rill
             Append(ref problem, $"{name} {given} is outside {low} to {high}; using {value}.");
         }
 
-        static void Append(ref string problem, string text) => problem = problem == null ? text : problem + " " + text;
+        /// <summary>A vector with a component that is no number becomes <paramref name="fallback"/>.</summary>
+        public static void Finite(string name, ref Vector3 value, Vector3 fallback, ref string problem)
+        {
+            Vector3 given = value;
+            float sum = given.x + given.y + given.z;
+            if (!float.IsNaN(sum) && !float.IsInfinity(sum))
+                return;
+            value = fallback;
+            Append(ref problem, $"{name} {given} is not finite; using {value}.");
+        }
+
+        /// <summary>Adds a sentence to those so far; null is none.</summary>
+        public static void Append(ref string problem, string text)
+        {
+            if (text != null)
+                problem = problem == null ? text : problem + " " + text;
+        }
     }
 }

@@ -8,9 +8,9 @@ namespace Rill
     /// <summary>Jacobi iterations of the density constraint (Macklin and Müller 2013, algorithm 1, lines 5-19).</summary>
     sealed class DensityConstraint : IDisposable
     {
-        static readonly ProfilerMarker ListMarker = new ProfilerMarker("Rill.List");
-        static readonly ProfilerMarker LambdaMarker = new ProfilerMarker("Rill.Lambda");
-        static readonly ProfilerMarker DisplaceMarker = new ProfilerMarker("Rill.Displace");
+        static readonly ProfilerMarker ListMarker = GpuMarker.Create("Rill.List");
+        static readonly ProfilerMarker LambdaMarker = GpuMarker.Create("Rill.Lambda");
+        static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.Displace");
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
         readonly int buildList, solveLambda, displace, displaceWithPressure;
@@ -74,7 +74,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids

@@ -10,7 +10,10 @@ namespace Rill
         /// <summary>Largest resource that Direct3D 11 guarantees, bytes.</summary>
         public const long MaxBytes = 2048L * 1024 * 1024;
 
-        /// <summary>Dispatch arguments at byte 0, draw arguments at byte 16; see Arguments.hlsl.</summary>
+        /// <summary>Byte of the dispatch arguments in a buffer of <see cref="Arguments"/>.</summary>
+        public const uint DispatchArgumentsAt = 16;
+
+        /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>; see Arguments.hlsl.</summary>
         public static GraphicsBuffer Arguments(string name)
         {
             // Raw, because Direct3D has no structured buffer that also holds indirect arguments.

@@ -10,7 +10,7 @@ namespace Rill
     /// <remarks>Cell c holds the sorted particles from <c>CellStarts[c]</c> up to <c>CellStarts[c + 1]</c>.</remarks>
     sealed class NeighborSearch : IDisposable
     {
-        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Sort");
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
         readonly int countCells, countCellsAtRest, scatterOrder, gather, gatherOrdered;
@@ -27,8 +27,8 @@ namespace Rill
             gatherOrdered = shader.FindKernel("GatherOrdered");
 
             cells = layout.CellTotal;
+            cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
             prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
-            cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);
             CellStarts = GpuBuffer.Structured<uint>("Rill.CellStarts", cells + 1);
             cellRanks = GpuBuffer.Structured<uint2>("Rill.CellRanks", layout.Capacity);
             Order = GpuBuffer.Structured<uint2>("Rill.Order", layout.Capacity);
@@ -60,7 +60,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -105,7 +105,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, countKernel, particles.AliveArguments, 0);
+            cmd.DispatchCompute(shader, countKernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
             prefixSum.Record(cmd, cellHistogram, CellStarts, cells + 1);
 
@@ -115,7 +115,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Order, Order);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.SortedArguments, particles.SortedArguments);
-            cmd.DispatchCompute(shader, scatterOrder, particles.AliveArguments, 0);
+            cmd.DispatchCompute(shader, scatterOrder, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids

@@ -65,7 +65,7 @@ namespace Rill
         /// <summary>uint, by <see cref="ParticleCounter"/>.</summary>
         public GraphicsBuffer Counters => particles.Counters;
 
-        /// <summary>Second element: GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
+        /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
         public GraphicsBuffer DrawArguments => particles.AliveArguments;
 
         /// <summary>Removes all particles and resets the counters, at once.</summary>

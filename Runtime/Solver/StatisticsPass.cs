@@ -11,7 +11,7 @@ namespace Rill
     sealed class StatisticsPass : IDisposable
     {
         const int Bins = 4096;          // kBins in Statistics.compute
-        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Statistics");
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Statistics");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
         readonly int measure, reduce;
@@ -59,7 +59,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, measure, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, measure, Ids.Partials, partials);
             cmd.SetComputeBufferParam(shader, measure, Ids.Histogram, histogram);
-            cmd.DispatchCompute(shader, measure, particles.SortedArguments, 0);
+            cmd.DispatchCompute(shader, measure, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
             cmd.SetComputeBufferParam(shader, reduce, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, reduce, Ids.Partials, partials);

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Velocities from the corrected positions and, in the same pass, XSPH viscosity; ends a substep.</summary>
     sealed class VelocityUpdate
     {
-        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Velocity");
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Velocity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
         readonly int update, updateViscous;
@@ -40,7 +40,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.AliveArguments, particles.AliveArguments);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 

@@ -9,7 +9,7 @@ namespace Rill
     /// <summary>Vorticity confinement (Macklin and Müller 2013, eq. 15-16) with XSPH in its last pass. Made when first needed.</summary>
     sealed class VorticityConfinement : IDisposable
     {
-        static readonly ProfilerMarker Marker = new ProfilerMarker("Rill.Vorticity");
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Vorticity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VorticityConfinement");
         readonly int curlKernel, confineKernel;
@@ -74,7 +74,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Curl, curl);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, 0);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids

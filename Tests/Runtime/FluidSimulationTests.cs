@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.Collections;
@@ -203,6 +204,41 @@ namespace Rill.Tests
             Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
             Assert.That(statistics.droppedTime, Is.EqualTo(hitch - 4.0 / 60.0).Within(1.5 / 60.0));
             Assert.That(statistics.escaped + statistics.nonFinite, Is.Zero);
+        }
+
+        [TestCase(0f, 10f)]
+        [TestCase(-60f, 10f)]
+        [TestCase(2000f, 1000f)]
+        [TestCase(float.NaN, 60f)]
+        [TestCase(float.PositiveInfinity, 60f)]
+        public void A_step_rate_out_of_range_is_clamped_by_name(float given, float expected)
+        {
+            LogAssert.Expect(LogType.Warning, new Regex($"'Dam': step rate {Regex.Escape(given.ToString())} is outside 10 to 1000; using {expected}\\."));
+            FluidSimulation fluid = Dam(f => SetSerialized(f, "stepRate", given));
+            Assert.That(fluid.IsRunning);
+            Assert.That(fluid.FixedStep, Is.EqualTo(1f / expected));
+        }
+
+        [UnityTest]
+        public IEnumerator Steps_of_a_frame_out_of_range_are_clamped_by_name([Values(-1, 0, 17)] int given)
+        {
+            int expected = given < 1 ? 1 : 16;
+            LogAssert.Expect(LogType.Warning, new Regex($"'Dam': max steps per frame {given} is outside 1 to 16; using {expected}\\."));
+            FluidSimulation fluid = Dam(f => SetSerialized(f, "maxStepsPerFrame", given));
+            Time.captureDeltaTime = 0.3f;
+            yield return null;
+            Assert.That(fluid.StepCount, Is.EqualTo(expected));
+        }
+
+        [UnityTest]
+        public IEnumerator A_gravity_that_is_not_finite_becomes_the_default_by_name([Values(float.NaN, float.NegativeInfinity)] float bad)
+        {
+            FluidSimulation fluid = Dam();
+            LogAssert.Expect(LogType.Warning, new Regex("'Dam': gravity .* is not finite; using \\(0.00, -9.81, 0.00\\)\\."));
+            fluid.Gravity = new Vector3(1f, bad, 0f);
+            Assert.That(fluid.Gravity, Is.EqualTo(new Vector3(0f, -9.81f, 0f)));
+            yield return Frames(2);
+            Assert.That(State(fluid).Count, Is.EqualTo(800));
         }
 
         [UnityTest]
@@ -471,6 +507,23 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator The_density_is_summed_while_any_renderer_shows_it()
+        {
+            FluidSimulation fluid = Dam();
+            var byDensity = fluid.gameObject.AddComponent<ParticleRenderer>();
+            byDensity.ColorBy = ParticleRenderer.Quantity.Density;
+            var bySpeed = fluid.gameObject.AddComponent<ParticleRenderer>();
+            yield return Frames(3);
+            Assert.That(fluid.Input.needsDensity, "beside one that shows the speed");
+            bySpeed.enabled = false;
+            yield return null;
+            Assert.That(fluid.Input.needsDensity, "when that one goes");
+            byDensity.enabled = false;
+            yield return Frames(2);
+            Assert.That(fluid.Input.needsDensity, Is.False);
+        }
+
+        [UnityTest]
         public IEnumerator A_destroyed_simulation_leaves_the_others_running()
         {
             FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1), other = Dam();
@@ -538,6 +591,12 @@ namespace Rill.Tests
             using (var positions = new NativeArray<float3>(new[] { position }, Allocator.Persistent))
             using (var velocities = new NativeArray<float3>(new[] { velocity }, Allocator.Persistent))
                 fluid.AddParticles(positions, velocities);
+        }
+
+        // As a scene file or the inspector would.
+        static void SetSerialized(FluidSimulation fluid, string field, object value)
+        {
+            typeof(FluidSimulation).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(fluid, value);
         }
 
         static IEnumerator Frames(int count)

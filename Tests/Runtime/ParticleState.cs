@@ -91,7 +91,7 @@ namespace Rill.Tests
         public static uint[] ArgumentsFor(int count)
         {
             uint groups = (uint)Math.Max((count + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1);
-            return new[] { groups, 1u, 1u, (uint)count, (uint)(count * ParticleRenderer.VerticesPerParticle), 1u, 0u, 0u };
+            return new[] { (uint)(count * ParticleRenderer.VerticesPerParticle), 1u, 0u, 0u, groups, 1u, 1u, (uint)count };
         }
     }
 }

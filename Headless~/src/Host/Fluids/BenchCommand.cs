@@ -46,8 +46,8 @@ namespace Host.Fluids
                 settings.deterministic = !parsed.GetValue(unordered);
                 FluidMaterial material = FluidMaterial.Water;
                 material.viscosity = parsed.GetValue(viscosity);
-                if (!settings.Validate(out string problem) || !material.Validate(out problem))
-                    throw new HostException($"bench: {problem}");
+                if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
+                    System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
                 if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
                     throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
                 if (parsed.GetValue(steps) < LeastSteps)

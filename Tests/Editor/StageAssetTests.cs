@@ -1,0 +1,35 @@
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Rill.Editor.Tests
+{
+    /// <summary>What importing the package must leave behind, seen without playing.</summary>
+    public class StageAssetTests
+    {
+        [TestCase("DensityConstraint", "BuildList", "SolveLambda", "Displace", "DisplaceWithPressure")]
+        [TestCase("Emission", "Append", "CommitAppend", "Clear")]
+        [TestCase("NeighborSearch", "CountCells", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherOrdered")]
+        [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
+        [TestCase("Statistics", "Measure", "Reduce")]
+        [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]
+        [TestCase("VorticityConfinement", "Curl", "Confine")]
+        public void Every_kernel_of_a_stage_is_imported_and_runs_on_this_device(string stage, params string[] kernels)
+        {
+            ComputeShader shader = StageShader.LoadCompute(stage);
+            foreach (string kernel in kernels)
+            {
+                Assert.That(shader.HasKernel(kernel), $"{stage}.compute has no kernel {kernel}");
+                Assert.That(shader.IsSupported(shader.FindKernel(kernel)), $"{stage}.compute: {kernel} is not supported");
+            }
+        }
+
+        [TestCase("ParticleRenderer")]
+        [TestCase("DomainRenderer")]
+        public void Every_renderer_has_a_shader_that_runs_on_this_device(string stage)
+        {
+            Shader shader = StageShader.Load(stage).Shader;
+            Assert.That(shader != null);
+            Assert.That(shader.isSupported);
+        }
+    }
+}
