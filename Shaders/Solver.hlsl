@@ -51,7 +51,6 @@ static const uint kRefused = 3;             // did not fit the capacity, since r
 static const uint kNonFinite = 4;           // culled, since reset
 static const uint kOverflow = 5;            // particles of this step with more neighbors than the list holds
 static const uint kMostNeighbors = 6;       // most neighbors of such a particle
-static const uint kCrowded = 7;             // particles of this step in cells too full to be ordered by id
 
 uint ParticleIndex(uint3 group, uint thread)
 {

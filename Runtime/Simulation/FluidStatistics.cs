@@ -29,8 +29,6 @@ namespace Rill
         public int neighborOverflow;
         /// <summary>Most neighbors of such a particle; 0 without one.</summary>
         public int mostNeighbors;
-        /// <summary>Particles in cells too full to be ordered by id: there, two runs may differ.</summary>
-        public int unordered;
         /// <summary>Particles more than 0.1 d beyond where the walls let a centre go.</summary>
         public int escaped;
         /// <summary>Particles closer than 0.05 d to another.</summary>
@@ -89,7 +87,6 @@ namespace Rill
                 nonFinite = Counter(block, ParticleCounter.NonFinite),
                 neighborOverflow = Counter(block, ParticleCounter.Overflow),
                 mostNeighbors = Counter(block, ParticleCounter.MostNeighbors),
-                unordered = Counter(block, ParticleCounter.Crowded),
                 escaped = (int)Value(block, Quantity.Escaped),
                 coincident = (int)Value(block, Quantity.Coincident),
                 densityError = Value(block, Quantity.DensityError) * perParticle,

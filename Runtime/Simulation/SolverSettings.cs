@@ -28,9 +28,6 @@ namespace Rill
         [Tooltip("Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 96 in hard impacts; what does not fit is reported.")]
         [Range(16, 256)] public int neighborCapacity;
 
-        [Tooltip("Order the particles of a cell by id, so that every run on one device gives the same result.")]
-        public bool deterministic;
-
         public static SolverSettings Default => new SolverSettings
         {
             iterations = 4,
@@ -39,7 +36,6 @@ namespace Rill
             softness = 1e-3f,
             listMargin = 1f,
             neighborCapacity = 96,
-            deterministic = true,
         };
 
         /// <summary>

@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsAtRest, scatterOrder, gather, gatherOrdered;
+        readonly int countCells, countCellsAtRest, scatterOrder, gather;
         readonly int cells;
         readonly PrefixSum prefixSum;
         GraphicsBuffer cellHistogram, cellRanks;
@@ -24,7 +24,6 @@ namespace Rill
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel("Gather");
-            gatherOrdered = shader.FindKernel("GatherOrdered");
 
             cells = layout.CellTotal;
             cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
@@ -42,25 +41,21 @@ namespace Rill
         public GraphicsBuffer Order { get; private set; }
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, bool deterministic)
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
         {
             cmd.BeginSample(Marker);
             RecordOrder(cmd, constants, particles, countCells);
 
-            int kernel = deterministic ? gatherOrdered : gather;
-            if (deterministic)
-            {
-                cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
-            }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.SetComputeBufferParam(shader, gather, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, gather, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, gather, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, gather, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, gather, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, gather, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, gather, Ids.Predicted, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, gather, Ids.SortedIds, particles.SortedIds);
+            cmd.SetComputeBufferParam(shader, gather, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, gather, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -87,7 +82,7 @@ namespace Rill
             stage.Kernel("NeighborSearch", "CountCells", settings.substeps);
             prefixSum.Describe(stage, settings.substeps);
             stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps);
-            stage.Kernel("NeighborSearch", settings.deterministic ? "GatherOrdered" : "Gather", settings.substeps);
+            stage.Kernel("NeighborSearch", "Gather", settings.substeps);
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);

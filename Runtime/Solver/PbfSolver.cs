@@ -98,7 +98,7 @@ namespace Rill
             UploadConstants(cmd, input);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
-                neighborSearch.RecordSort(cmd, constants, particles, input.settings.deterministic);
+                neighborSearch.RecordSort(cmd, constants, particles);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input);
                 if (VorticityConfinement.IsNeeded(input))

@@ -8,7 +8,7 @@ namespace Rill.Editor.Tests
     {
         [TestCase("DensityConstraint", "BuildList", "SolveLambda", "Displace", "DisplaceWithPressure")]
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
-        [TestCase("NeighborSearch", "CountCells", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherOrdered")]
+        [TestCase("NeighborSearch", "CountCells", "CountCellsAtRest", "ScatterOrder", "Gather")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
         [TestCase("Statistics", "Measure", "Reduce")]
         [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]

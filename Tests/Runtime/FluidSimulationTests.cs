@@ -117,7 +117,6 @@ namespace Rill.Tests
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = 2;
                 settings.substeps = 2;
-                settings.deterministic = true;
                 fluid.Settings = settings;
                 FluidMaterial material = FluidMaterial.Water;
                 material.vorticity = 0.4f;

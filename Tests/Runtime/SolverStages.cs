@@ -57,7 +57,7 @@ namespace Rill.Tests
 
         public SolverStages Sort()
         {
-            GpuTest.Run(cmd => Search.RecordSort(cmd, Constants, Particles, Input.settings.deterministic));
+            GpuTest.Run(cmd => Search.RecordSort(cmd, Constants, Particles));
             return this;
         }
 

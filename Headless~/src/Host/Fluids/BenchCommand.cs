@@ -29,13 +29,12 @@ namespace Host.Fluids
             var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.", DefaultValueFactory = _ => SolverSettings.Default.relaxation };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
-            var unordered = new Option<bool>("--unordered") { Description = "Leave the particles of a cell in the order of arrival." };
             var viscosity = new Option<float>("--viscosity") { Description = "XSPH viscosity.", DefaultValueFactory = _ => FluidMaterial.Water.viscosity };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
             var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {LeastSteps}.", DefaultValueFactory = _ => LeastSteps };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, unordered, viscosity, window, steps, json };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, window, steps, json };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -43,7 +42,6 @@ namespace Host.Fluids
                 settings.substeps = parsed.GetValue(substeps);
                 settings.relaxation = parsed.GetValue(relaxation);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
-                settings.deterministic = !parsed.GetValue(unordered);
                 FluidMaterial material = FluidMaterial.Water;
                 material.viscosity = parsed.GetValue(viscosity);
                 if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
@@ -66,7 +64,7 @@ namespace Host.Fluids
         static int Execute(BenchScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Lattice.x} x {scene.Lattice.y} x {scene.Lattice.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.viscosity}, {input.settings.neighborCapacity} list entries, {(input.settings.deterministic ? "ordered" : "unordered")}");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Lattice.x} x {scene.Lattice.y} x {scene.Lattice.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.viscosity}, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
@@ -153,7 +151,6 @@ namespace Host.Fluids
                 relaxation = input.settings.relaxation,
                 viscosity = input.material.viscosity,
                 neighbor_capacity = input.settings.neighborCapacity,
-                ordered = input.settings.deterministic,
                 bytes,
                 milliseconds = results.ToDictionary(window => window.Key, window => window.Value.ToDictionary(stage => stage.Key, stage => new { median = stage.Value.Median, p10 = stage.Value.Low, p90 = stage.Value.High, steps = stage.Value.Count })),
             }, new JsonSerializerOptions { WriteIndented = true });
