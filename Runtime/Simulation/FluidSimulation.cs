@@ -48,6 +48,7 @@ namespace Rill
         [Tooltip("Whether acceleration of this object acts on the fluid: on for a glass that is shaken, off for a window that follows the player.")]
         [SerializeField] bool inertial = true;
 
+        [Tooltip("Whether time stands still.")]
         [SerializeField] bool paused;
 
         [Tooltip("Of the small offsets from the lattice with which fluid is filled in.")]
@@ -69,7 +70,7 @@ namespace Rill
         public int StepCount { get; private set; }
 
         /// <summary>Fluid time since the last restart, s.</summary>
-        public double FluidTime => StepCount * (double)FixedStep;
+        public double FluidTime { get; private set; }
 
         /// <summary>Length of a fixed step, s.</summary>
         public float FixedStep => 1f / stepRate;
@@ -144,6 +145,7 @@ namespace Rill
             pbf.Clear();
             clock = default;
             StepCount = 0;
+            FluidTime = 0.0;
             stepsSinceStatistics = 0;
             lastPosition = transform.position;
             lastVelocity = 0f;
@@ -238,6 +240,7 @@ namespace Rill
             for (int i = 0; i < steps; i++)
                 pbf.Step(commands, input);
             StepCount += steps;
+            FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending;

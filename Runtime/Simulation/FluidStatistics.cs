@@ -17,7 +17,7 @@ namespace Rill
 
         /// <summary>Fixed step since the last reset that was measured; 0 is the state before the first.</summary>
         public int step;
-        /// <summary>Fluid time of that step, s.</summary>
+        /// <summary>Fluid time of that step at the present step rate, s.</summary>
         public double time;
 
         public int particles;
