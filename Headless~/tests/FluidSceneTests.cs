@@ -2,10 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Host.Assets;
 using NUnit.Framework;
 using Rill;
 using UnityEngine;
 using UnityEngine.Headless;
+using UnityEngine.SceneManagement;
 using UnityEngine.TestTools;
 
 namespace Host.Tests
@@ -101,6 +103,38 @@ namespace Host.Tests
                 PlayerLoop.Frame(Frame);
                 Assert.That(BufferStorage.Live, Is.Empty, $"cycle {i}");
                 Assert.That(LiveObjects.Count, Is.EqualTo(idle), $"cycle {i}: " + string.Join(", ", LiveObjects.Report()));
+            }
+        }
+
+        [Test]
+        public void Loading_a_sample_scene_again_leaves_one_set_of_objects_and_unloading_it_none()
+        {
+            LocatedScene located = Session.Locate("Column");
+            var assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly }, strict: true);
+            IAssetSource assetsBefore = Player.Assets;
+            Func<string, Scene> loaderBefore = SceneManager.SceneLoader;
+            Player.Assets = assets;
+            SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
+            try
+            {
+                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
+                PlayerLoop.Frame(Frame);
+                List<string> once = LiveObjects.Report();
+                Assert.That(once.Count(entry => entry.Contains("Rill.Positions")), Is.EqualTo(1));
+
+                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
+                PlayerLoop.Frame(Frame);
+                Assert.That(LiveObjects.Report(), Is.EquivalentTo(once));
+
+                SceneManager.UnloadEverything();
+                Assert.That(BufferStorage.Live, Is.Empty);
+            }
+            finally
+            {
+                SceneManager.UnloadEverything();
+                assets.ReloadAll();
+                Player.Assets = assetsBefore;
+                SceneManager.SceneLoader = loaderBefore;
             }
         }
 
