@@ -19,7 +19,7 @@ namespace Host.Tests
 
         static readonly (string Name, Action<FluidSimulation> Change, bool Particles, bool Domain)[] Scenes =
         {
-            ("everything off", WithMaterial((ref FluidMaterial m) => m.viscosity = 0f), false, false),
+            ("everything off", WithMaterial((ref FluidMaterial m) => { }), false, false),
             ("viscosity", WithMaterial((ref FluidMaterial m) => m.viscosity = 0.01f), false, false),
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
             ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
@@ -38,7 +38,7 @@ namespace Host.Tests
 
             GpuWork.Log = new List<string>();
             PlayerLoop.Frame(Frame);
-            List<string> asked = GpuWork.Log.Where(entry => !entry.EndsWith(" clear")).Select(Short).OrderBy(entry => entry).ToList();
+            List<string> asked = GpuWork.Log.Select(Short).OrderBy(entry => entry).ToList();
             GpuWork.Log = null;
 
             var explained = simulation.Describe().SelectMany(stage => stage.Kernels)
