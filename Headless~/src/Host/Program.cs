@@ -25,6 +25,7 @@ namespace Host
                 ExplainCommand.Create(),
                 BenchCommand.Create(),
                 StudyCommand.Create(),
+                CheckCommand.Create(),
             };
             ParseResult parsed = root.Parse(arguments);
             if (parsed.Action is ParseErrorAction)
