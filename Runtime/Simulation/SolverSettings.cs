@@ -10,6 +10,9 @@ namespace Rill
         /// <summary>Where over-relaxation ends in theory.</summary>
         const float LargestRelaxation = 2f;
 
+        [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than about ten layers of particles deep collapses.")]
+        public DeepWater deepWater;
+
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 

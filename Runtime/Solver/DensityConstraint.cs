@@ -13,15 +13,18 @@ namespace Rill
         static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.Displace");
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
-        readonly int buildList, solveLambda, displace, displaceWithPressure;
+        readonly int buildList, buildListDeep, solveLambda, displace, displaceWithPressure, displaceDeep, displaceDeepWithPressure;
         readonly LocalKeyword twoLists;
 
         public DensityConstraint(SolverLayout layout)
         {
             buildList = shader.FindKernel("BuildList");
+            buildListDeep = shader.FindKernel("BuildListDeep");
             solveLambda = shader.FindKernel("SolveLambda");
             displace = shader.FindKernel("Displace");
             displaceWithPressure = shader.FindKernel("DisplaceWithPressure");
+            displaceDeep = shader.FindKernel("DisplaceDeep");
+            displaceDeepWithPressure = shader.FindKernel("DisplaceDeepWithPressure");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             Lists = new NeighborLists(layout);
         }
@@ -29,15 +32,20 @@ namespace Rill
         public NeighborLists Lists { get; }
 
         /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure)
+        /// <param name="coarse">Adds its density correction to the first iteration; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse)
         {
+            int build = coarse != null ? buildListDeep : buildList;
             Lists.RecordKeyword(cmd, shader, twoLists);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
 
             cmd.BeginSample(ListMarker);
-            cmd.SetComputeBufferParam(shader, buildList, Ids.CellStarts, search.CellStarts);
-            Dispatch(cmd, buildList, particles, particles.Predicted, particles.Current);
+            cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, search.CellStarts);
+            if (coarse != null)
+                cmd.SetComputeBufferParam(shader, build, CoarseIds.DensityErrors, coarse.DensityErrors);
+            Dispatch(cmd, build, particles, particles.Predicted, particles.Current);
             cmd.EndSample(ListMarker);
+            coarse?.RecordDensity(cmd, constants, particles, particles.Current);
 
             for (int i = 0; i < iterations; i++)
             {
@@ -49,21 +57,33 @@ namespace Rill
                 }
 
                 cmd.BeginSample(DisplaceMarker);
-                Dispatch(cmd, artificialPressure ? displaceWithPressure : displace, particles, particles.Current, particles.Predicted);
+                int kernel = artificialPressure ? displaceWithPressure : displace;
+                if (i == 0 && coarse != null)
+                {
+                    kernel = artificialPressure ? displaceDeepWithPressure : displaceDeep;
+                    cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                    cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
+                }
+                Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted);
                 cmd.EndSample(DisplaceMarker);
             }
         }
 
         public void Dispose() => Lists.Dispose();
 
-        public StageDescription Describe(in StepInput input)
+        /// <param name="deep">Whether a coarse correction runs.</param>
+        public StageDescription Describe(in StepInput input, bool deep)
         {
             int substeps = input.settings.substeps, iterations = input.settings.iterations;
             var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps");
-            stage.Kernel("DensityConstraint", "BuildList", substeps, Lists.Variant);
+            stage.Kernel("DensityConstraint", deep ? "BuildListDeep" : "BuildList", substeps, Lists.Variant);
             if (iterations > 1)
                 stage.Kernel("DensityConstraint", "SolveLambda", substeps * (iterations - 1), Lists.Variant);
-            stage.Kernel("DensityConstraint", input.material.artificialPressure > 0f ? "DisplaceWithPressure" : "Displace", substeps * iterations, Lists.Variant);
+            string pressure = input.material.artificialPressure > 0f ? "WithPressure" : "";
+            if (deep)
+                stage.Kernel("DensityConstraint", "DisplaceDeep" + pressure, substeps, Lists.Variant);
+            if (!deep || iterations > 1)
+                stage.Kernel("DensityConstraint", "Displace" + pressure, substeps * (deep ? iterations - 1 : iterations), Lists.Variant);
             Lists.Describe(stage);
             return stage;
         }

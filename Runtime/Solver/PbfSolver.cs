@@ -22,12 +22,14 @@ namespace Rill
         readonly NeighborSearch neighborSearch;
         readonly DensityConstraint densityConstraint;
         readonly VelocityUpdate velocityUpdate;
+        CoarseCorrection coarseCorrection;
         VorticityConfinement vorticityConfinement;
         StatisticsPass statistics;
 
         GraphicsBuffer constants;
         NativeArray<SolverConstants> constantsUpload;
         uint stepIndex;
+        float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
         public PbfSolver(SolverLayout layout)
@@ -73,6 +75,9 @@ namespace Rill
         {
             stepIndex = 0;
             statistics?.Forget();
+            coarseCorrection?.Forget();
+            lowestAdded = float.MaxValue;
+            highestAdded = float.MinValue;
             using (var cmd = new CommandBuffer { name = "Rill.Clear" })
             {
                 emission.Clear(cmd, particles);
@@ -87,7 +92,14 @@ namespace Rill
         {
             using (NativeArray<float4> scaledPositions = InSpacings(positions))
             using (NativeArray<float4> scaledVelocities = InSpacings(velocities))
+            {
                 emission.Append(particles, Layout.Capacity, scaledPositions, scaledVelocities);
+                foreach (float4 position in scaledPositions)
+                {
+                    lowestAdded = math.min(lowestAdded, position.xyz);
+                    highestAdded = math.max(highestAdded, position.xyz);
+                }
+            }
             emission.Trim();
         }
 
@@ -96,10 +108,12 @@ namespace Rill
         {
             stepIndex++;
             UploadConstants(cmd, input);
+            CoarseCorrection coarse = CoarseFor(input);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
+                coarse?.RecordProjection(cmd, constants, particles);
                 neighborSearch.RecordSort(cmd, constants, particles);
-                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f);
+                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input);
                 if (VorticityConfinement.IsNeeded(input))
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists);
@@ -143,8 +157,9 @@ namespace Rill
             return new List<StageDescription>
             {
                 state,
+                CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
                 neighborSearch.Describe(input.settings),
-                densityConstraint.Describe(input),
+                densityConstraint.Describe(input, coarseCorrection != null),
                 velocityUpdate.Describe(input, densityConstraint.Lists),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists),
                 StatisticsPass.Describe(statistics, statisticsInterval),
@@ -157,6 +172,7 @@ namespace Rill
             emission?.Dispose();
             neighborSearch?.Dispose();
             densityConstraint?.Dispose();
+            ReleaseCoarse();
             ReleaseVorticity();
             ReleaseStatistics();
             GpuBuffer.Release(ref constants);
@@ -169,6 +185,35 @@ namespace Rill
         {
             statistics?.Dispose();
             statistics = null;
+        }
+
+        /// <summary>How deep the water can be, d: as far as what was added reaches along gravity, or across where there is none.</summary>
+        float WaterDepth(float3 gravity)
+        {
+            float3 extent = math.max(highestAdded - lowestAdded + 1f, 0f);
+            float strength = math.length(gravity);
+            return strength > 0f ? math.dot(math.abs(gravity) / strength, extent) : 0f;
+        }
+
+        // Made when first needed, and anew for another size of its cells; null where the scene does without.
+        CoarseCorrection CoarseFor(in StepInput input)
+        {
+            if (!CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity)))
+            {
+                ReleaseCoarse();
+                return null;
+            }
+            float substep = input.timeStep / input.settings.substeps;
+            float cellSize = CoarseGrid.CellSizeFor(math.length(input.gravity) / Layout.Spacing * substep * substep);
+            if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
+                ReleaseCoarse();
+            return coarseCorrection ??= new CoarseCorrection(Layout, cellSize);
+        }
+
+        void ReleaseCoarse()
+        {
+            coarseCorrection?.Dispose();
+            coarseCorrection = null;
         }
 
         void ReleaseVorticity()

@@ -64,7 +64,7 @@ namespace Rill.Tests
         /// <param name="iterations">0: the list and the first multipliers only.</param>
         public SolverStages Constrain(int iterations)
         {
-            GpuTest.Run(cmd => Constraint.Record(cmd, Constants, Particles, Search, iterations, Input.material.artificialPressure > 0f));
+            GpuTest.Run(cmd => Constraint.Record(cmd, Constants, Particles, Search, iterations, Input.material.artificialPressure > 0f, null));
             return this;
         }
 

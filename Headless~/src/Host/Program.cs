@@ -25,6 +25,7 @@ namespace Host
                 ExplainCommand.Create(),
                 BenchCommand.Create(),
                 StudyCommand.Create(),
+                MeasureCommand.Create(),
                 CheckCommand.Create(),
             };
             ParseResult parsed = root.Parse(arguments);

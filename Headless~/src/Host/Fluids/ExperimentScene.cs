@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Rill;
+using Unity.Collections;
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Host.Fluids
+{
+    /// <summary>Blocks of fluid in a closed box, on a cubic lattice with offsets of ±0.02 spacings: what figures are measured on.</summary>
+    sealed class ExperimentScene
+    {
+        public readonly string Name;
+        /// <summary>m.</summary>
+        public readonly float Spacing;
+        /// <summary>Inner size of the box, d.</summary>
+        public readonly float3 Box;
+        /// <summary>Lowest corner, d; particles along each axis; velocity, m/s.</summary>
+        public readonly List<(float3 corner, int3 counts, float3 velocity)> Blocks = new();
+
+        ExperimentScene(string name, float spacing, float3 box)
+        {
+            Name = name;
+            Spacing = spacing;
+            Box = box;
+        }
+
+        public int Particles
+        {
+            get
+            {
+                int sum = 0;
+                foreach ((float3 _, int3 counts, float3 _) in Blocks)
+                    sum += counts.x * counts.y * counts.z;
+                return sum;
+            }
+        }
+
+        /// <summary>m.</summary>
+        public float3 Domain => Box * Spacing;
+
+        /// <summary>A block 1 m high in the left half of a box twice as long and 2 m tall; particles in all as near as its lattice comes.</summary>
+        public static ExperimentScene Dam(int particles)
+        {
+            int3 lattice = DamLattice(particles);
+            return new ExperimentScene("dam", 1f / lattice.y, new float3(2 * lattice.x, 2 * lattice.y, lattice.z)).Add(0f, lattice);
+        }
+
+        /// <summary>Still water that fills a box of 24 x 24 spacings, in a box three times as tall.</summary>
+        /// <param name="spacing">m.</param>
+        public static ExperimentScene Column(int layers, float spacing) => new ExperimentScene("column", spacing, new float3(24, 3 * layers, 24)).Add(0f, new int3(24, layers, 24));
+
+        /// <summary>A block that falls at 25 m/s onto a pool of 4 layers; 540,672 particles at scale 4.</summary>
+        /// <param name="scale">Of all counts; d = 0.05 m / scale.</param>
+        public static ExperimentScene Drop(int scale) => new ExperimentScene("drop", 0.05f / scale, new float3(48, 160, 48) * scale)
+            .Add(0f, new int3(48 * scale, 4, 48 * scale))
+            .Add(new float3(16, 10, 16) * scale, new int3(16, 24, 16) * scale, new float3(0, -25, 0));
+
+        /// <summary>"dam:1000000", "column:120:0.05", "drop:4".</summary>
+        public static ExperimentScene Parse(string text)
+        {
+            string[] parts = text.Split(':');
+            bool Number(int part, double otherwise, out double value)
+            {
+                value = otherwise;
+                return parts.Length <= part || double.TryParse(parts[part], NumberStyles.Float, CultureInfo.InvariantCulture, out value) && value > 0;
+            }
+            switch (parts[0])
+            {
+                case "dam" when parts.Length <= 2 && Number(1, 100_000, out double particles) && particles <= SolverLayout.MaxCapacity:
+                    return Dam((int)particles);
+                case "column" when parts.Length <= 3 && Number(1, 120, out double layers) && Number(2, 0.05, out double spacing):
+                    return Column((int)layers, (float)spacing);
+                case "drop" when parts.Length <= 2 && Number(1, 4, out double scale):
+                    return Drop((int)scale);
+                default:
+                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m> or drop:<scale>, as in dam:1000000, column:120:0.05 or drop:4.");
+            }
+        }
+
+        /// <summary>Fills a solver that was just cleared.</summary>
+        public void Fill(PbfSolver solver)
+        {
+            using var positions = new NativeArray<float4>(Particles, Allocator.Persistent);
+            using var velocities = new NativeArray<float4>(Particles, Allocator.Persistent);
+            NativeArray<float4> to = positions, speeds = velocities;
+            var random = new Random(7);
+            int i = 0;
+            foreach ((float3 corner, int3 counts, float3 velocity) in Blocks)
+                for (int z = 0; z < counts.z; z++)
+                    for (int y = 0; y < counts.y; y++)
+                        for (int x = 0; x < counts.x; x++)
+                        {
+                            to[i] = new float4((corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * Spacing, 0f);
+                            speeds[i++] = new float4(velocity, 0f);
+                        }
+            solver.Add(positions, velocities);
+        }
+
+        ExperimentScene Add(float3 corner, int3 counts, float3 velocity = default)
+        {
+            Blocks.Add((corner, counts, velocity));
+            return this;
+        }
+
+        // Blocks that published figures of this project refer to; others as near a cube as they come.
+        static int3 DamLattice(int particles)
+        {
+            switch (particles)
+            {
+                case 100_000: return new int3(50, 50, 40);
+                case 1_000_000: return new int3(100, 100, 100);
+                case 10_000_000: return new int3(216, 216, 216);
+            }
+            int side = Math.Max(1, (int)Math.Round(Math.Cbrt(particles)));
+            return new int3(side, side, Math.Max(1, (int)Math.Round(particles / (double)(side * side))));
+        }
+    }
+}

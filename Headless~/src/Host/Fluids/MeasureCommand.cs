@@ -1,0 +1,52 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.Linq;
+using Rill;
+using Unity.Mathematics;
+
+namespace Host.Fluids
+{
+    /// <summary><c>measure</c>: one scene with one setting, its errors and its GPU time.</summary>
+    static class MeasureCommand
+    {
+        public static Command Create()
+        {
+            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m> or drop:<scale>." };
+            var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
+            var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
+            var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
+            var relaxation = new Option<float>("--relaxation") { DefaultValueFactory = _ => SolverSettings.Default.relaxation };
+            var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.Automatic };
+            var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
+            var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, every, stages };
+            command.SetAction(parsed =>
+            {
+                SolverSettings settings = SolverSettings.Default;
+                settings.iterations = parsed.GetValue(iterations);
+                settings.substeps = parsed.GetValue(substeps);
+                settings.relaxation = parsed.GetValue(relaxation);
+                settings.deepWater = parsed.GetValue(deep);
+                var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
+                using var session = new Session(Session.Root());
+                Experiment run = Experiment.Run(ExperimentScene.Parse(parsed.GetValue(scene)), input, parsed.GetValue(seconds), parsed.GetValue(every));
+                Print(run, session.DescribeDevice(), parsed.GetValue(stages));
+                return 0;
+            });
+            return command;
+        }
+
+        static void Print(Experiment run, string device, bool stages)
+        {
+            SolverSettings settings = run.Input.settings;
+            double start = run.Samples[0].Energy;
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{run.Scene.Name} N {run.Scene.Particles:N0} d {run.Scene.Spacing:0.#####} m, {settings.substeps} x {settings.iterations}, relaxation {settings.relaxation}, deep water {settings.deepWater}, {run.End:0.#} s, {device}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  C+ moving {run.Moving(s => s.densityError):0.00000} settled {run.Settled(s => s.densityError):0.00000} p99.9 {run.Settled(s => s.densityError999):0.0000} ever max {run.Samples.Max(s => s.densityErrorMax):0.00} | interior {run.Settled(s => s.interiorError):0.0000} volume {run.Settled(s => s.volumeRatio):0.0000} lowest {run.Samples.Min(s => s.volumeRatio):0.0000} height {run.Settled(s => s.furthest.y):0.000} m | jitter {run.Settled(s => s.jitter):0.0000} speed {run.Settled(s => s.speed):0.0000} max {run.Samples.Max(s => s.speedMax):0.0} m/s | energy max/start {run.Samples.Max(s => s.Energy) / start:0.0000} | coincident {run.Samples[^1].coincident} escaped {run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite {run.Samples[^1].nonFinite}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms initial {run.Milliseconds("initial"):0.000} moving {run.Milliseconds("moving"):0.000} settled {run.Milliseconds("settled"):0.000} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
+            if (stages)
+                foreach (var window in run.Times)
+                    Console.WriteLine($"  {window.Key}: " + string.Join(", ", window.Value.Keys.Select(stage => string.Create(CultureInfo.InvariantCulture, $"{stage} {run.Milliseconds(window.Key, stage):0.0000}"))));
+        }
+    }
+}

@@ -1,0 +1,245 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// The long-range part of the pressure, on a coarse grid: what makes deep water possible, where a Jacobi pass reaches
+    /// one support radius. See Documentation~/solver.md, "Deep water".
+    /// </summary>
+    /// <remarks>
+    /// Twice a substep: the projection, on the flow before the prediction, and the density correction, on the errors that
+    /// the first multipliers find. Both potentials start from the last substep's.
+    /// </remarks>
+    sealed class CoarseCorrection : IDisposable
+    {
+        const int BinStride = 8;            // kBinStride in CoarseGrid.compute
+
+        static readonly ProfilerMarker ProjectionMarker = GpuMarker.Create("Rill.Projection");
+        static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
+        readonly int binFlow, finishFlow, findDivergence, displaceFlow, applyFlow;
+        readonly int binErrors, finishErrors, findDiagonal, displaceErrors, extendDisplacements;
+        readonly CoarseSolver solver;
+        GraphicsBuffer bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
+
+        /// <param name="capacity">Particles.</param>
+        public CoarseCorrection(SolverLayout layout, float cellSize)
+        {
+            binFlow = shader.FindKernel("BinFlow");
+            finishFlow = shader.FindKernel("FinishFlow");
+            findDivergence = shader.FindKernel("FindDivergence");
+            displaceFlow = shader.FindKernel("DisplaceFlow");
+            applyFlow = shader.FindKernel("ApplyFlow");
+            binErrors = shader.FindKernel("BinErrors");
+            finishErrors = shader.FindKernel("FinishErrors");
+            findDiagonal = shader.FindKernel("FindDiagonal");
+            displaceErrors = shader.FindKernel("DisplaceErrors");
+            extendDisplacements = shader.FindKernel("ExtendDisplacements");
+
+            Grid = new CoarseGrid(layout.DomainSize, cellSize);
+            solver = new CoarseSolver(Grid);
+            bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
+            flow = GpuBuffer.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
+            fill = GpuBuffer.Structured<float>("Rill.Coarse.Fill", Grid.Total);
+            source = GpuBuffer.Structured<float>("Rill.Coarse.Source", Grid.Total);
+            lastErrors = GpuBuffer.Structured<float>("Rill.Coarse.LastErrors", Grid.Total);
+            diagonal = GpuBuffer.Structured<float>("Rill.Coarse.Diagonal", Grid.Total);
+            flowPotential = GpuBuffer.Structured<float>("Rill.Coarse.FlowPotential", Grid.Total);
+            errorPotential = GpuBuffer.Structured<float>("Rill.Coarse.ErrorPotential", Grid.Total);
+            Displacements = GpuBuffer.Structured<float4>("Rill.Coarse.Displacements", Grid.Total);
+            DensityErrors = GpuBuffer.Structured<float>("Rill.Coarse.DensityErrors", layout.Capacity);
+            Constants = GpuBuffer.Constants<CoarseConstants>("Rill.Coarse.Constants");
+            Constants.SetData(new[] { CoarseConstants.For(Grid) });
+            bins.SetData(new uint[Grid.Total * BinStride]);
+            Forget();
+        }
+
+        public CoarseGrid Grid { get; }
+
+        /// <summary><see cref="CoarseConstants"/>, which do not change.</summary>
+        public GraphicsBuffer Constants { get; private set; }
+
+        /// <summary>float4 [cells], xyz displacement at a cell's centre, d.</summary>
+        public GraphicsBuffer Displacements { get; private set; }
+
+        /// <summary>float [capacity], signed C of the first multipliers; the density constraint writes it.</summary>
+        public GraphicsBuffer DensityErrors { get; private set; }
+
+        /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
+        /// <param name="layers">Depth of the water, d.</param>
+        public static bool IsNeeded(DeepWater mode, float layers) => mode == DeepWater.On || mode == DeepWater.Automatic && layers > MostShallowLayers;
+
+        /// <summary>Layers of particles up to which plain iterations hold the water; see Documentation~/solver.md.</summary>
+        public const float MostShallowLayers = 10f;
+
+        /// <summary>The next substep starts without a past.</summary>
+        public void Forget()
+        {
+            var zeros = new float[Grid.Total];
+            lastErrors.SetData(zeros);
+            flowPotential.SetData(zeros);
+            errorPotential.SetData(zeros);
+        }
+
+        /// <summary>Records the projection: the velocities become those that the prediction shall use.</summary>
+        public void RecordProjection(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
+        {
+            cmd.BeginSample(ProjectionMarker);
+            BindConstants(cmd, constants);
+            BindParticles(cmd, binFlow, particles);
+            cmd.SetComputeBufferParam(shader, binFlow, Ids.Bins, bins);
+            cmd.DispatchCompute(shader, binFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+
+            cmd.SetComputeBufferParam(shader, finishFlow, Ids.Bins, bins);
+            BindCells(cmd, finishFlow, flowPotential);
+            Dispatch(cmd, finishFlow);
+            BindCells(cmd, findDivergence, flowPotential);
+            cmd.SetComputeBufferParam(shader, findDivergence, Ids.Source, source);
+            cmd.SetComputeBufferParam(shader, findDivergence, Ids.LastErrors, lastErrors);
+            cmd.SetComputeBufferParam(shader, findDivergence, Ids.Diagonal, diagonal);
+            Dispatch(cmd, findDivergence);
+
+            solver.Record(cmd, Constants, source, diagonal, flowPotential);
+            RecordDisplacements(cmd, displaceFlow, flowPotential);
+
+            BindParticles(cmd, applyFlow, particles);
+            cmd.SetComputeBufferParam(shader, applyFlow, CoarseIds.Displacements, Displacements);
+            cmd.DispatchCompute(shader, applyFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(ProjectionMarker);
+        }
+
+        /// <summary>Records the density correction: <see cref="Displacements"/> from <see cref="DensityErrors"/> at these positions.</summary>
+        public void RecordDensity(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, GraphicsBuffer positions)
+        {
+            cmd.BeginSample(DensityMarker);
+            BindConstants(cmd, constants);
+            cmd.SetComputeBufferParam(shader, binErrors, Ids.Positions, positions);
+            cmd.SetComputeBufferParam(shader, binErrors, CoarseIds.DensityErrors, DensityErrors);
+            cmd.SetComputeBufferParam(shader, binErrors, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, binErrors, Ids.Bins, bins);
+            cmd.DispatchCompute(shader, binErrors, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+
+            BindCells(cmd, finishErrors, errorPotential);
+            cmd.SetComputeBufferParam(shader, finishErrors, Ids.Bins, bins);
+            cmd.SetComputeBufferParam(shader, finishErrors, Ids.Source, source);
+            cmd.SetComputeBufferParam(shader, finishErrors, Ids.LastErrors, lastErrors);
+            Dispatch(cmd, finishErrors);
+            BindCells(cmd, findDiagonal, errorPotential);
+            cmd.SetComputeBufferParam(shader, findDiagonal, Ids.Diagonal, diagonal);
+            Dispatch(cmd, findDiagonal);
+
+            solver.Record(cmd, Constants, source, diagonal, errorPotential);
+            RecordDisplacements(cmd, displaceErrors, errorPotential);
+            cmd.EndSample(DensityMarker);
+        }
+
+        public void Dispose()
+        {
+            solver.Dispose();
+            GpuBuffer.Release(ref bins);
+            GpuBuffer.Release(ref flow);
+            GpuBuffer.Release(ref fill);
+            GpuBuffer.Release(ref source);
+            GpuBuffer.Release(ref lastErrors);
+            GpuBuffer.Release(ref diagonal);
+            GpuBuffer.Release(ref flowPotential);
+            GpuBuffer.Release(ref errorPotential);
+            Displacements?.Release();
+            Displacements = null;
+            DensityErrors?.Release();
+            DensityErrors = null;
+            Constants?.Release();
+            Constants = null;
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(CoarseCorrection stage, in StepInput input, float layers)
+        {
+            bool needed = IsNeeded(input.settings.deepWater, layers);
+            string depth = $"water {layers:0} layers deep";
+            string reason = input.settings.deepWater != DeepWater.Automatic ? $"deep water is set to {input.settings.deepWater}"
+                : needed ? $"{depth}, more than {MostShallowLayers:0}" : $"{depth}, at most {MostShallowLayers:0}";
+            var description = new StageDescription("Coarse correction", needed, reason);
+            if (!needed || stage == null)
+                return description;
+            int substeps = input.settings.substeps;
+            foreach (string kernel in new[] { "BinFlow", "FinishFlow", "FindDivergence", "DisplaceFlow", "ApplyFlow", "BinErrors", "FinishErrors", "FindDiagonal", "DisplaceErrors" })
+                description.Kernel("CoarseGrid", kernel, substeps);
+            description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
+            stage.solver.Describe(description, 2 * substeps);
+            description.Buffer("Rill.Coarse.Bins", stage.bins);
+            description.Buffer("Rill.Coarse.Flow", stage.flow);
+            description.Buffer("Rill.Coarse.Fill", stage.fill);
+            description.Buffer("Rill.Coarse.Source", stage.source);
+            description.Buffer("Rill.Coarse.LastErrors", stage.lastErrors);
+            description.Buffer("Rill.Coarse.Diagonal", stage.diagonal);
+            description.Buffer("Rill.Coarse.FlowPotential", stage.flowPotential);
+            description.Buffer("Rill.Coarse.ErrorPotential", stage.errorPotential);
+            description.Buffer("Rill.Coarse.Displacements", stage.Displacements);
+            description.Buffer("Rill.Coarse.DensityErrors", stage.DensityErrors);
+            description.Buffer("Rill.Coarse.Constants", stage.Constants);
+            return description;
+        }
+
+        void BindConstants(CommandBuffer cmd, GraphicsBuffer constants)
+        {
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Constants, 0, Constants.stride);
+        }
+
+        void BindParticles(CommandBuffer cmd, int kernel, ParticleBuffers particles)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+        }
+
+        // What a kernel does not use is bound in vain and costs nothing.
+        void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
+        }
+
+        void RecordDisplacements(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
+        {
+            BindCells(cmd, kernel, potential);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
+            Dispatch(cmd, kernel);
+            cmd.SetComputeBufferParam(shader, extendDisplacements, Ids.CellDisplacements, Displacements);
+            Dispatch(cmd, extendDisplacements);
+        }
+
+        void Dispatch(CommandBuffer cmd, int kernel) => CoarseGrid.Dispatch(cmd, shader, kernel, Grid.Total);
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Bins = Shader.PropertyToID("_Bins");
+            public static readonly int Flow = Shader.PropertyToID("_Flow");
+            public static readonly int Fill = Shader.PropertyToID("_Fill");
+            public static readonly int Source = Shader.PropertyToID("_Source");
+            public static readonly int LastErrors = Shader.PropertyToID("_LastErrors");
+            public static readonly int Diagonal = Shader.PropertyToID("_Diagonal");
+            public static readonly int Potential = Shader.PropertyToID("_Potential");
+            public static readonly int CellDisplacements = Shader.PropertyToID("_CellDisplacements");
+        }
+    }
+
+    /// <summary>Properties of CoarseGrid.hlsl and CoarseDisplacement.hlsl.</summary>
+    static class CoarseIds
+    {
+        public static readonly int Constants = Shader.PropertyToID("RillCoarse");
+        public static readonly int Displacements = Shader.PropertyToID("_Displacements");
+        public static readonly int DensityErrors = Shader.PropertyToID("_DensityErrors");
+    }
+}

@@ -1,0 +1,76 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>The cells of the two-level correction: the grid itself and the coarser levels of its V-cycle.</summary>
+    sealed class CoarseGrid
+    {
+        /// <summary>Levels with the grid itself; the size of _Levels in CoarseGrid.hlsl.</summary>
+        public const int MaxLevels = 8;
+
+        const int EnoughCells = 64;         // of the coarsest level
+        const int TailCells = 16000;        // that one thread group works through faster than a dispatch for each pass
+
+        readonly List<uint4> levels = new List<uint4>();
+
+        /// <param name="domainSize">d.</param>
+        /// <param name="cellSize">Wanted side of a cell, d; what it is comes from whole cells along each axis.</param>
+        public CoarseGrid(float3 domainSize, float cellSize)
+        {
+            WantedSize = cellSize;
+            Counts = math.max((int3)math.round(domainSize / cellSize), 1);
+            CellSize = domainSize / Counts;
+            levels.Add(new uint4((uint3)Counts, 0));
+            uint first = 0;
+            int3 counts = Counts;
+            do
+            {
+                counts = (counts + 1) / 2;
+                levels.Add(new uint4((uint3)counts, first));
+                first += (uint)Cells(levels.Count - 1);
+            }
+            while (Cells(levels.Count - 1) > EnoughCells && levels.Count < MaxLevels);
+            LevelCells = (int)first;
+            FirstTailLevel = 1;
+            while (FirstTailLevel < LevelCount && Cells(FirstTailLevel) > TailCells)
+                FirstTailLevel++;
+        }
+
+        public float WantedSize { get; }
+        /// <summary>Side of a cell along each axis, d.</summary>
+        public float3 CellSize { get; }
+        public int3 Counts { get; }
+        public int Total => Counts.x * Counts.y * Counts.z;
+        /// <summary>Levels below the grid itself.</summary>
+        public int LevelCount => levels.Count - 1;
+        /// <summary>Cells of all of them.</summary>
+        public int LevelCells { get; }
+        /// <summary>From here on one thread group does all levels.</summary>
+        public int FirstTailLevel { get; }
+
+        /// <summary>Cells of a level; 0 is the grid itself.</summary>
+        public int Cells(int level) => (int)(levels[level].x * levels[level].y * levels[level].z);
+
+        /// <summary>Cells along x, y, z and index of the first; the last level again beyond it.</summary>
+        public uint4 Level(int level) => levels[Math.Min(level, levels.Count - 1)];
+
+        /// <summary>Records a kernel for so many cells: ParticleIndex of Solver.hlsl numbers its threads.</summary>
+        public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
+        {
+            const int mostGroups = 65535;
+            int groups = (cells + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, mostGroups), (groups + mostGroups - 1) / mostGroups, 1);
+        }
+
+        /// <summary>
+        /// Side of a coarse cell, d, at which the correction is calm: it has to grow with how far gravity carries a particle
+        /// in a step.
+        /// </summary>
+        /// <param name="gravityStep">|g| Δt², d.</param>
+        public static float CellSizeFor(float gravityStep) => gravityStep > 0.3f ? 8f : 4f;
+    }
+}

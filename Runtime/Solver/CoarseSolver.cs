@@ -1,0 +1,161 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>A V-cycle for the potential of a <see cref="CoarseGrid"/>: smooths, corrects from coarser levels, smooths.</summary>
+    sealed class CoarseSolver : IDisposable
+    {
+        const int Tile = 8;                 // kTile in CoarseSolver.compute
+
+        readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
+        readonly CoarseGrid grid;
+        readonly int smooth, coarsenGrid, restrictGrid, coarsenLevel, smoothLevel, restrictLevel, prolongLevel, solveTail, prolongGrid;
+        GraphicsBuffer smoothed, couplings, volumes, residuals, errors;
+
+        public CoarseSolver(CoarseGrid grid)
+        {
+            this.grid = grid;
+            smooth = shader.FindKernel("Smooth");
+            coarsenGrid = shader.FindKernel("CoarsenGrid");
+            restrictGrid = shader.FindKernel("RestrictGrid");
+            coarsenLevel = shader.FindKernel("CoarsenLevel");
+            smoothLevel = shader.FindKernel("SmoothLevel");
+            restrictLevel = shader.FindKernel("RestrictLevel");
+            prolongLevel = shader.FindKernel("ProlongLevel");
+            solveTail = shader.FindKernel("SolveTail");
+            prolongGrid = shader.FindKernel("ProlongGrid");
+            smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
+            couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
+            volumes = GpuBuffer.Structured<float>("Rill.Coarse.Volumes", grid.LevelCells);
+            residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
+            errors = GpuBuffer.Structured<float>("Rill.Coarse.Errors", grid.LevelCells);
+        }
+
+        /// <summary>Records one V-cycle, from the potential's present values.</summary>
+        /// <param name="source">float [cells], right-hand side; kInactive where there is no potential.</param>
+        /// <param name="diagonal">float [cells], 1/d².</param>
+        /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
+        {
+            cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
+            RecordSmooth(cmd, source, diagonal, potential, smoothed);
+
+            BindGrid(cmd, coarsenGrid, source, diagonal);
+            BindLevels(cmd, coarsenGrid);
+            Dispatch(cmd, coarsenGrid, grid.Cells(1));
+            BindGrid(cmd, restrictGrid, source, diagonal);
+            BindLevels(cmd, restrictGrid);
+            cmd.SetComputeBufferParam(shader, restrictGrid, Ids.Smoothed, smoothed);
+            Dispatch(cmd, restrictGrid, grid.Cells(1));
+
+            for (int level = 1; level < grid.FirstTailLevel; level++)
+            {
+                RecordLevel(cmd, coarsenLevel, level + 1, grid.Cells(level + 1));
+                RecordSmoothLevel(cmd, level);
+                RecordLevel(cmd, restrictLevel, level + 1, grid.Cells(level + 1));
+            }
+            BindLevels(cmd, solveTail);
+            cmd.DispatchCompute(shader, solveTail, 1, 1, 1);
+            for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
+            {
+                RecordLevel(cmd, prolongLevel, level + 1, grid.Cells(level));
+                RecordSmoothLevel(cmd, level);
+            }
+
+            cmd.SetComputeBufferParam(shader, prolongGrid, Ids.Source, source);
+            cmd.SetComputeBufferParam(shader, prolongGrid, Ids.Smoothed, smoothed);
+            cmd.SetComputeBufferParam(shader, prolongGrid, Ids.Errors, errors);
+            Dispatch(cmd, prolongGrid, grid.Total);
+            RecordSmooth(cmd, source, diagonal, smoothed, potential);
+        }
+
+        public void Describe(StageDescription stage, int perStep)
+        {
+            int levels = grid.FirstTailLevel - 1;
+            stage.Kernel("CoarseSolver", "Smooth", 2 * perStep);
+            stage.Kernel("CoarseSolver", "CoarsenGrid", perStep);
+            stage.Kernel("CoarseSolver", "RestrictGrid", perStep);
+            if (levels > 0)
+            {
+                stage.Kernel("CoarseSolver", "CoarsenLevel", levels * perStep);
+                stage.Kernel("CoarseSolver", "SmoothLevel", 4 * levels * perStep);
+                stage.Kernel("CoarseSolver", "RestrictLevel", levels * perStep);
+                stage.Kernel("CoarseSolver", "ProlongLevel", levels * perStep);
+            }
+            stage.Kernel("CoarseSolver", "SolveTail", perStep);
+            stage.Kernel("CoarseSolver", "ProlongGrid", perStep);
+            stage.Buffer("Rill.Coarse.Smoothed", smoothed);
+            stage.Buffer("Rill.Coarse.Couplings", couplings);
+            stage.Buffer("Rill.Coarse.Volumes", volumes);
+            stage.Buffer("Rill.Coarse.Residuals", residuals);
+            stage.Buffer("Rill.Coarse.Errors", errors);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref smoothed);
+            GpuBuffer.Release(ref couplings);
+            GpuBuffer.Release(ref volumes);
+            GpuBuffer.Release(ref residuals);
+            GpuBuffer.Release(ref errors);
+        }
+
+        void RecordSmooth(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from, GraphicsBuffer to)
+        {
+            BindGrid(cmd, smooth, source, diagonal);
+            cmd.SetComputeBufferParam(shader, smooth, Ids.Potential, from);
+            cmd.SetComputeBufferParam(shader, smooth, Ids.Smoothed, to);
+            int3 tiles = (grid.Counts + Tile - 1) / Tile;
+            cmd.DispatchCompute(shader, smooth, tiles.x, tiles.y, tiles.z);
+        }
+
+        void RecordSmoothLevel(CommandBuffer cmd, int level)
+        {
+            for (int color = 0; color < 2; color++)
+            {
+                cmd.SetComputeIntParam(shader, Ids.Color, color);
+                RecordLevel(cmd, smoothLevel, level, grid.Cells(level));
+            }
+        }
+
+        void RecordLevel(CommandBuffer cmd, int kernel, int level, int cells)
+        {
+            cmd.SetComputeIntParam(shader, Ids.Level, level);
+            BindLevels(cmd, kernel);
+            Dispatch(cmd, kernel, cells);
+        }
+
+        void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Diagonal, diagonal);
+        }
+
+        void BindLevels(CommandBuffer cmd, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Couplings, couplings);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Volumes, volumes);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Residuals, residuals);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Errors, errors);
+        }
+
+        void Dispatch(CommandBuffer cmd, int kernel, int cells) => CoarseGrid.Dispatch(cmd, shader, kernel, cells);
+
+        static class Ids
+        {
+            public static readonly int Source = Shader.PropertyToID("_Source");
+            public static readonly int Diagonal = Shader.PropertyToID("_Diagonal");
+            public static readonly int Potential = Shader.PropertyToID("_Potential");
+            public static readonly int Smoothed = Shader.PropertyToID("_Smoothed");
+            public static readonly int Couplings = Shader.PropertyToID("_Couplings");
+            public static readonly int Volumes = Shader.PropertyToID("_Volumes");
+            public static readonly int Residuals = Shader.PropertyToID("_Residuals");
+            public static readonly int Errors = Shader.PropertyToID("_Errors");
+            public static readonly int Level = Shader.PropertyToID("_Level");
+            public static readonly int Color = Shader.PropertyToID("_Color");
+        }
+    }
+}

@@ -1,0 +1,33 @@
+// Looks up the displacement that the coarse grid gives a particle. Include after CoarseGrid.hlsl.
+#ifndef RILL_COARSE_DISPLACEMENT_INCLUDED
+#define RILL_COARSE_DISPLACEMENT_INCLUDED
+
+StructuredBuffer<float4> _Displacements;    // [coarse cells], xyz at the cell's centre, d
+
+// Trilinear between the centres, constant beyond the outermost ones, and no longer than 'longest'.
+float3 CoarseDisplacement(float3 p, float longest)
+{
+    float3 place = p * _InverseCoarseSize - 0.5;
+    float3 lower = floor(place);
+    float3 share = place - lower;
+    int3 last = int3(_CoarseCounts) - 1;
+    int3 a = clamp(int3(lower), 0, last);
+    int3 b = clamp(int3(lower) + 1, 0, last);
+    int strideY = _CoarseCounts.x;
+    int strideZ = _CoarseCounts.x * _CoarseCounts.y;
+
+    float3 sum = 0.0;
+    [unroll]
+    for (int corner = 0; corner < 4; corner++)
+    {
+        bool upperY = (corner & 1) != 0;
+        bool upperZ = (corner & 2) != 0;
+        int row = (upperZ ? b.z : a.z) * strideZ + (upperY ? b.y : a.y) * strideY;
+        float weight = (upperY ? share.y : 1.0 - share.y) * (upperZ ? share.z : 1.0 - share.z);
+        sum += weight * lerp(_Displacements[row + a.x].xyz, _Displacements[row + b.x].xyz, share.x);
+    }
+    float lengthSquared = dot(sum, sum);
+    return lengthSquared > longest * longest ? sum * (longest * rsqrt(lengthSquared)) : sum;
+}
+
+#endif

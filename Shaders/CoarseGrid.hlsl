@@ -1,0 +1,49 @@
+// The coarse grid of the two-level correction: cells of about four particle spacings, x first. Lengths in d.
+#ifndef RILL_COARSE_GRID_INCLUDED
+#define RILL_COARSE_GRID_INCLUDED
+
+// = CoarseConstants in CoarseConstants.cs, member by member.
+cbuffer RillCoarse
+{
+    uint3 _CoarseCounts;        // cells along x, y, z
+    uint _CoarseTotal;          // their product
+    float3 _InverseCoarseSize;  // 1/d
+    float _ActiveCount;         // particles that make a cell active: a share of its volume, d^3
+    float3 _Coupling;           // 1/size^2 along each axis, 1/d^2
+    float _Screening;           // 1/l^2, 1/d^2
+    float _InverseVolume;       // 1/d^3
+    float _NegativeShare;       // of a negative density error that the projection takes up
+    float _MaxFlow;             // longest displacement of the projection, d
+    float _MaxPush;             // longest displacement of the density correction, d
+    uint _LevelCount;           // levels of the V-cycle below the grid itself
+    uint _FirstTailLevel;       // from here on one thread group does all levels
+    uint2 _CoarsePadding;
+    uint4 _Levels[8];           // cells along x, y, z and index of the first; [0] is the grid itself
+};
+
+static const float kInactive = 1e30;    // right-hand side of a cell that is not solved for: its potential is 0
+
+uint CoarseCell(float3 p)
+{
+    uint3 cell = min(uint3(max(p * _InverseCoarseSize, 0.0)), _CoarseCounts - 1);
+    return (cell.z * _CoarseCounts.y + cell.y) * _CoarseCounts.x + cell.x;
+}
+
+uint3 CellPlace(uint cell, uint3 counts)
+{
+    return uint3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
+}
+
+uint3 CellStrides(uint3 counts)
+{
+    return uint3(1, counts.x, counts.x * counts.y);
+}
+
+// Distance, in cells, of the free surface from the centre of an active cell towards an inactive one, inverted: from how
+// full both are, where the surface would be if it were flat.
+float InverseSurfaceDistance(float fill, float beyond)
+{
+    return 1.0 / clamp(min(abs(fill), 1.0) - 0.5 + min(abs(beyond), 1.0), 0.25, 1.5);
+}
+
+#endif
