@@ -23,8 +23,8 @@ namespace Rill
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
-        readonly int binFlow, finishFlow, findDivergence, displaceFlow, applyFlow;
-        readonly int binErrors, finishErrors, findDiagonal, displaceErrors, extendDisplacements;
+        readonly int binFlow, findDivergence, displaceFlow, applyFlow;
+        readonly int binErrors, findErrors, displaceErrors, extendDisplacements;
         readonly CoarseSolver solver;
         GraphicsBuffer bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
@@ -32,13 +32,11 @@ namespace Rill
         public CoarseCorrection(SolverLayout layout, float cellSize)
         {
             binFlow = shader.FindKernel("BinFlow");
-            finishFlow = shader.FindKernel("FinishFlow");
             findDivergence = shader.FindKernel("FindDivergence");
             displaceFlow = shader.FindKernel("DisplaceFlow");
             applyFlow = shader.FindKernel("ApplyFlow");
             binErrors = shader.FindKernel("BinErrors");
-            finishErrors = shader.FindKernel("FinishErrors");
-            findDiagonal = shader.FindKernel("FindDiagonal");
+            findErrors = shader.FindKernel("FindErrors");
             displaceErrors = shader.FindKernel("DisplaceErrors");
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
 
@@ -96,15 +94,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, binFlow, Ids.Bins, bins);
             cmd.DispatchCompute(shader, binFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, finishFlow, Ids.Bins, bins);
-            BindCells(cmd, finishFlow, flowPotential);
-            Dispatch(cmd, finishFlow);
-            BindCells(cmd, findDivergence, flowPotential);
-            cmd.SetComputeBufferParam(shader, findDivergence, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, findDivergence, Ids.LastErrors, lastErrors);
-            cmd.SetComputeBufferParam(shader, findDivergence, Ids.Diagonal, diagonal);
-            Dispatch(cmd, findDivergence);
-
+            RecordSource(cmd, findDivergence, flowPotential);
             solver.Record(cmd, Constants, source, diagonal, flowPotential);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
 
@@ -125,15 +115,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, binErrors, Ids.Bins, bins);
             cmd.DispatchCompute(shader, binErrors, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
-            BindCells(cmd, finishErrors, errorPotential);
-            cmd.SetComputeBufferParam(shader, finishErrors, Ids.Bins, bins);
-            cmd.SetComputeBufferParam(shader, finishErrors, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, finishErrors, Ids.LastErrors, lastErrors);
-            Dispatch(cmd, finishErrors);
-            BindCells(cmd, findDiagonal, errorPotential);
-            cmd.SetComputeBufferParam(shader, findDiagonal, Ids.Diagonal, diagonal);
-            Dispatch(cmd, findDiagonal);
-
+            RecordSource(cmd, findErrors, errorPotential);
             solver.Record(cmd, Constants, source, diagonal, errorPotential);
             RecordDisplacements(cmd, displaceErrors, errorPotential);
             cmd.EndSample(DensityMarker);
@@ -169,7 +151,7 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            foreach (string kernel in new[] { "BinFlow", "FinishFlow", "FindDivergence", "DisplaceFlow", "ApplyFlow", "BinErrors", "FinishErrors", "FindDiagonal", "DisplaceErrors" })
+            foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "ApplyFlow", "BinErrors", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel, substeps);
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
             stage.solver.Describe(description, 2 * substeps);
@@ -203,9 +185,19 @@ namespace Rill
         // What a kernel does not use is bound in vain and costs nothing.
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Bins, bins);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
+        }
+
+        void RecordSource(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
+        {
+            BindCells(cmd, kernel, potential);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.LastErrors, lastErrors);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Diagonal, diagonal);
+            Dispatch(cmd, kernel);
         }
 
         void RecordDisplacements(CommandBuffer cmd, int kernel, GraphicsBuffer potential)

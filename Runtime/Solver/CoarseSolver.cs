@@ -12,21 +12,19 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
-        readonly int smooth, coarsenGrid, restrictGrid, coarsenLevel, smoothLevel, restrictLevel, prolongLevel, solveTail, prolongGrid;
+        readonly int smooth, restrictGrid, smoothLevel, restrictLevel, prolongLevel, solveTail, correctAndSmooth;
         GraphicsBuffer smoothed, couplings, volumes, residuals, errors;
 
         public CoarseSolver(CoarseGrid grid)
         {
             this.grid = grid;
             smooth = shader.FindKernel("Smooth");
-            coarsenGrid = shader.FindKernel("CoarsenGrid");
             restrictGrid = shader.FindKernel("RestrictGrid");
-            coarsenLevel = shader.FindKernel("CoarsenLevel");
             smoothLevel = shader.FindKernel("SmoothLevel");
             restrictLevel = shader.FindKernel("RestrictLevel");
             prolongLevel = shader.FindKernel("ProlongLevel");
             solveTail = shader.FindKernel("SolveTail");
-            prolongGrid = shader.FindKernel("ProlongGrid");
+            correctAndSmooth = shader.FindKernel("CorrectAndSmooth");
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
             volumes = GpuBuffer.Structured<float>("Rill.Coarse.Volumes", grid.LevelCells);
@@ -41,19 +39,13 @@ namespace Rill
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
-            RecordSmooth(cmd, source, diagonal, potential, smoothed);
-
-            BindGrid(cmd, coarsenGrid, source, diagonal);
-            BindLevels(cmd, coarsenGrid);
-            Dispatch(cmd, coarsenGrid, grid.Cells(1));
-            BindGrid(cmd, restrictGrid, source, diagonal);
+            RecordSmooth(cmd, smooth, source, diagonal, potential, smoothed);
+            BindGrid(cmd, restrictGrid, source, diagonal, smoothed);
             BindLevels(cmd, restrictGrid);
-            cmd.SetComputeBufferParam(shader, restrictGrid, Ids.Smoothed, smoothed);
-            Dispatch(cmd, restrictGrid, grid.Cells(1));
+            CoarseGrid.Dispatch(cmd, shader, restrictGrid, grid.Cells(1));
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
-                RecordLevel(cmd, coarsenLevel, level + 1, grid.Cells(level + 1));
                 RecordSmoothLevel(cmd, level);
                 RecordLevel(cmd, restrictLevel, level + 1, grid.Cells(level + 1));
             }
@@ -65,28 +57,23 @@ namespace Rill
                 RecordSmoothLevel(cmd, level);
             }
 
-            cmd.SetComputeBufferParam(shader, prolongGrid, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, prolongGrid, Ids.Smoothed, smoothed);
-            cmd.SetComputeBufferParam(shader, prolongGrid, Ids.Errors, errors);
-            Dispatch(cmd, prolongGrid, grid.Total);
-            RecordSmooth(cmd, source, diagonal, smoothed, potential);
+            cmd.SetComputeBufferParam(shader, correctAndSmooth, Ids.Errors, errors);
+            RecordSmooth(cmd, correctAndSmooth, source, diagonal, smoothed, potential);
         }
 
         public void Describe(StageDescription stage, int perStep)
         {
             int levels = grid.FirstTailLevel - 1;
-            stage.Kernel("CoarseSolver", "Smooth", 2 * perStep);
-            stage.Kernel("CoarseSolver", "CoarsenGrid", perStep);
+            stage.Kernel("CoarseSolver", "Smooth", perStep);
             stage.Kernel("CoarseSolver", "RestrictGrid", perStep);
             if (levels > 0)
             {
-                stage.Kernel("CoarseSolver", "CoarsenLevel", levels * perStep);
                 stage.Kernel("CoarseSolver", "SmoothLevel", 4 * levels * perStep);
                 stage.Kernel("CoarseSolver", "RestrictLevel", levels * perStep);
                 stage.Kernel("CoarseSolver", "ProlongLevel", levels * perStep);
             }
             stage.Kernel("CoarseSolver", "SolveTail", perStep);
-            stage.Kernel("CoarseSolver", "ProlongGrid", perStep);
+            stage.Kernel("CoarseSolver", "CorrectAndSmooth", perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);
             stage.Buffer("Rill.Coarse.Volumes", volumes);
@@ -103,13 +90,12 @@ namespace Rill
             GpuBuffer.Release(ref errors);
         }
 
-        void RecordSmooth(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from, GraphicsBuffer to)
+        void RecordSmooth(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from, GraphicsBuffer to)
         {
-            BindGrid(cmd, smooth, source, diagonal);
-            cmd.SetComputeBufferParam(shader, smooth, Ids.Potential, from);
-            cmd.SetComputeBufferParam(shader, smooth, Ids.Smoothed, to);
+            BindGrid(cmd, kernel, source, diagonal, from);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Smoothed, to);
             int3 tiles = (grid.Counts + Tile - 1) / Tile;
-            cmd.DispatchCompute(shader, smooth, tiles.x, tiles.y, tiles.z);
+            cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }
 
         void RecordSmoothLevel(CommandBuffer cmd, int level)
@@ -125,13 +111,14 @@ namespace Rill
         {
             cmd.SetComputeIntParam(shader, Ids.Level, level);
             BindLevels(cmd, kernel);
-            Dispatch(cmd, kernel, cells);
+            CoarseGrid.Dispatch(cmd, shader, kernel, cells);
         }
 
-        void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal)
+        void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
         {
             cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Diagonal, diagonal);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
         void BindLevels(CommandBuffer cmd, int kernel)
@@ -141,8 +128,6 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Residuals, residuals);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Errors, errors);
         }
-
-        void Dispatch(CommandBuffer cmd, int kernel, int cells) => CoarseGrid.Dispatch(cmd, shader, kernel, cells);
 
         static class Ids
         {
