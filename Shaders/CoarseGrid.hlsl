@@ -16,7 +16,7 @@ cbuffer RillCoarse
     float _MaxFlow;             // longest displacement of the projection, d
     float _MaxPush;             // longest displacement of the density correction, d
     uint _LevelCount;           // levels of the V-cycle below the grid itself
-    uint _FirstTailLevel;       // from here on one thread group does all levels
+    uint _FirstTailLevel;       // the first of those that one thread group does together
     uint2 _CoarsePadding;
     uint4 _Levels[8];           // cells along x, y, z and index of the first; [0] is the grid itself
 };

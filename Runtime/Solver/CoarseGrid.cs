@@ -12,8 +12,10 @@ namespace Rill
         /// <summary>Levels with the grid itself; the size of _Levels in CoarseGrid.hlsl.</summary>
         public const int MaxLevels = 8;
 
+        /// <summary>Cells of all levels that one thread group holds; kTailCells in CoarseSolver.compute.</summary>
+        public const int TailCells = 2048;
+
         const int EnoughCells = 64;         // of the coarsest level
-        const int TailCells = 16000;        // that one thread group works through faster than a dispatch for each pass
 
         readonly List<uint4> levels = new List<uint4>();
 
@@ -33,10 +35,12 @@ namespace Rill
                 levels.Add(new uint4((uint3)counts, first));
                 first += (uint)Cells(levels.Count - 1);
             }
-            while (Cells(levels.Count - 1) > EnoughCells && levels.Count < MaxLevels);
+            while (Cells(levels.Count - 1) > EnoughCells);
+            if (levels.Count > MaxLevels)
+                throw new ArgumentException($"A coarse grid of {Counts} cells needs {levels.Count} levels, more than {MaxLevels}. Shrink the domain or raise the particle spacing.");
             LevelCells = (int)first;
             FirstTailLevel = 1;
-            while (FirstTailLevel < LevelCount && Cells(FirstTailLevel) > TailCells)
+            while (LevelCells - levels[FirstTailLevel].w > TailCells)
                 FirstTailLevel++;
         }
 
@@ -49,7 +53,7 @@ namespace Rill
         public int LevelCount => levels.Count - 1;
         /// <summary>Cells of all of them.</summary>
         public int LevelCells { get; }
-        /// <summary>From here on one thread group does all levels.</summary>
+        /// <summary>The first of the levels that one thread group does together.</summary>
         public int FirstTailLevel { get; }
 
         /// <summary>Cells of a level; 0 is the grid itself.</summary>

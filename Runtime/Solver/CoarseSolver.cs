@@ -12,8 +12,8 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
-        readonly int smooth, restrictGrid, smoothLevel, restrictLevel, prolongLevel, solveTail, correctAndSmooth;
-        GraphicsBuffer smoothed, couplings, volumes, residuals, errors;
+        readonly int smooth, correctAndSmooth, restrictGrid, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
+        GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
 
         public CoarseSolver(CoarseGrid grid)
         {
@@ -22,14 +22,14 @@ namespace Rill
             restrictGrid = shader.FindKernel("RestrictGrid");
             smoothLevel = shader.FindKernel("SmoothLevel");
             restrictLevel = shader.FindKernel("RestrictLevel");
-            prolongLevel = shader.FindKernel("ProlongLevel");
+            correctAndSmoothLevel = shader.FindKernel("CorrectAndSmoothLevel");
             solveTail = shader.FindKernel("SolveTail");
             correctAndSmooth = shader.FindKernel("CorrectAndSmooth");
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
-            volumes = GpuBuffer.Structured<float>("Rill.Coarse.Volumes", grid.LevelCells);
             residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
             errors = GpuBuffer.Structured<float>("Rill.Coarse.Errors", grid.LevelCells);
+            corrections = GpuBuffer.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
         }
 
         /// <summary>Records one V-cycle, from the potential's present values.</summary>
@@ -46,18 +46,17 @@ namespace Rill
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
-                RecordSmoothLevel(cmd, level);
-                RecordLevel(cmd, restrictLevel, level + 1, grid.Cells(level + 1));
+                RecordSmoothLevel(cmd, smoothLevel, level);
+                cmd.SetComputeIntParam(shader, Ids.Level, level + 1);
+                BindLevels(cmd, restrictLevel);
+                CoarseGrid.Dispatch(cmd, shader, restrictLevel, grid.Cells(level + 1));
             }
             BindLevels(cmd, solveTail);
             cmd.DispatchCompute(shader, solveTail, 1, 1, 1);
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
-            {
-                RecordLevel(cmd, prolongLevel, level + 1, grid.Cells(level));
-                RecordSmoothLevel(cmd, level);
-            }
+                RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
-            cmd.SetComputeBufferParam(shader, correctAndSmooth, Ids.Errors, errors);
+            cmd.SetComputeBufferParam(shader, correctAndSmooth, Ids.Corrections, corrections);
             RecordSmooth(cmd, correctAndSmooth, source, diagonal, smoothed, potential);
         }
 
@@ -68,50 +67,46 @@ namespace Rill
             stage.Kernel("CoarseSolver", "RestrictGrid", perStep);
             if (levels > 0)
             {
-                stage.Kernel("CoarseSolver", "SmoothLevel", 4 * levels * perStep);
+                stage.Kernel("CoarseSolver", "SmoothLevel", levels * perStep);
                 stage.Kernel("CoarseSolver", "RestrictLevel", levels * perStep);
-                stage.Kernel("CoarseSolver", "ProlongLevel", levels * perStep);
+                stage.Kernel("CoarseSolver", "CorrectAndSmoothLevel", levels * perStep);
             }
             stage.Kernel("CoarseSolver", "SolveTail", perStep);
             stage.Kernel("CoarseSolver", "CorrectAndSmooth", perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);
-            stage.Buffer("Rill.Coarse.Volumes", volumes);
             stage.Buffer("Rill.Coarse.Residuals", residuals);
             stage.Buffer("Rill.Coarse.Errors", errors);
+            stage.Buffer("Rill.Coarse.Corrections", corrections);
         }
 
         public void Dispose()
         {
             GpuBuffer.Release(ref smoothed);
             GpuBuffer.Release(ref couplings);
-            GpuBuffer.Release(ref volumes);
             GpuBuffer.Release(ref residuals);
             GpuBuffer.Release(ref errors);
+            GpuBuffer.Release(ref corrections);
         }
 
         void RecordSmooth(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer from, GraphicsBuffer to)
         {
             BindGrid(cmd, kernel, source, diagonal, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Smoothed, to);
-            int3 tiles = (grid.Counts + Tile - 1) / Tile;
-            cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
+            DispatchTiles(cmd, kernel, grid.Counts);
         }
 
-        void RecordSmoothLevel(CommandBuffer cmd, int level)
-        {
-            for (int color = 0; color < 2; color++)
-            {
-                cmd.SetComputeIntParam(shader, Ids.Color, color);
-                RecordLevel(cmd, smoothLevel, level, grid.Cells(level));
-            }
-        }
-
-        void RecordLevel(CommandBuffer cmd, int kernel, int level, int cells)
+        void RecordSmoothLevel(CommandBuffer cmd, int kernel, int level)
         {
             cmd.SetComputeIntParam(shader, Ids.Level, level);
             BindLevels(cmd, kernel);
-            CoarseGrid.Dispatch(cmd, shader, kernel, cells);
+            DispatchTiles(cmd, kernel, (int3)grid.Level(level).xyz);
+        }
+
+        void DispatchTiles(CommandBuffer cmd, int kernel, int3 counts)
+        {
+            int3 tiles = (counts + Tile - 1) / Tile;
+            cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }
 
         void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
@@ -124,9 +119,9 @@ namespace Rill
         void BindLevels(CommandBuffer cmd, int kernel)
         {
             cmd.SetComputeBufferParam(shader, kernel, Ids.Couplings, couplings);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Volumes, volumes);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Residuals, residuals);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Errors, errors);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrections, corrections);
         }
 
         static class Ids
@@ -136,11 +131,10 @@ namespace Rill
             public static readonly int Potential = Shader.PropertyToID("_Potential");
             public static readonly int Smoothed = Shader.PropertyToID("_Smoothed");
             public static readonly int Couplings = Shader.PropertyToID("_Couplings");
-            public static readonly int Volumes = Shader.PropertyToID("_Volumes");
             public static readonly int Residuals = Shader.PropertyToID("_Residuals");
             public static readonly int Errors = Shader.PropertyToID("_Errors");
             public static readonly int Level = Shader.PropertyToID("_Level");
-            public static readonly int Color = Shader.PropertyToID("_Color");
+            public static readonly int Corrections = Shader.PropertyToID("_Corrections");
         }
     }
 }
