@@ -298,7 +298,7 @@ namespace Rill
         bool Matches(SolverLayout layout)
         {
             return math.all(layout.DomainSize == (float3)domainSize / particleSpacing) && layout.Spacing == particleSpacing && layout.Capacity == capacity
-                && layout.NeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
+                && layout.AskedNeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
         }
 
         bool HasFiniteTransform()

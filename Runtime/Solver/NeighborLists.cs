@@ -1,4 +1,5 @@
 using System;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -10,20 +11,23 @@ namespace Rill
         /// <summary>Keyword of the kernels that read two list buffers.</summary>
         public const string TwoListsKeyword = "RILL_TWO_LISTS";
 
+        /// <summary>Entries of a block; capacities are multiples of it.</summary>
+        public const int BlockEntries = 4;
+
         GraphicsBuffer first, second, counts;
 
         public NeighborLists(SolverLayout layout)
         {
             TwoLists = layout.TwoLists;
-            first = GpuBuffer.Structured<uint>("Rill.Neighbors", layout.FirstListEntries);
+            first = GpuBuffer.Structured<uint4>("Rill.Neighbors", layout.FirstListEntries / BlockEntries);
             counts = GpuBuffer.Structured<uint>("Rill.NeighborCounts", layout.Capacity);
             if (TwoLists)
-                second = GpuBuffer.Structured<uint>("Rill.MoreNeighbors", layout.SecondListEntries);
+                second = GpuBuffer.Structured<uint4>("Rill.MoreNeighbors", layout.SecondListEntries / BlockEntries);
         }
 
         public bool TwoLists { get; }
 
-        /// <summary>uint, entries of the particles before <see cref="SolverLayout.FirstListParticles"/>; see NeighborList.hlsl.</summary>
+        /// <summary>uint4, blocks of entries of the particles before <see cref="SolverLayout.FirstListParticles"/>; see NeighborList.hlsl.</summary>
         public GraphicsBuffer First => first;
         /// <summary>Those of the others; null without <see cref="TwoLists"/>.</summary>
         public GraphicsBuffer Second => second;

@@ -44,7 +44,8 @@ namespace Rill
 
             Spacing = spacing;
             Capacity = capacity;
-            NeighborCapacity = neighborCapacity;
+            NeighborCapacity = (neighborCapacity + NeighborLists.BlockEntries - 1) / NeighborLists.BlockEntries * NeighborLists.BlockEntries;
+            AskedNeighborCapacity = neighborCapacity;
             ListRadius = support * listMargin;
             ChooseCells();
             SplitLists(largestBinding);
@@ -55,7 +56,10 @@ namespace Rill
         /// <summary>Inner size of the box, d.</summary>
         public float3 DomainSize { get; }
         public int Capacity { get; }
+        /// <summary>Entries of a particle's neighbor list: what was asked for, rounded up to whole blocks.</summary>
         public int NeighborCapacity { get; }
+        /// <summary>As it was asked for.</summary>
+        public int AskedNeighborCapacity { get; }
         /// <summary>Radius within which a neighbor is listed, d.</summary>
         public float ListRadius { get; }
         /// <summary>Side of a grid cell, d.</summary>

@@ -79,8 +79,8 @@ namespace Rill.Tests
         {
             int sorted = Sorted, capacity = Layout.NeighborCapacity;
             uint[] counts = GpuTest.Read<uint>(Constraint.Lists.Counts, sorted);
-            uint[] first = GpuTest.Read<uint>(Constraint.Lists.First, (int)Layout.FirstListEntries);
-            uint[] second = Layout.TwoLists ? GpuTest.Read<uint>(Constraint.Lists.Second, (int)Layout.SecondListEntries) : null;
+            uint4[] first = GpuTest.Read<uint4>(Constraint.Lists.First, (int)Layout.FirstListEntries / NeighborLists.BlockEntries);
+            uint4[] second = Layout.TwoLists ? GpuTest.Read<uint4>(Constraint.Lists.Second, (int)Layout.SecondListEntries / NeighborLists.BlockEntries) : null;
             var lists = new int[sorted][];
             for (int i = 0; i < sorted; i++)
             {
@@ -88,7 +88,7 @@ namespace Rill.Tests
                 int place = inFirst ? i : i - Layout.FirstListParticles;
                 lists[i] = new int[counts[i]];
                 for (int k = 0; k < lists[i].Length; k++)
-                    lists[i][k] = (int)(inFirst ? first : second)[place / 32 * 32 * capacity + k * 32 + place % 32];
+                    lists[i][k] = (int)(inFirst ? first : second)[place / 32 * 32 * (capacity / 4) + k / 4 * 32 + place % 32][k % 4];
             }
             return lists;
         }
