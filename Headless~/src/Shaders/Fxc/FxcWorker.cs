@@ -38,7 +38,7 @@ namespace Host.Shaders
                 // Files, not pipes: what wine starts beside the program would keep a pipe open.
                 string results = Path.Combine(folder, "results");
                 WriteJobs(Path.Combine(folder, "jobs"), requests);
-                using Process process = Process.Start(Start(folder));
+                using Process process = installation.Start(folder);
                 var said = new StringBuilder();
                 process.ErrorDataReceived += (_, e) => { lock (said) said.AppendLine(e.Data); };
                 process.BeginErrorReadLine();
@@ -53,17 +53,6 @@ namespace Host.Shaders
             {
                 Directory.Delete(folder, recursive: true);
             }
-        }
-
-        ProcessStartInfo Start(string folder)
-        {
-            var start = new ProcessStartInfo(installation.Wine, new[] { installation.Worker, "jobs", "results" }) { WorkingDirectory = folder, RedirectStandardError = true };
-            start.Environment["WINEPREFIX"] = installation.Prefix;
-            start.Environment["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=;winemenubuilder.exe=";  // Microsoft's, not wine's own; no offers to install .NET
-            start.Environment["WINEDEBUG"] = "-all";
-            start.Environment.Remove("DISPLAY");
-            start.Environment.Remove("WAYLAND_DISPLAY");
-            return start;
         }
 
         string WaitFor(Process process, string results)
