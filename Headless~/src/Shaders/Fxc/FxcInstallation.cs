@@ -24,7 +24,10 @@ namespace Host.Shaders
         /// <summary>Where programs are looked for when no folders are named.</summary>
         public static IReadOnlyList<string> ToolFolders => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Append(WineFolder).ToList();
 
-        readonly string folder, wine, worker, prefix;
+        /// <summary>Wine's drive Z: what the compiler reads and writes must lie in it.</summary>
+        public readonly string Folder;
+
+        readonly string wine, worker, prefix;
         readonly IReadOnlyList<string> toolFolders;
 
         /// <summary>Makes what is not there yet.</summary>
@@ -32,18 +35,18 @@ namespace Host.Shaders
         /// <exception cref="FxcException">Something is missing; says how to install it.</exception>
         public FxcInstallation(string cacheFolder, IReadOnlyList<string> toolFolders)
         {
-            folder = Directory.CreateDirectory(Path.Combine(cacheFolder, "fxc")).FullName;
-            prefix = Path.Combine(folder, "wine");
+            Folder = Directory.CreateDirectory(Path.Combine(cacheFolder, "fxc")).FullName;
+            prefix = Path.Combine(Folder, "wine");
             this.toolFolders = toolFolders;
-            using FileStream only = Lock(Path.Combine(folder, "lock"));
+            using FileStream only = Lock(Path.Combine(Folder, "lock"));
             wine = WineNames.Select(Find).FirstOrDefault(path => path != null)
                 ?? throw new FxcException("wine64 is not there; it runs Microsoft's shader compiler (Debian: apt-get install wine64).");
             worker = BuildWorker();
-            FxcDownload.Fetch(folder, Find("npm"));
+            FxcDownload.Fetch(Folder, Find("npm"));
             WinePrefix.Make(prefix, TryOut);
         }
 
-        /// <summary>Starts fxc-worker.exe on the files "jobs" and "results" of a folder.</summary>
+        /// <summary>Starts fxc-worker.exe on the files "jobs" and "results" of a folder within <see cref="Folder"/>.</summary>
         public Process Start(string workingFolder)
         {
             var start = new ProcessStartInfo(wine, new[] { worker, "jobs", "results" }) { WorkingDirectory = workingFolder, RedirectStandardError = true };
@@ -63,12 +66,12 @@ namespace Host.Shaders
             using var reader = new StreamReader(resource);
             string source = reader.ReadToEnd();
             string hash = Convert.ToHexString(SHA256.HashData(Encoding.UTF8.GetBytes(source))).Substring(0, 12);
-            string program = Path.Combine(folder, $"fxc-worker-{hash}.exe");
+            string program = Path.Combine(Folder, $"fxc-worker-{hash}.exe");
             if (File.Exists(program))
                 return program;
 
             string gcc = Find(Gcc) ?? throw new FxcException($"{Gcc} is not there; it builds the program that calls Microsoft's shader compiler (Debian: apt-get install gcc-mingw-w64-x86-64).");
-            InNewFolder(folder, temporary =>
+            InNewFolder(Folder, temporary =>
             {
                 File.WriteAllText(Path.Combine(temporary, "fxc-worker.c"), source);
                 Run(gcc, temporary, "-O1", "-s", "-o", "fxc-worker.exe", "fxc-worker.c");
@@ -78,7 +81,7 @@ namespace Host.Shaders
         }
 
         // No jobs: wine's registry is made, and the compiler is shown to load, before several processes need both at once.
-        void TryOut() => InNewFolder(folder, temporary =>
+        void TryOut() => InNewFolder(Folder, temporary =>
         {
             File.WriteAllBytes(Path.Combine(temporary, "jobs"), BitConverter.GetBytes(0));
             using Process process = Start(temporary);
@@ -102,10 +105,10 @@ namespace Host.Shaders
                 }
         }
 
-        // Beside what it becomes: a move is one step, so that a process that is stopped leaves nothing half done.
-        public static void InNewFolder(string beside, Action<string> work)
+        /// <summary>Beside what becomes of it: a move is one step then, and a process that is stopped leaves nothing half done.</summary>
+        public static void InNewFolder(string parent, Action<string> work)
         {
-            string temporary = Directory.CreateDirectory(Path.Combine(beside, Guid.NewGuid().ToString("N"))).FullName;
+            string temporary = Directory.CreateDirectory(Path.Combine(parent, Guid.NewGuid().ToString("N"))).FullName;
             try
             {
                 work(temporary);

@@ -32,8 +32,9 @@ namespace Host.Shaders
         /// <param name="ending">How the process ended, for that one's message.</param>
         public List<Answer> Run(IReadOnlyList<FxcRequest> requests, out string ending)
         {
-            string folder = Directory.CreateTempSubdirectory("rill-fxc-").FullName;
-            try
+            var answers = new List<Answer>();
+            string end = null;
+            FxcInstallation.InNewFolder(installation.Folder, folder =>
             {
                 // Files, not pipes: what wine starts beside the program would keep a pipe open.
                 string results = Path.Combine(folder, "results");
@@ -42,17 +43,15 @@ namespace Host.Shaders
                 var said = new StringBuilder();
                 process.ErrorDataReceived += (_, e) => { lock (said) said.AppendLine(e.Data); };
                 process.BeginErrorReadLine();
-                ending = WaitFor(process, results);
-                List<Answer> answers = File.Exists(results) ? ReadAnswers(results) : new List<Answer>();
+                end = WaitFor(process, results);
+                if (File.Exists(results))
+                    answers = ReadAnswers(results);
                 lock (said)
-                    if (answers.Count == 0)
-                        ending += said.ToString().Trim() is { Length: > 0 } text ? ": " + text : "";
-                return answers;
-            }
-            finally
-            {
-                Directory.Delete(folder, recursive: true);
-            }
+                    if (answers.Count == 0 && said.ToString().Trim() is { Length: > 0 } text)
+                        end += ": " + text;
+            });
+            ending = end;
+            return answers;
         }
 
         string WaitFor(Process process, string results)

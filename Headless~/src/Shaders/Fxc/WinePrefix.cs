@@ -33,7 +33,8 @@ namespace Host.Shaders
                 File.CreateSymbolicLink(Path.Combine(system, Path.GetFileName(library)), library);
             Directory.CreateDirectory(drives);
             Directory.CreateSymbolicLink(Path.Combine(drives, "c:"), "../drive_c");
-            Directory.CreateSymbolicLink(Path.Combine(drives, "z:"), "/");
+            // Not "/", as wine has it: the compiler needs no more, and whoever deletes this cannot go astray.
+            Directory.CreateSymbolicLink(Path.Combine(drives, "z:"), "../..");
             File.WriteAllText(Path.Combine(prefix, ".update-timestamp"), "disable\n");
             tryOut();
             File.WriteAllText(ready, "");
