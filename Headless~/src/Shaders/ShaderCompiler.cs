@@ -88,7 +88,7 @@ namespace Host.Shaders
                 EntryPoint = request.EntryPoint,
                 EntryLine = request.EntryLine,
                 Profile = FxcDialect.Profile(request.Stage, request.Target),
-                Flags = FxcDialect.Flags(source),
+                Flags = FxcDialect.Flags(source, request.Stage),
             };
         }
 

@@ -8,6 +8,7 @@ namespace Host.Shaders
     {
         Debug = 1 << 0,
         SkipOptimization = 1 << 2,
+        BackwardsCompatibility = 1 << 12,
         OptimizationLevel3 = 1 << 15,
     }
 
