@@ -32,6 +32,11 @@ namespace Host.Tests
                 .Add("Wave.compute", Kernel + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID)\n{\n    _Out[id.x] = WaveActiveSum(id.x);\n}\n")
                 .Add("Dxc.compute", "#pragma use_dxc\n" + Kernel + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { _Out[id.x] = WaveActiveSum(id.x); }\n")
                 .Add("Truncates.compute", "#pragma kernel K\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID)\n{\n    float4 four = float4(id, 1);\n    _Out[id.x] = four;\n}\n")
+                .Add("Hushed.compute", "#include \"Hush.hlsl\"\n#pragma kernel K\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID) { float4 four = float4(id, 1); _Out[id.x] = four; }\n")
+                .Add("Hush.hlsl", "#pragma warning(disable : 3206)\n")
+                .Add("Loud.compute", "#pragma warning(disable : 3206)\n#pragma kernel K\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID) { float4 four = float4(id, 1); _Out[id.x] = four; }\n")
+                .Add("Pragma.compute", Kernel + "#include \"Pragma.hlsl\"\n[numthreads(1,1,1)] void K() { _Out[0] = 1; }\n")
+                .Add("Pragma.hlsl", "\n#pragma multi_compile _ NOT_HERE\n")
                 .Add("NineUavs.compute", "#pragma kernel K\n" + Declare("RWStructuredBuffer<uint> _A", 9) + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { " + Each("_A@[id.x] = 1; ", 9) + "}\n")
                 .Add("TooShared.compute", Kernel + "groupshared uint g_A[8193];\n[numthreads(64,1,1)] void K(uint3 id : SV_GroupThreadID)\n{\n    g_A[id.x * 100] = id.x;\n    GroupMemoryBarrierWithGroupSync();\n    _Out[id.x] = g_A[8192 - id.x];\n}\n")
                 .Add("Threads.compute", Kernel + "[numthreads(1025,1,1)] void K(uint3 id : SV_DispatchThreadID) { _Out[id.x] = 1; }\n")
@@ -65,6 +70,8 @@ namespace Host.Tests
         [TestCase("Wave.compute(5): error X3004: undeclared identifier 'WaveActiveSum'")]
         [TestCase("Dxc.compute (K): #pragma use_dxc asks for DXC")]
         [TestCase("Truncates.compute(6): warning X3206: implicit truncation of vector type")]
+        [TestCase("Loud.compute(4): warning X3206: implicit truncation of vector type")]    // Unity minds HLSL's pragmas in includes alone
+        [TestCase("Pragma.hlsl(2): warning X3568: 'multi_compile' : unknown pragma ignored; in Pragma.compute (K)")]
         [TestCase("NineUavs.compute (K): 9 UAVs, but Direct3D 11.0 has 8")]
         [TestCase("TooShared.compute(1): error X4586: The total amount of group shared memory (32772 bytes) exceeds")]
         [TestCase("Threads.compute(3): error X3655")]
@@ -87,6 +94,7 @@ namespace Host.Tests
         }
 
         [TestCase("Good.compute")]
+        [TestCase("Hushed.compute")]
         [TestCase("Samples~/Old.shader")]
         [TestCase("Hidden~")]
         public void What_Unity_takes_or_does_not_see_is_no_fault(string file)

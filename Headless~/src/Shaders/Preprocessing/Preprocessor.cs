@@ -54,7 +54,6 @@ namespace Host.Shaders
     sealed class Preprocessor
     {
         const int MaxIncludeDepth = 64;
-        static readonly HashSet<string> StandardPragmas = new HashSet<string> { "def", "message", "pack_matrix", "ruledisable", "warning" };
 
         readonly IncludeResolver resolver;
         readonly Macros macros = new Macros();
@@ -314,8 +313,8 @@ namespace Host.Shaders
             string name = text.Split(new[] { ' ', '\t', '(' }, 2)[0];
             if (name == "once")
                 onceOnly.Add(segment.DiskPath);
-            // Unity passes the pragmas of HLSL itself on from regular includes ("Preprocessor directives in HLSL").
-            else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount && StandardPragmas.Contains(name))
+            // Unity leaves pragmas of regular includes to the compiler (manual, "pragma directives in HLSL"). Its own do nothing there, of which FXC warns.
+            else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount)
                 Emit("#pragma " + text, segment, line - segment.FirstLine);
             else if (pragmasCount)
                 result.Pragmas.Add(new PragmaLine(text, new SourceLine(segment.DisplayPath, line)));
