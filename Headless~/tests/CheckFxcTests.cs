@@ -88,6 +88,13 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_fault_in_an_include_of_the_package_is_seen_in_every_kernel_that_has_it()
+        {
+            using (var copy = new PackageCopy())
+                copy.Catches(new FxcRule(), () => copy.Replace("Shaders/GridRows.hlsl", "#endif", "float Planted(float4 four) { return four; }\n#endif"), "Shaders/GridRows.hlsl(", "warning X3206", "Shaders/Statistics.compute (Measure)");
+        }
+
+        [Test]
         public void The_variants_beside_a_faulty_one_are_well()
         {
             Assert.That(findings.Faults.Count(f => f.Contains("OneVariant.compute")), Is.EqualTo(1));
