@@ -34,6 +34,8 @@ namespace Host.Shaders
         public List<SourceLine> Lines = new List<SourceLine>();
         /// <summary>#pragma lines of the root and of files included with #include_with_pragmas.</summary>
         public List<PragmaLine> Pragmas = new List<PragmaLine>();
+        /// <summary>Every file that was read, on disk.</summary>
+        public HashSet<string> Files = new HashSet<string>();
     }
 
     /// <summary>Who reads the text.</summary>
@@ -112,6 +114,8 @@ namespace Host.Shaders
 
         void Process(SourceSegment segment, bool pragmasCount)
         {
+            if (segment.DiskPath != null)
+                result.Files.Add(segment.DiskPath);
             List<string> lines = SourceText.Lines(segment.Text);
             var branches = new Stack<Branch>();
             bool active = true;
