@@ -19,6 +19,8 @@ namespace Host.Check
             new LinksRule(),
             new FrameCallsRule(),
             new StaticsRule(),
+            new FxcRule(),
+            new TargetsRule(),
         };
     }
 }
