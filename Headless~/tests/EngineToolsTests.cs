@@ -9,6 +9,7 @@ using UnityEngine;
 using UnityEngine.Assertions;
 using UnityEngine.Pool;
 using Assert = NUnit.Framework.Assert;
+using AssertionException = UnityEngine.Assertions.AssertionException;
 
 namespace Host.Tests
 {
