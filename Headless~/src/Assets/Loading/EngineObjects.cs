@@ -24,9 +24,11 @@ namespace Host.Assets
         public ComputeShader ComputeShader(AssetEntry entry) =>
             AsAsset(UnityEngine.ComputeShader.Create(ShaderImporter.ImportCompute(entry.File, entry.Path, includes, cache.Value)), entry.Name);
 
-        public Shader Shader(AssetEntry entry)
+        /// <param name="note">Takes what the importer passed over.</param>
+        public Shader Shader(AssetEntry entry, Action<string> note)
         {
             var source = ShaderImporter.ImportShader(entry.File, entry.Path, includes, cache.Value);
+            foreach (var text in source.Notes) note(text);
             return AsAsset(UnityEngine.Shader.Create(source), source.Name);
         }
 
