@@ -49,23 +49,32 @@ namespace Host.Scripts.Stubs
             Mends.Apply(sources, References.Source("mends.txt").Split('\n'));
             var maker = new StubCompilation(sources, host.Select(a => (MetadataReference)MetadataReference.CreateFromFile(a.Location)));
             // What the compiler refused when this was written is known; a host with other types may bring up more.
-            if (!maker.IsGood) maker.Settle(Rounds);
-            Emit(maker.Compilation, Path.Combine(folder, Name + ".dll"));
+            var file = Path.Combine(folder, Name + ".dll");
+            if (!TryEmit(maker.Compilation, file, out _))
+            {
+                maker.Settle(Rounds);
+                Emit(maker.Compilation, file);
+            }
 
             var ui = CSharpCompilation.Create(UserInterface, new[] { CSharpSyntaxTree.ParseText(References.Source("UnityEngine.UI.cs"), StubCompilation.Language, "UnityEngine.UI.cs") },
-                maker.Compilation.References.Append(MetadataReference.CreateFromFile(Path.Combine(folder, Name + ".dll"))), StubCompilation.Options);
+                maker.Compilation.References.Append(MetadataReference.CreateFromFile(file)), StubCompilation.Options);
             Emit(ui, Path.Combine(folder, UserInterface + ".dll"));
             var all = sources.Types.SelectMany(t => t.WithNested()).ToList();
             System.IO.File.WriteAllLines(Path.Combine(folder, "counts.txt"), new[] { $"{all.Count(t => !t.Dropped)} {all.Sum(t => t.Members.Count(m => !m.Dropped))} {all.Sum(t => t.Members.Count(m => m.Dropped))}" }.Concat(maker.Refused));
             System.IO.File.WriteAllLines(Path.Combine(folder, "mends.txt"), Mends.Of(sources));
         }
 
-        static void Emit(CSharpCompilation compilation, string file)
+        static bool TryEmit(CSharpCompilation compilation, string file, out IEnumerable<Diagnostic> errors)
         {
             using var stream = System.IO.File.Create(file);
             var result = compilation.Emit(stream);
-            if (!result.Success)
-                throw new ScriptException($"the host's own stubs do not compile: {string.Join("; ", result.Diagnostics.Where(d => d.Severity == DiagnosticSeverity.Error).Take(5))}");
+            errors = result.Diagnostics.Where(d => d.Severity == DiagnosticSeverity.Error);
+            return result.Success;
+        }
+
+        static void Emit(CSharpCompilation compilation, string file)
+        {
+            if (!TryEmit(compilation, file, out var errors)) throw new ScriptException($"the host's own stubs do not compile: {string.Join("; ", errors.Take(5))}");
         }
     }
 
@@ -102,8 +111,6 @@ namespace Host.Scripts.Stubs
             trees.Add(tree, (type, lines));
             return tree;
         }
-
-        public bool IsGood => Compilation.GetDiagnostics().All(d => d.Severity != DiagnosticSeverity.Error);
 
         public void Settle(int rounds)
         {

@@ -53,15 +53,16 @@ namespace Host.Scripts.Stubs
         public void Add(string signature)
         {
             var head = Head.Match(signature);
-            if (head.Success && Kind == null)
+            if (head.Success)
             {
-                Kind = head.Groups["kind"].Value;
+                // Partial classes have a line for each part, of which one may name no base.
+                Kind ??= head.Groups["kind"].Value;
                 IsProtected = head.Groups["protected"].Success;
                 if (Kind == "delegate") delegateSignature = head.Groups["rest"].Value;
-                else Bases = Split(head.Groups["rest"].Value);
+                else Bases = Bases.Concat(Split(head.Groups["rest"].Value)).Distinct().ToList();
             }
             else if (signature.StartsWith("value ", StringComparison.Ordinal)) values.Add(signature.Substring(6));
-            else if (!head.Success && new StubMember(this, signature) is var member && !member.IsInherited) Members.Add(member);
+            else if (new StubMember(this, signature) is var member && !member.IsInherited) Members.Add(member);
         }
 
         static List<string> Split(string bases)
