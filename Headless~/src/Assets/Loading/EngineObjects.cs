@@ -15,7 +15,11 @@ namespace Host.Assets
         readonly IncludeResolver includes;
 
         /// <param name="includes">"Packages/com.x/Shaders/Y.hlsl" to a file on disk; null when there is none.</param>
-        public EngineObjects(IncludeResolver includes) => this.includes = includes;
+        public EngineObjects(IncludeResolver includes)
+        {
+            this.includes = includes;
+            BuiltInShaders.Install();
+        }
 
         public ComputeShader ComputeShader(AssetEntry entry) =>
             AsAsset(UnityEngine.ComputeShader.Create(ShaderImporter.ImportCompute(entry.File, entry.Path, includes, cache.Value)), entry.Name);

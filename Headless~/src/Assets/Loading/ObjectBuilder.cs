@@ -211,6 +211,7 @@ namespace Host.Assets
 
         Object Resolve(FileReference reference, Type type, ReadScope scope)
         {
+            if (reference.IsNone) return null;
             if (!reference.IsLocal) return project.Resolve(reference, type, scope);
             if (result.Objects.TryGetValue(reference.FileId, out var found)) return project.Checked(found, reference, type, scope);
             if (!result.LeftOut.Contains(reference.FileId))
