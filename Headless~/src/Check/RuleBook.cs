@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Host.Check.Api;
 
 namespace Host.Check
 {
@@ -7,6 +8,7 @@ namespace Host.Check
     {
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
+            new UnityMembersRule(),
         };
     }
 }
