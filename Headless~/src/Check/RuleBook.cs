@@ -9,6 +9,7 @@ namespace Host.Check
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
             new UnityMembersRule(),
+            new HostSurfaceRule(),
         };
     }
 }

@@ -7,6 +7,9 @@ namespace Host.UnityApi
     /// <summary>The types of one Unity version, with names in signatures resolved as far as the lists reach.</summary>
     sealed class ApiCatalogue
     {
+        // What files of Unity's call types that the lists know under another name.
+        static readonly Dictionary<string, string> Aliases = new() { ["UnityObject"] = "UnityEngine.Object", ["UObject"] = "UnityEngine.Object" };
+
         readonly Dictionary<string, ApiType> types = new(StringComparer.Ordinal);
         readonly List<string> unreadable = new();
 
@@ -153,7 +156,7 @@ namespace Host.UnityApi
             for (string space = Around(type.Key); space.Length > 0; space = Around(space))
                 if (types.TryGetValue(space + "." + name, out ApiType found))
                     return found;
-            return types.GetValueOrDefault(name);
+            return types.GetValueOrDefault(name) ?? (Aliases.TryGetValue(name, out string meant) ? types.GetValueOrDefault(meant) : null);
         }
 
         static string Around(string key) => key.LastIndexOf('.') is var dot and > 0 ? key.Substring(0, dot) : "";
