@@ -9,6 +9,8 @@ namespace Host.Check
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
             new UnityMembersRule(),
+            new SourceNamesRule(),
+            new NetStandardRule(),
             new HostSurfaceRule(),
         };
     }

@@ -11,6 +11,9 @@ namespace Host.UnityApi
         static readonly Dictionary<string, string> Aliases = new() { ["UnityObject"] = "UnityEngine.Object", ["UObject"] = "UnityEngine.Object" };
 
         readonly Dictionary<string, ApiType> types = new(StringComparer.Ordinal);
+        // Last parts of all types' keys: most names that are asked for are .NET's.
+        readonly HashSet<string> names = new(StringComparer.Ordinal);
+        readonly Dictionary<(ApiType, string), ApiType> lookups = new();
         readonly List<string> unreadable = new();
 
         /// <summary>"2022.3".</summary>
@@ -38,7 +41,10 @@ namespace Host.UnityApi
                     }
             }
             foreach (ApiType type in types.Values)
+            {
                 type.Outer = types.GetValueOrDefault(Around(type.Key));
+                names.Add(Last(type.Key));
+            }
 
             // Bases first: a name in a signature can be a type nested in a base.
             foreach ((ApiType type, ApiMember member) in members)
@@ -47,6 +53,7 @@ namespace Host.UnityApi
             foreach (ApiType type in types.Values)
                 if (type.Declaration == null)
                     unreadable.Add($"{type.Name}: no line says what kind of type it is");
+            lookups.Clear();
             foreach ((ApiType type, ApiMember member) in members)
                 if (!member.IsType)
                     type.Members.Add(Resolve(member, type));
@@ -116,12 +123,12 @@ namespace Host.UnityApi
                 return part;
             if (part.Path.Count == 1 && part.Arguments.Count == 0)
             {
-                int place = own.ToList().IndexOf(part.Name);
-                if (place >= 0)
-                    return ApiTypeName.Parameter("!!" + place);
-                place = type.TypeParameters.ToList().LastIndexOf(part.Name);
-                if (place >= 0)
-                    return ApiTypeName.Parameter("!" + place);
+                for (int place = 0; place < own.Count; place++)
+                    if (own[place] == part.Name)
+                        return ApiTypeName.Parameter("!!" + place);
+                for (int place = type.TypeParameters.Count - 1; place >= 0; place--)
+                    if (type.TypeParameters[place] == part.Name)
+                        return ApiTypeName.Parameter("!" + place);
             }
             ApiType found = Lookup(part.Key, type);
             return found == null ? part : ApiTypeName.Named(found.Key.Split('.'), WithOuter(part.Arguments, found));
@@ -142,8 +149,17 @@ namespace Host.UnityApi
             return missing <= 0 ? arguments : Enumerable.Range(0, missing).Select(i => ApiTypeName.Parameter("!" + i)).Concat(arguments).ToList();
         }
 
-        // As C# looks a name up: nested types of the type and its bases, then outwards; then the namespaces around.
         ApiType Lookup(string name, ApiType type)
+        {
+            if (!names.Contains(Last(name)) && !Aliases.ContainsKey(name))
+                return null;
+            if (!lookups.TryGetValue((type, name), out ApiType found))
+                lookups.Add((type, name), found = LookupOutwards(name, type));
+            return found;
+        }
+
+        // As C# looks a name up: nested types of the type and its bases, then outwards; then the namespaces around.
+        ApiType LookupOutwards(string name, ApiType type)
         {
             for (ApiType scope = type; scope != null; scope = scope.Outer)
             {

@@ -27,7 +27,8 @@ namespace Host.Check.Api
             return opened;
         }
 
-        static string Find(string folder, string name)
+        /// <summary>Null: it is nowhere.</summary>
+        public static string Find(string folder, string name)
         {
             string here = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
             return new[] { here, Path.Combine(here, "..", "..", name, Path.GetFileName(here)) }
