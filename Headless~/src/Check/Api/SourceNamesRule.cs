@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using Host.UnityApi;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
@@ -31,33 +32,58 @@ namespace Host.Check.Api
             foreach (SyntaxTree tree in trees)
                 Conditions(tree, findings);
 
-            CSharpCompilation compilation = CSharpCompilation.Create("Sources", trees, References(package, findings), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
-            foreach (Diagnostic error in compilation.GetDiagnostics().Where(diagnostic => diagnostic.Severity == DiagnosticSeverity.Error).Take(10))
-                findings.Fault($"{Where(error.Location)}: does not compile here: {error.GetMessage()}");
-
+            CSharpCompilation compilation = CSharpCompilation.Create("Sources", trees, References(package), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+            HashSet<string> names = ConstantNames(package, findings);
             var constants = new HashSet<string>();
             int arguments = 0;
             foreach (SyntaxTree tree in trees)
             {
                 SemanticModel model = compilation.GetSemanticModel(tree);
-                foreach (SyntaxNode node in tree.GetRoot().DescendantNodes())
-                    if (node is IdentifierNameSyntax { Parent: NameColonSyntax { Parent: ArgumentSyntax } } argument)
+                foreach (IdentifierNameSyntax name in Candidates(tree.GetCompilationUnitRoot(), names))
+                {
+                    SymbolInfo info = model.GetSymbolInfo(name);
+                    switch (info.Symbol)
                     {
-                        if (model.GetSymbolInfo(argument).Symbol is IParameterSymbol { ContainingSymbol: IMethodSymbol method } && IsUnity(method))
-                        {
+                        case null when info.CandidateSymbols.IsEmpty:
+                            findings.Fault($"{Where(name.GetLocation())}: what {name.Parent} names is not to be told: it does not compile here.");
+                            break;
+                        case IParameterSymbol { ContainingSymbol: IMethodSymbol method } when IsUnity(method):
                             arguments++;
-                            NamedArgument(method.OriginalDefinition, argument, findings);
-                        }
+                            NamedArgument(method.OriginalDefinition, name, findings);
+                            break;
+                        case IFieldSymbol { HasConstantValue: true } field when IsUnity(field):
+                            constants.Add(field.ToString());
+                            var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0, TypeOf((INamedTypeSymbol)field.Type), Array.Empty<ApiTypeName>());
+                            Report(findings, name, field.ToString(), unity => ApiLookup.Complaint(unity, member));
+                            break;
                     }
-                    else if (node is IdentifierNameSyntax name && model.GetSymbolInfo(name).Symbol is IFieldSymbol { HasConstantValue: true } field && IsUnity(field))
-                    {
-                        constants.Add(field.ToString());
-                        var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0, Constant(field), Array.Empty<ApiTypeName>());
-                        Report(findings, name, field.ToString(), unity => ApiLookup.Complaint(unity, member));
-                    }
+                }
             }
             findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
             return findings;
+        }
+
+        // Names of arguments, and those that some type of Unity's has a constant of: to bind all the others would take the compiler's time.
+        static IEnumerable<IdentifierNameSyntax> Candidates(CompilationUnitSyntax root, ISet<string> constants)
+        {
+            bool unqualified = root.Usings.Any(directive => directive.StaticKeyword != default);
+            return root.DescendantNodes().OfType<IdentifierNameSyntax>().Where(name => name.Parent switch
+            {
+                NameColonSyntax colon => colon.Parent is ArgumentSyntax,
+                MemberAccessExpressionSyntax access when access.Name == name => constants.Contains(name.Identifier.ValueText),
+                QualifiedNameSyntax qualified when qualified.Right == name => constants.Contains(name.Identifier.ValueText),
+                _ => unqualified && constants.Contains(name.Identifier.ValueText),
+            });
+        }
+
+        static HashSet<string> ConstantNames(PackageTree package, Findings findings)
+        {
+            var names = new HashSet<string>();
+            foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings))
+                using (assembly)
+                    names.UnionWith(assembly.Metadata.FieldDefinitions.Select(assembly.Metadata.GetFieldDefinition)
+                        .Where(field => (field.Attributes & FieldAttributes.Literal) != 0).Select(field => assembly.Metadata.GetString(field.Name)));
+            return names;
         }
 
         // One set of defines is compiled and examined; what another would compile is not.
@@ -67,13 +93,11 @@ namespace Host.Check.Api
                 findings.Fault($"{Where(condition.GetLocation())}: #if {condition.Condition}: only one set of defines is compiled here, so that the other branch would go unexamined. Do without it, or let the API rules compile both.");
         }
 
-        static IEnumerable<MetadataReference> References(PackageTree package, Findings findings)
+        static IEnumerable<MetadataReference> References(PackageTree package)
         {
             foreach (string name in PackageAssemblies.StandIns.Append("nunit.framework"))
                 if (PackageAssemblies.Find(package.Assemblies, name) is { } path)
                     yield return MetadataReference.CreateFromFile(path);
-                else
-                    findings.Fault($"{name}.dll is not in {package.Assemblies}: build Headless~/Headless.proj.");
             // The tests' NUnit is compiled for the .NET that runs here.
             foreach (string path in ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")).Split(Path.PathSeparator).Where(path => Path.GetFileName(path) is var file && (file.StartsWith("System.") || file is "netstandard.dll" or "mscorlib.dll")))
                 yield return MetadataReference.CreateFromFile(path);
@@ -92,8 +116,6 @@ namespace Host.Check.Api
                 return overloads.Any(listed => listed.Parameters.Any(p => p.Name == parameter)) ? null : $"has no parameter of that name{string.Concat(overloads.Take(2).Select(listed => $" ({listed.Line.Signature})"))}";
             });
         }
-
-        static ApiTypeName Constant(IFieldSymbol field) => TypeOf((INamedTypeSymbol)field.Type);
 
         static ApiTypeName TypeOf(INamedTypeSymbol type)
         {
