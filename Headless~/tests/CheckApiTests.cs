@@ -41,8 +41,16 @@ namespace Host.Tests
             Assert.That(findings.Looked, Does.Contain("8 types").And.Contain("14 members").And.Contain("2022.3").And.Contain("6000.0").And.Contain("6000.3"));
         }
 
-        [TestCase("public class GameObject { public void Explode() { } }", "class X { void f(GameObject g) => g.Explode(); }", "UnityEngine.GameObject.Explode()", "Unity 2022.3, 6000.0, 6000.3 has no such member", TestName = "A_member_that_no_version_has_is_named")]
-        [TestCase("public class Gadget { }", "class X { Gadget g; Type f() => typeof(Gadget); }", "UnityEngine.Gadget", "has no such type", TestName = "A_type_that_no_version_has_is_named")]
+        [Test]
+        public void An_override_in_a_generic_type_is_found_with_the_type_s_arguments()
+        {
+            Rule rule = Members("public class Object { } } namespace UnityEditor.AnimatedValues { public abstract class BaseAnimValue<T> { protected BaseAnimValue(T value) { } protected abstract T GetValue(); }",
+                "class X : UnityEditor.AnimatedValues.BaseAnimValue<float> { X() : base(1) { } protected override float GetValue() => 0; }");
+            Assert.That(planted.Examine(rule).Faults, Is.Empty);
+        }
+
+        [TestCase("public class GameObject { public void Explode() { } }", "class X { void f(GameObject g) => g.Explode(); }", "UnityEngine.GameObject.Explode()", "Unity 2022.3, 6000.0, 6000.3 has no such member; first used in X.f", TestName = "A_member_that_no_version_has_is_named")]
+        [TestCase("public class Gadget { }", "class X { Gadget f() => new Gadget(); }", "UnityEngine.Gadget", "has no such type", TestName = "A_type_that_no_version_has_is_named")]
         [TestCase("public class GameObject { public void SetActive(int value) { } }", "class X { void f(GameObject g) => g.SetActive(1); }", "SetActive(int)", "void SetActive(bool value)", TestName = "A_wrong_parameter_type_is_named_with_the_right_one")]
         [TestCase("public class GameObject { public bool SetActive(bool value) => value; }", "class X { void f(GameObject g) => g.SetActive(true); }", "SetActive(bool) : bool", "void SetActive(bool value)", TestName = "A_wrong_return_type_is_named")]
         [TestCase("public class Mathf { public bool Approximately(float a, float b) => true; }", "class X { void f(Mathf m) => m.Approximately(1, 2); }", "Mathf.Approximately(float, float)", "static bool Approximately", TestName = "An_instance_member_that_is_static_in_Unity_is_named")]
@@ -113,6 +121,15 @@ namespace Host.Tests
         {
             using (var copy = new PackageCopy())
                 copy.Catches(new NetStandardRule(), () => copy.Replace("Headless~/src/Rill/Rill.csproj", "<LangVersion>9<", "<LangVersion>latest<"), "Headless~/src/Rill/Rill.csproj", "C# latest", "<LangVersion>9</LangVersion>");
+        }
+
+        [TestCase("NUnit.Framework.Assert.Multiple(() => { });", "NUnit.Framework.Assert.Multiple(NUnit.Framework.TestDelegate)")]
+        [TestCase("NUnit.Framework.Warn.If(true);", "NUnit.Framework.Warn")]
+        public void What_came_with_NUnit_3_6_is_named(string code, string what)
+        {
+            planted.Bring("nunit.framework");
+            planted.Compile("Rill.Tests", "class X { void f() { NUnit.Framework.Assert.That(true); " + code + " } }");
+            planted.Catches(new NUnitRule(new[] { "Rill.Tests" }), "Rill.Tests.dll uses ", what, "3.6 brought it");
         }
 
         void Sources(string unity, string source)

@@ -23,6 +23,7 @@ namespace Host.Check
             new UnityMembersRule(),
             new SourceNamesRule(),
             new NetStandardRule(),
+            new NUnitRule(),
             new HostSurfaceRule(),
         };
     }

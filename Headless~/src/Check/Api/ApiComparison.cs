@@ -75,7 +75,7 @@ namespace Host.Check.Api
         /// <summary>A listed member with the arguments that its type is inherited with.</summary>
         public static ApiMember Inherited(ApiMember member, IReadOnlyList<ApiTypeName> arguments)
         {
-            if (arguments.Count == 0)
+            if (arguments == null || arguments.Count == 0)
                 return member;
             ApiTypeName Place(ApiTypeName type) => type == null ? null : ApiCatalogue.Substitute(type, arguments);
             return member.With(Place(member.Type), member.Parameters.Select(parameter => parameter with { Type = Place(parameter.Type) }).ToList());

@@ -8,16 +8,17 @@ namespace Host.Check.Api
     /// <summary>Looks compiled members and types up in one version's lists.</summary>
     static class ApiLookup
     {
-        /// <summary>What a reference meets in a version. Null: the member is there, and not obsolete.</summary>
-        public static string Complaint(ApiCatalogue unity, CompiledMember member)
+        /// <summary>What a reference meets in a version. Null: the member is there, and not obsolete; or its type is not, which is told of the type.</summary>
+        /// <param name="arguments">For a member whose signature names the arguments of its generic type; a reference names the parameters.</param>
+        public static string Complaint(ApiCatalogue unity, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
         {
             ApiType type = unity.Find(member.Owner.Key);
             if (type == null)
-                return $"has no type {member.Owner.Key}";
-            ApiMember found = Find(unity, type, member);
+                return null;
+            ApiMember found = Find(unity, type, member, arguments);
             if (found == null)
                 return "has no such member" + Others(unity, type, member);
-            return found.Obsolete || type.WithinObsolete ? "has it as obsolete" : null;
+            return found.Obsolete && !type.WithinObsolete ? "has it as obsolete" : null;
         }
 
         public static string Complaint(ApiCatalogue unity, ApiTypeName type)
@@ -27,15 +28,15 @@ namespace Host.Check.Api
         }
 
         /// <summary>The listed member of a type or of what it inherits from; one that is not obsolete before one that is.</summary>
-        public static ApiMember Find(ApiCatalogue unity, ApiType type, CompiledMember member)
+        public static ApiMember Find(ApiCatalogue unity, ApiType type, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
         {
             ApiMember obsolete = null;
-            foreach ((ApiType owner, IReadOnlyList<ApiTypeName> arguments) in unity.Lineage(type))
+            foreach ((ApiType owner, IReadOnlyList<ApiTypeName> inherited) in unity.Lineage(type))
             {
                 if (member.Name == ".ctor" && owner != type)
                     break;
                 foreach (ApiMember listed in owner.Named(member.SourceName))
-                    if (ApiComparison.Fits(ApiComparison.Inherited(listed, arguments), member))
+                    if (ApiComparison.Fits(ApiComparison.Inherited(ApiComparison.Inherited(listed, inherited), arguments), member))
                     {
                         if (!listed.Obsolete)
                             return listed;

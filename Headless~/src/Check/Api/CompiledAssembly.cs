@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Reflection.Metadata;
+using System.Reflection.Metadata.Ecma335;
 using System.Reflection.PortableExecutable;
 using Host.UnityApi;
 
@@ -33,8 +34,8 @@ namespace Host.Check.Api
         public IEnumerable<(string Assembly, ApiTypeName Type)> TypesUsed =>
             Metadata.TypeReferences.Select(handle => (AssemblyOf(handle), CompiledTypeNames.Of(Metadata, handle))).Where(use => use.Item1 != null);
 
-        /// <summary>Every member of another assembly's type that this one names.</summary>
-        public IEnumerable<(string Assembly, CompiledMember Member)> MembersUsed
+        /// <summary>Every member of another assembly's type that this one names, and where it does.</summary>
+        public IEnumerable<(string Assembly, CompiledMember Member, MemberReferenceHandle Reference)> MembersUsed
         {
             get
             {
@@ -46,9 +47,24 @@ namespace Host.Check.Api
                     ApiTypeName owner = CompiledTypeNames.Of(Metadata, reference.Parent);
                     // Arrays have methods of their own, which the runtime makes.
                     if (owner.Form == ApiTypeForm.Named && AssemblyOf(reference.Parent) is { } assembly)
-                        yield return (assembly, Member(owner, reference));
+                        yield return (assembly, Member(owner, reference), handle);
                 }
             }
+        }
+
+        /// <summary>The first method whose code names a member: "FluidSimulation.Update". Null: none does, it is named by an attribute.</summary>
+        public string FirstUser(MemberReferenceHandle member)
+        {
+            List<byte[]> tokens = Enumerable.Range(1, Metadata.GetTableRowCount(TableIndex.MethodSpec)).Select(MetadataTokens.MethodSpecificationHandle)
+                .Where(handle => Metadata.GetMethodSpecification(handle).Method == member).Select(handle => (EntityHandle)handle).Append(member)
+                .Select(handle => BitConverter.GetBytes(MetadataTokens.GetToken(handle))).ToList();
+            foreach (MethodDefinition method in Metadata.MethodDefinitions.Select(Metadata.GetMethodDefinition).Where(method => method.RelativeVirtualAddress != 0))
+            {
+                byte[] code = file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes();
+                if (tokens.Any(token => code.AsSpan().IndexOf(token) >= 0))
+                    return $"{CompiledTypeNames.Of(Metadata, method.GetDeclaringType())}.{Metadata.GetString(method.Name)}";
+            }
+            return null;
         }
 
         /// <summary>Properties and fields that attributes of other assemblies are given by name: they stand in no table of references.</summary>

@@ -78,9 +78,12 @@ namespace Host.Check.Api
 
         static string OverrideComplaint(ApiCatalogue unity, CompiledMember member)
         {
-            if (ApiLookup.Complaint(unity, member) is { } complaint)
+            IReadOnlyList<ApiTypeName> arguments = member.Owner.Arguments;
+            if (ApiLookup.Complaint(unity, member, arguments) is { } complaint)
                 return complaint;
-            ApiMember found = ApiLookup.Find(unity, unity.Find(member.Owner.Key), member);
+            if (unity.Find(member.Owner.Key) is not { } listed)
+                return null;            // the reference to the type is a fault already
+            ApiMember found = ApiLookup.Find(unity, listed, member, arguments);
             return found.Virtual || found.Abstract || found.Override ? null : $"has it, but not as virtual: {found.Line.Signature}";
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection.Metadata;
 using System.Xml.Linq;
 using Host.UnityApi;
 
@@ -50,11 +51,11 @@ namespace Host.Check.Api
                 if (!standard.Has(type) && unknown.Add(type.Key) && !Compilers.Contains(type.Name))
                     findings.Fault($"{assembly.Name}.dll uses {type}: netstandard 2.1 has no such type.");
             }
-            foreach (CompiledMember member in assembly.MembersUsed.Where(use => IsNet(use.Assembly)).Select(use => use.Member).Where(member => !unknown.Contains(member.Owner.Key)))
+            foreach ((_, CompiledMember member, MemberReferenceHandle reference) in assembly.MembersUsed.Where(use => IsNet(use.Assembly) && !unknown.Contains(use.Member.Owner.Key)))
             {
                 members.Add(member.ToString());
                 if (!standard.Has(member))
-                    findings.Fault($"{assembly.Name}.dll uses {member}: netstandard 2.1 has no such member.");
+                    findings.Fault($"{assembly.Name}.dll uses {member}: netstandard 2.1 has no such member; first used in {assembly.FirstUser(reference) ?? "an attribute"}.");
             }
         }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection.Metadata;
 using Host.UnityApi;
 
 namespace Host.Check.Api
@@ -36,7 +37,12 @@ namespace Host.Check.Api
                         types.Add(type.Key);
                         Report(findings, assembly, type.ToString(), versions, unity => ApiLookup.Complaint(unity, type));
                     }
-                    foreach (CompiledMember member in assembly.MembersUsed.Where(use => IsUnity(use.Assembly)).Select(use => use.Member).Concat(assembly.AttributeArguments(IsUnity, versions[^1])))
+                    foreach ((_, CompiledMember member, MemberReferenceHandle reference) in assembly.MembersUsed.Where(use => IsUnity(use.Assembly)))
+                    {
+                        members.Add(member.ToString());
+                        Report(findings, assembly, member.ToString(), versions, unity => ApiLookup.Complaint(unity, member), reference);
+                    }
+                    foreach (CompiledMember member in assembly.AttributeArguments(IsUnity, versions[^1]))
                     {
                         members.Add(member.ToString());
                         Report(findings, assembly, member.ToString(), versions, unity => ApiLookup.Complaint(unity, member));
@@ -50,11 +56,13 @@ namespace Host.Check.Api
 
         public static bool IsUnity(string assembly) => assembly.StartsWith("UnityEngine", StringComparison.Ordinal) || assembly.StartsWith("UnityEditor", StringComparison.Ordinal) || assembly.StartsWith("Unity.", StringComparison.Ordinal);
 
+        static string User(CompiledAssembly assembly, MemberReferenceHandle reference) => !reference.IsNil && assembly.FirstUser(reference) is { } user ? $"; first used in {user}" : "";
+
         // One line for all versions that say the same.
-        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions, Func<ApiCatalogue, string> complain)
+        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions, Func<ApiCatalogue, string> complain, MemberReferenceHandle reference = default)
         {
             foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
-                findings.Fault($"{assembly.Name}.dll: {what}: Unity {string.Join(", ", same)} {same.Key}");
+                findings.Fault($"{assembly.Name}.dll: {what}: Unity {string.Join(", ", same)} {same.Key}{User(assembly, reference)}");
         }
     }
 }
