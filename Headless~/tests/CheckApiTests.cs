@@ -142,6 +142,7 @@ namespace Host.Tests
 
         [TestCase("public enum HideFlags { None, HideInNowhere }", "class X { HideFlags f = HideFlags.HideInNowhere; }", "UnityEngine.HideFlags.HideInNowhere", "has no such member", TestName = "A_value_of_an_enum_that_Unity_lacks_is_named")]
         [TestCase("public enum HideFlags { None, HideInNowhere }", "class X { bool f(HideFlags h) => h switch { HideFlags.HideInNowhere => true, _ => false }; }", "UnityEngine.HideFlags.HideInNowhere", "has no such member", TestName = "A_value_of_an_enum_in_a_pattern_is_seen")]
+        [TestCase("public enum Gadget { Whirl }", "class X { int n = (int)Gadget.Whirl; }", "UnityEngine.Gadget.Whirl", "has no such type", TestName = "A_value_of_an_enum_that_no_version_has_is_named")]
         [TestCase("public struct Mathf { public const float Tau = 6.28f; }", "class X { float f = Mathf.Tau; }", "UnityEngine.Mathf.Tau", "has no such member", TestName = "A_constant_that_Unity_lacks_is_named")]
         [TestCase("public class Object { public static void Destroy(Object obj, float delay) { } }", "class X { void f() => Object.Destroy(null,\ndelay: 1); }", "Destroy(delay:)", "(static void Destroy(Object obj, float t))", TestName = "An_argument_whose_name_Unity_lacks_is_named")]
         public void A_fault_in_the_sources_is_named(string unity, string source, string what, string why)

@@ -108,7 +108,7 @@ namespace Host.Check.Api
         }
 
         bool InheritedFromUnity(ApiCatalogue unity, ApiMember wanted) =>
-            unity.Find(unityBase.Key) is { } found && unity.Lineage(found).Any(inherited => inherited.Type.Kind != ApiKind.Interface && inherited.Type.Named(wanted.Name).Any(member => !member.Abstract));
+            unity.Find(unityBase.Key) is { } found && unity.Lineage(found).Any(inherited => inherited.Type.Kind != ApiKind.Interface && inherited.Type.Named(wanted.Name).Any(member => !member.Abstract && member.Parameters.Count == wanted.Parameters.Count));
 
         bool Implements(ApiMember wanted) => methods.Any(method =>
         {

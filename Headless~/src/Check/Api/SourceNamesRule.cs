@@ -54,7 +54,8 @@ namespace Host.Check.Api
                         case IFieldSymbol { HasConstantValue: true } field when IsUnity(field):
                             constants.Add(field.ToString());
                             var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0, TypeOf((INamedTypeSymbol)field.Type), Array.Empty<ApiTypeName>());
-                            Report(findings, name, field.ToString(), unity => ApiLookup.Complaint(unity, member));
+                            // Nothing but the source names a type of which only a value is used.
+                            Report(findings, name, field.ToString(), unity => ApiLookup.Complaint(unity, member.Owner) ?? ApiLookup.Complaint(unity, member));
                             break;
                     }
                 }
