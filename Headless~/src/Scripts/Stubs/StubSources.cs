@@ -22,7 +22,7 @@ namespace Host.Scripts.Stubs
             var all = new Dictionary<string, StubType>();
             foreach (var line in lines)
             {
-                if (Left.Any(start => line.Type.StartsWith(start, StringComparison.Ordinal))) continue;
+                if (!line.Type.StartsWith("Unity", StringComparison.Ordinal) || Left.Any(start => line.Type.StartsWith(start, StringComparison.Ordinal))) continue;
                 if (!all.TryGetValue(line.Type, out var type)) all.Add(line.Type, type = new StubType(line.Type));
                 type.Add(line.Signature);
             }

@@ -8,73 +8,78 @@ namespace UnityEngine.Assertions
     [DebuggerStepThrough]
     public static class Assert
     {
-        [Conditional("UNITY_ASSERTIONS")] public static void IsTrue(bool condition) => IsTrue(condition, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void IsTrue(bool condition) { if (!condition) Fail("Value was False", "Expected: True", null); }
         [Conditional("UNITY_ASSERTIONS")] public static void IsTrue(bool condition, string message) { if (!condition) Fail("Value was False", "Expected: True", message); }
-        [Conditional("UNITY_ASSERTIONS")] public static void IsFalse(bool condition) => IsFalse(condition, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void IsFalse(bool condition) { if (condition) Fail("Value was True", "Expected: False", null); }
         [Conditional("UNITY_ASSERTIONS")] public static void IsFalse(bool condition, string message) { if (condition) Fail("Value was True", "Expected: False", message); }
 
-        [Conditional("UNITY_ASSERTIONS")] public static void IsNull<T>(T value) where T : class => IsNull(value, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void IsNull<T>(T value) where T : class { if (!Nothing(value)) Fail("Value was not Null", "Expected: Value was Null", null); }
         [Conditional("UNITY_ASSERTIONS")] public static void IsNull<T>(T value, string message) where T : class { if (!Nothing(value)) Fail("Value was not Null", "Expected: Value was Null", message); }
         [Conditional("UNITY_ASSERTIONS")] public static void IsNull(Object value, string message) { if (value != null) Fail("Value was not Null", "Expected: Value was Null", message); }
-        [Conditional("UNITY_ASSERTIONS")] public static void IsNotNull<T>(T value) where T : class => IsNotNull(value, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void IsNotNull<T>(T value) where T : class { if (Nothing(value)) Fail("Value was Null", "Expected: Value was not Null", null); }
         [Conditional("UNITY_ASSERTIONS")] public static void IsNotNull<T>(T value, string message) where T : class { if (Nothing(value)) Fail("Value was Null", "Expected: Value was not Null", message); }
         [Conditional("UNITY_ASSERTIONS")] public static void IsNotNull(Object value, string message) { if (value == null) Fail("Value was Null", "Expected: Value was not Null", message); }
 
-        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual) => AreApproximatelyEqual(expected, actual, Tolerance, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual, string message) => AreApproximatelyEqual(expected, actual, Tolerance, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual, float tolerance) => AreApproximatelyEqual(expected, actual, tolerance, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual, float tolerance, string message) { if (!(Math.Abs(expected - actual) <= tolerance)) Fail($"Values are not approximately equal", $"Expected: {expected} == {actual} (tolerance {tolerance})", message); }
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual) => AreNotApproximatelyEqual(expected, actual, Tolerance, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual, string message) => AreNotApproximatelyEqual(expected, actual, Tolerance, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual, float tolerance) => AreNotApproximatelyEqual(expected, actual, tolerance, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual, float tolerance, string message) { if (Math.Abs(expected - actual) <= tolerance) Fail("Values are approximately equal", $"Expected: {expected} != {actual} (tolerance {tolerance})", message); }
+        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual) => Near(expected, actual, Tolerance, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual, string message) => Near(expected, actual, Tolerance, message);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual, float tolerance) => Near(expected, actual, tolerance, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreApproximatelyEqual(float expected, float actual, float tolerance, string message) => Near(expected, actual, tolerance, message);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual) => Far(expected, actual, Tolerance, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual, string message) => Far(expected, actual, Tolerance, message);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual, float tolerance) => Far(expected, actual, tolerance, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotApproximatelyEqual(float expected, float actual, float tolerance, string message) => Far(expected, actual, tolerance, message);
 
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual<T>(T expected, T actual) => AreEqual(expected, actual, null, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual<T>(T expected, T actual, string message) => AreEqual(expected, actual, message, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual<T>(T expected, T actual, string message, IEqualityComparer<T> comparer) { if (!Same(expected, actual, comparer)) Fail("Values are not equal", $"Expected: {Shown(expected)} == {Shown(actual)}", message); }
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual<T>(T expected, T actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual<T>(T expected, T actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual<T>(T expected, T actual, string message, IEqualityComparer<T> comparer) => Equal(expected, actual, message, comparer);
         [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(Object expected, Object actual, string message) { if (expected != actual) Fail("Values are not equal", $"Expected: {Shown(expected)} == {Shown(actual)}", message); }
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual<T>(T expected, T actual) => AreNotEqual(expected, actual, null, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual<T>(T expected, T actual, string message) => AreNotEqual(expected, actual, message, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual<T>(T expected, T actual, string message, IEqualityComparer<T> comparer) { if (Same(expected, actual, comparer)) Fail("Values are equal", $"Expected: {Shown(expected)} != {Shown(actual)}", message); }
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual<T>(T expected, T actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual<T>(T expected, T actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual<T>(T expected, T actual, string message, IEqualityComparer<T> comparer) => Different(expected, actual, message, comparer);
         [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(Object expected, Object actual, string message) { if (expected == actual) Fail("Values are equal", $"Expected: {Shown(expected)} != {Shown(actual)}", message); }
 
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(byte expected, byte actual) => AreEqual<byte>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(byte expected, byte actual, string message) => AreEqual<byte>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(char expected, char actual) => AreEqual<char>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(char expected, char actual, string message) => AreEqual<char>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(int expected, int actual) => AreEqual<int>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(int expected, int actual, string message) => AreEqual<int>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(long expected, long actual) => AreEqual<long>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(long expected, long actual, string message) => AreEqual<long>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(sbyte expected, sbyte actual) => AreEqual<sbyte>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(sbyte expected, sbyte actual, string message) => AreEqual<sbyte>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(short expected, short actual) => AreEqual<short>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(short expected, short actual, string message) => AreEqual<short>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(uint expected, uint actual) => AreEqual<uint>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(uint expected, uint actual, string message) => AreEqual<uint>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ulong expected, ulong actual) => AreEqual<ulong>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ulong expected, ulong actual, string message) => AreEqual<ulong>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ushort expected, ushort actual) => AreEqual<ushort>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ushort expected, ushort actual, string message) => AreEqual<ushort>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(byte expected, byte actual) => AreNotEqual<byte>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(byte expected, byte actual, string message) => AreNotEqual<byte>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(char expected, char actual) => AreNotEqual<char>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(char expected, char actual, string message) => AreNotEqual<char>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(int expected, int actual) => AreNotEqual<int>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(int expected, int actual, string message) => AreNotEqual<int>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(long expected, long actual) => AreNotEqual<long>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(long expected, long actual, string message) => AreNotEqual<long>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(sbyte expected, sbyte actual) => AreNotEqual<sbyte>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(sbyte expected, sbyte actual, string message) => AreNotEqual<sbyte>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(short expected, short actual) => AreNotEqual<short>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(short expected, short actual, string message) => AreNotEqual<short>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(uint expected, uint actual) => AreNotEqual<uint>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(uint expected, uint actual, string message) => AreNotEqual<uint>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ulong expected, ulong actual) => AreNotEqual<ulong>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ulong expected, ulong actual, string message) => AreNotEqual<ulong>(expected, actual, message);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ushort expected, ushort actual) => AreNotEqual<ushort>(expected, actual, null);
-        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ushort expected, ushort actual, string message) => AreNotEqual<ushort>(expected, actual, message);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(byte expected, byte actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(byte expected, byte actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(char expected, char actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(char expected, char actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(int expected, int actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(int expected, int actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(long expected, long actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(long expected, long actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(sbyte expected, sbyte actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(sbyte expected, sbyte actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(short expected, short actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(short expected, short actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(uint expected, uint actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(uint expected, uint actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ulong expected, ulong actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ulong expected, ulong actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ushort expected, ushort actual) => Equal(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreEqual(ushort expected, ushort actual, string message) => Equal(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(byte expected, byte actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(byte expected, byte actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(char expected, char actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(char expected, char actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(int expected, int actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(int expected, int actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(long expected, long actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(long expected, long actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(sbyte expected, sbyte actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(sbyte expected, sbyte actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(short expected, short actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(short expected, short actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(uint expected, uint actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(uint expected, uint actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ulong expected, ulong actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ulong expected, ulong actual, string message) => Different(expected, actual, message, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ushort expected, ushort actual) => Different(expected, actual, null, null);
+        [Conditional("UNITY_ASSERTIONS")] public static void AreNotEqual(ushort expected, ushort actual, string message) => Different(expected, actual, message, null);
 
+        // The public methods go here instead of to each other: within this assembly such calls are compiled out.
+        static void Equal<T>(T expected, T actual, string message, IEqualityComparer<T> comparer) { if (!Same(expected, actual, comparer)) Fail("Values are not equal", $"Expected: {Shown(expected)} == {Shown(actual)}", message); }
+        static void Different<T>(T expected, T actual, string message, IEqualityComparer<T> comparer) { if (Same(expected, actual, comparer)) Fail("Values are equal", $"Expected: {Shown(expected)} != {Shown(actual)}", message); }
+        static void Near(float expected, float actual, float tolerance, string message) { if (!(Math.Abs(expected - actual) <= tolerance)) Fail("Values are not approximately equal", $"Expected: {expected} == {actual} (tolerance {tolerance})", message); }
+        static void Far(float expected, float actual, float tolerance, string message) { if (Math.Abs(expected - actual) <= tolerance) Fail("Values are approximately equal", $"Expected: {expected} != {actual} (tolerance {tolerance})", message); }
         internal const float Tolerance = 1e-5f;
 
         static bool Nothing<T>(T value) => value is Object o ? o == null : value == null;
