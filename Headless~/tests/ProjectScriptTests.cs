@@ -257,6 +257,28 @@ namespace Host.Tests
             Assert.That(scripts.Assemblies.Single().GetType("A"), Is.Not.Null);
         }
 
+        [Test]
+        public void A_component_whose_script_was_left_out_is_missing_and_the_reason_is_said()
+        {
+            const string guid = "aaaabbbbccccddddeeeeffff00002222";
+            Write("Assets/Broken.cs", "public class Broken : UnityEngine.MonoBehaviour { void Update() => UnityEngine.Camera.main.NoSuchThing(); }", guid);
+            Write("Assets/Main.unity", "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!1 &1\nGameObject:\n  m_Component:\n  - component: {fileID: 2}\n  - component: {fileID: 3}\n  m_Name: Thing\n  m_IsActive: 1\n"
+                + "--- !u!4 &2\nTransform:\n  m_GameObject: {fileID: 1}\n  m_Father: {fileID: 0}\n"
+                + $"--- !u!114 &3\nMonoBehaviour:\n  m_GameObject: {{fileID: 1}}\n  m_Enabled: 1\n  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n");
+            ProjectScripts scripts = Compile();
+            var assets = new ProjectAssets(ProjectFolders.Of(root), scripts.Assemblies, strict: false, foreign: scripts);
+            try
+            {
+                assets.ReadScene(assets.Index.ByPath("Assets/Main.unity"));
+                Assert.That(assets.MissingScripts, Is.EqualTo(1));
+                Assert.That(assets.Warnings.Single(), Does.Match(@"^Assets/Main\.unity\(\d+\): the script of a component on 'Thing', Assets/Broken\.cs, cannot be loaded, so the component is missing: it does not compile against the host: Assets/Broken\.cs\(1,\d+\): error CS1061"));
+            }
+            finally
+            {
+                UnityEngine.SceneManagement.SceneManager.UnloadEverything();
+            }
+        }
+
         // ---- stubs
 
         [Test]
