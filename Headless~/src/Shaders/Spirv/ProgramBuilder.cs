@@ -10,6 +10,8 @@ namespace Host.Shaders
     {
         public string Semantic;     // with its index, upper case: TEXCOORD0
         public int Location, Components;
+        /// <summary>The component of the location that it starts at: Direct3D packs several into one register.</summary>
+        public int First;
     }
 
     /// <summary>A program with what its successor in the pipeline has to know.</summary>
