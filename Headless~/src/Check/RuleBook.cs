@@ -7,6 +7,7 @@ namespace Host.Check
     {
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
+            new FxcRule(),
         };
     }
 }

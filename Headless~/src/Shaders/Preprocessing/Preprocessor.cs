@@ -36,6 +36,17 @@ namespace Host.Shaders
         public List<PragmaLine> Pragmas = new List<PragmaLine>();
     }
 
+    /// <summary>Who reads the text.</summary>
+    enum SourceReader
+    {
+        /// <summary>Nobody: the pragmas alone are wanted.</summary>
+        Survey,
+        /// <summary>Matrix swizzles are written out.</summary>
+        Glslang,
+        /// <summary>HLSL as it was written.</summary>
+        Fxc,
+    }
+
     /// <summary>
     /// A C preprocessor for HLSL. glslang has one, but it cannot know Unity's include paths and pragmas, and only a text
     /// that is expanded here can name the file and line of an error inside an include, and be the key of a cache.
@@ -43,19 +54,22 @@ namespace Host.Shaders
     sealed class Preprocessor
     {
         const int MaxIncludeDepth = 64;
+        static readonly HashSet<string> StandardPragmas = new HashSet<string> { "def", "message", "pack_matrix", "ruledisable", "warning" };
 
         readonly IncludeResolver resolver;
         readonly Macros macros = new Macros();
         readonly HashSet<string> onceOnly = new HashSet<string>();
         readonly PreprocessedSource result = new PreprocessedSource();
         readonly StringBuilder output = new StringBuilder();
+        readonly SourceReader reader;
         readonly bool survey;
         int depth;
 
-        Preprocessor(IncludeResolver resolver, bool survey)
+        Preprocessor(IncludeResolver resolver, SourceReader reader)
         {
             this.resolver = resolver;
-            this.survey = survey;
+            this.reader = reader;
+            survey = reader == SourceReader.Survey;
         }
 
         /// <summary>
@@ -63,12 +77,12 @@ namespace Host.Shaders
         /// variant may need, does not count.
         /// </summary>
         public static List<PragmaLine> ReadPragmas(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver)
-            => Run(new Preprocessor(resolver, survey: true), segments, defines).Pragmas;
+            => Run(new Preprocessor(resolver, SourceReader.Survey), segments, defines).Pragmas;
 
         /// <param name="defines">Name and value; the value may be empty.</param>
         /// <exception cref="ShaderCompileException"/>
-        public static PreprocessedSource Run(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver)
-            => Run(new Preprocessor(resolver, survey: false), segments, defines);
+        public static PreprocessedSource Run(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver, SourceReader reader = SourceReader.Glslang)
+            => Run(new Preprocessor(resolver, reader), segments, defines);
 
         static PreprocessedSource Run(Preprocessor preprocessor, IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines)
         {
@@ -124,7 +138,8 @@ namespace Host.Shaders
                         tokens.Add(Token.Blank);
                         tokens.AddRange(Token.Split(lines[++i]));
                     }
-                    Emit(Print(MatrixSwizzle.Expand(macros.Expand(tokens))), segment, first);
+                    tokens = macros.Expand(tokens);
+                    Emit(Print(reader == SourceReader.Glslang ? MatrixSwizzle.Expand(tokens) : tokens), segment, first);
                 }
             }
             catch (PreprocessorException e)
@@ -299,7 +314,8 @@ namespace Host.Shaders
             string name = text.Split(new[] { ' ', '\t', '(' }, 2)[0];
             if (name == "once")
                 onceOnly.Add(segment.DiskPath);
-            else if (name == "pack_matrix")
+            // Unity passes the pragmas of HLSL itself on from regular includes ("Preprocessor directives in HLSL").
+            else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount && StandardPragmas.Contains(name))
                 Emit("#pragma " + text, segment, line - segment.FirstLine);
             else if (pragmasCount)
                 result.Pragmas.Add(new PragmaLine(text, new SourceLine(segment.DisplayPath, line)));
