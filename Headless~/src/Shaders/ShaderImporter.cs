@@ -23,7 +23,7 @@ namespace Host.Shaders
         /// <exception cref="ShaderCompileException">The file cannot be read as what it is; what is wrong in one variant is said there.</exception>
         public static IReadOnlyList<ShaderVariant> AllVariants(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache)
         {
-            var compiler = new ShaderCompiler(resolver, cache);
+            var compiler = new ShaderCompiler(resolver, cache, ShaderBackend.Glslang);
             return filePath.EndsWith(".compute", StringComparison.OrdinalIgnoreCase)
                 ? new ComputeFile(filePath, displayPath, compiler).AllVariants()
                 : new ShaderFile(filePath, displayPath, resolver, compiler).AllVariants();

@@ -20,6 +20,8 @@ namespace Host.Shaders
         public ShaderProgram Program;
         /// <summary>Vertex programs only.</summary>
         public Varying[] Outputs = Array.Empty<Varying>();
+        /// <summary>Where FXC's bytecode was asked for and could not be had: why; otherwise null.</summary>
+        public string WhyGlslang;
     }
 
     /// <summary>A fault found in a compiled module; the compiler adds the file.</summary>
@@ -81,6 +83,7 @@ namespace Host.Shaders
             else
                 builder.AssignLocations(result, vertexOutputs);
             builder.Rebuild();
+            DirectXArithmetic.Apply(builder.module);
             program.Spirv = builder.module.Write();
             return result;
         }

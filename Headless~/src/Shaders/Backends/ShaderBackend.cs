@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Host.Shaders
+{
+    /// <summary>The backends, the one in use, and what it has been used for.</summary>
+    static class ShaderBackend
+    {
+        public static readonly IShaderBackend Glslang = new GlslangBackend();
+        public static readonly IShaderBackend Fxc = new FxcBackend(Untranslatable.All);
+        public static readonly IReadOnlyList<IShaderBackend> All = new[] { Glslang, Fxc };
+
+        static readonly SortedDictionary<string, string> asBytecode = new SortedDictionary<string, string>();   // name to why glslang made it; null = it did not
+
+        /// <summary>Shader files imported from now on are compiled by it.</summary>
+        public static IShaderBackend Current { get; set; } = Glslang;
+
+        public static void Tally(IShaderBackend backend, CompiledProgram compiled)
+        {
+            if (backend != Fxc)
+                return;
+            lock (asBytecode)
+                asBytecode[compiled.Program.Name] = compiled.WhyGlslang;
+        }
+
+        /// <summary>What ran as FXC's bytecode, and what did not and why.</summary>
+        public static IEnumerable<string> Report()
+        {
+            lock (asBytecode)
+            {
+                yield return $"{asBytecode.Count(p => p.Value == null)} programs ran as FXC's bytecode, through vkd3d";
+                foreach (KeyValuePair<string, string> program in asBytecode.Where(p => p.Value != null))
+                    yield return $"compiled by glslang instead: {program.Key}: {program.Value}";
+            }
+        }
+    }
+}
