@@ -473,5 +473,48 @@ namespace Host.Tests
                 Assert.That(Floats(output), Is.EqualTo(Enumerable.Range(0, 64).Select(i => 100 + 0.5f * i)));
             }
         }
+
+        // ---- what is not the same
+
+        static float[] RunUnset(string backend, string kernel, float[] floats, int count, int results)
+        {
+            ComputeShader shader = Compute(backend, "Unset");
+            int k = shader.FindKernel(kernel);
+            using (GraphicsBuffer input = Buffer(floats))
+            using (GraphicsBuffer result = Buffer(new float[results]))
+            {
+                shader.SetInt("_Count", count);
+                shader.SetBuffer(k, "_Floats", input);
+                shader.SetBuffer(k, "_Result", result);
+                shader.Dispatch(k, 1, 1, 1);
+                return Floats(result);
+            }
+        }
+
+        // FXC takes a variable that is set on one path to be set on all of them, without a word, or starts it at 0 where it
+        // cannot. What glslang's program does then is the driver's affair: only what was set is the same.
+        [TestCaseSource(nameof(Backends))]
+        public void A_variable_that_was_not_set_is_whatever_suits_the_compiler(string backend)
+        {
+            float[] floats = Enumerable.Range(0, 65).Select(i => i % 3 == 0 ? -1f : i).ToArray();
+            float[] branch = RunUnset(backend, "SetUnderBranch", floats, 0, 64), loop = RunUnset(backend, "SetInLoop", floats, 5, 64);
+            for (int i = 0; i < 64; i++)
+                if (floats[i] > 0 || backend == "fxc")
+                    Assert.That(branch[i], Is.EqualTo(floats[i + 1]), $"thread {i}");
+            Assert.That(loop, Is.All.EqualTo(4));
+            if (backend == "fxc")
+                Assert.That(RunUnset(backend, "SetInLoop", floats, 0, 64), Is.All.Zero);
+        }
+
+        // FXC 10.1 drops one of the eight stores of an unrolled loop that writes two runs of a buffer, unless it is told not to
+        // optimize. Unity's program would lack it too; that it is missing here shows that FXC's bytecode is what runs.
+        [Test]
+        public void A_store_that_FXC_drops_is_missing_when_its_bytecode_runs()
+        {
+            float[] all = { 1, 2, 3, -1, 2, 4, 6, -2 };
+            Assert.That(RunUnset("glslang", "TwoRuns", new float[] { 1, 2, 9 }, 0, 8), Is.EqualTo(all));
+            all[1] = 0;
+            Assert.That(RunUnset("fxc", "TwoRuns", new float[] { 1, 2, 9 }, 0, 8), Is.EqualTo(all));
+        }
     }
 }

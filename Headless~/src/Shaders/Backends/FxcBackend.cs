@@ -28,6 +28,8 @@ namespace Host.Shaders
 
         public CompiledProgram Build(PreprocessedSource source, CompileRequest request, SourceDeclarations declarations)
         {
+            if (FxcDialect.NeedsDxc(source, out PragmaLine asking))
+                throw new ShaderCompileException(asking.Where.File, asking.Where.Line, $"#pragma {asking.Text} asks for DXC, whose programs this backend does not run");
             FxcResult result = Compile(FxcRequest.Of(request, source));
             Untranslatable listed = Listed(request);
             CompiledProgram compiled;

@@ -12,6 +12,8 @@ namespace Host.Shaders
 
         static readonly SortedDictionary<string, string> asBytecode = new SortedDictionary<string, string>();   // name to why glslang made it; null = it did not
 
+        static readonly SortedDictionary<string, string> exempt = new SortedDictionary<string, string>();     // test to why
+
         /// <summary>Shader files imported from now on are compiled by it.</summary>
         public static IShaderBackend Current { get; set; } = Glslang;
 
@@ -23,6 +25,13 @@ namespace Host.Shaders
                 asBytecode[compiled.Program.Name] = compiled.WhyGlslang;
         }
 
+        /// <summary>A test of what glslang makes runs with glslang, whatever is in use.</summary>
+        public static void Exempt(string test, string why)
+        {
+            lock (exempt)
+                exempt[test] = why;
+        }
+
         /// <summary>What ran as FXC's bytecode, and what did not and why.</summary>
         public static IEnumerable<string> Report()
         {
@@ -32,6 +41,9 @@ namespace Host.Shaders
                 foreach (KeyValuePair<string, string> program in asBytecode.Where(p => p.Value != null))
                     yield return $"compiled by glslang instead: {program.Key}: {program.Value}";
             }
+            lock (exempt)
+                foreach (KeyValuePair<string, string> test in exempt)
+                    yield return $"a test of glslang's programs: {test.Key}: {test.Value}";
         }
     }
 }

@@ -20,13 +20,16 @@ namespace Host.Shaders
 
         /// <summary>
         /// Unity does not publish its flags. It ships optimized programs, and the highest level makes FXC look hardest (it unrolls
-        /// and follows more than others); the two pragmas are documented to turn that off.
+        /// and follows more than others); two pragmas are documented to turn that off. Shaders with tex2D or an output of
+        /// semantic COLOR, as the manual's examples have them, compile in Unity, and FXC takes those in its compatible mode
+        /// alone; kernels have neither, and get no more than they need.
         /// </summary>
-        public static FxcFlags Flags(PreprocessedSource source)
+        public static FxcFlags Flags(PreprocessedSource source, ShaderStage stage)
         {
             bool Has(string pragma) => source.Pragmas.Any(p => Words(p.Text) is string[] words && words[0] == pragma && (words.Length == 1 || words.Contains("d3d11")));
-            return Has("enable_d3d11_debug_symbols") ? FxcFlags.Debug | FxcFlags.SkipOptimization
+            FxcFlags optimization = Has("enable_d3d11_debug_symbols") ? FxcFlags.Debug | FxcFlags.SkipOptimization
                 : Has("skip_optimizations") ? FxcFlags.SkipOptimization : FxcFlags.OptimizationLevel3;
+            return stage == ShaderStage.Compute ? optimization : optimization | FxcFlags.BackwardsCompatibility;
         }
 
         /// <summary>Whether Unity would ask DXC instead: FXC knows neither wave operations nor the types of shader model 6.</summary>

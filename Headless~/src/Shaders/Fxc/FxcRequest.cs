@@ -8,6 +8,7 @@ namespace Host.Shaders
     {
         Debug = 1 << 0,
         SkipOptimization = 1 << 2,
+        BackwardsCompatibility = 1 << 12,
         OptimizationLevel3 = 1 << 15,
     }
 
@@ -39,7 +40,7 @@ namespace Host.Shaders
             EntryPoint = request.EntryPoint,
             EntryLine = request.EntryLine,
             Profile = FxcDialect.Profile(request.Stage, request.Target),
-            Flags = FxcDialect.Flags(source),
+            Flags = FxcDialect.Flags(source, request.Stage),
         };
     }
 }

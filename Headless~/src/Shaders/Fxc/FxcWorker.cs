@@ -32,38 +32,26 @@ namespace Host.Shaders
         /// <param name="ending">How the process ended, for that one's message.</param>
         public List<Answer> Run(IReadOnlyList<FxcRequest> requests, out string ending)
         {
-            string folder = Directory.CreateTempSubdirectory("rill-fxc-").FullName;
-            try
+            var answers = new List<Answer>();
+            string end = null;
+            FxcInstallation.InNewFolder(installation.Folder, folder =>
             {
                 // Files, not pipes: what wine starts beside the program would keep a pipe open.
                 string results = Path.Combine(folder, "results");
                 WriteJobs(Path.Combine(folder, "jobs"), requests);
-                using Process process = Process.Start(Start(folder));
+                using Process process = installation.Start(folder);
                 var said = new StringBuilder();
                 process.ErrorDataReceived += (_, e) => { lock (said) said.AppendLine(e.Data); };
                 process.BeginErrorReadLine();
-                ending = WaitFor(process, results);
-                List<Answer> answers = File.Exists(results) ? ReadAnswers(results) : new List<Answer>();
+                end = WaitFor(process, results);
+                if (File.Exists(results))
+                    answers = ReadAnswers(results);
                 lock (said)
-                    if (answers.Count == 0)
-                        ending += said.ToString().Trim() is { Length: > 0 } text ? ": " + text : "";
-                return answers;
-            }
-            finally
-            {
-                Directory.Delete(folder, recursive: true);
-            }
-        }
-
-        ProcessStartInfo Start(string folder)
-        {
-            var start = new ProcessStartInfo(installation.Wine, new[] { installation.Worker, "jobs", "results" }) { WorkingDirectory = folder, RedirectStandardError = true };
-            start.Environment["WINEPREFIX"] = installation.Prefix;
-            start.Environment["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=;winemenubuilder.exe=";  // Microsoft's, not wine's own; no offers to install .NET
-            start.Environment["WINEDEBUG"] = "-all";
-            start.Environment.Remove("DISPLAY");
-            start.Environment.Remove("WAYLAND_DISPLAY");
-            return start;
+                    if (answers.Count == 0 && said.ToString().Trim() is { Length: > 0 } text)
+                        end += ": " + text;
+            });
+            ending = end;
+            return answers;
         }
 
         string WaitFor(Process process, string results)

@@ -72,6 +72,7 @@ namespace Host.Shaders
             builder.FixRawBufferSizes();
             builder.FixAtomicTypes();
             builder.FixDepthModes();
+            builder.FixRemainders();
             if (stage == ShaderStage.Vertex)
                 builder.CountFromZero();
             program.Resources = builder.BindResources();

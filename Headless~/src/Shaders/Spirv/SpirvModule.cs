@@ -13,7 +13,7 @@ namespace Host.Shaders
         ConstantTrue = 41, Constant = 43, ConstantComposite = 44, ConstantNull = 46, SpecConstantOp = 52, Function = 54, FunctionEnd = 56, FunctionCall = 57, Variable = 59, ImageTexelPointer = 60, Load = 61, Store = 62,
         CopyMemory = 63, AccessChain = 65, InBoundsAccessChain = 66, ArrayLength = 68, Decorate = 71, MemberDecorate = 72, CompositeConstruct = 80, CompositeExtract = 81, CopyObject = 83,
         ImageFetch = 95, ImageRead = 98, ImageWrite = 99, ImageQuerySize = 104, ConvertFToU = 109, ConvertFToS = 110, Bitcast = 124, SNegate = 126, FAdd = 129, ISub = 130, FSub = 131, IMul = 132, FMul = 133,
-        UDiv = 134, SDiv = 135, UMod = 137, SRem = 138, SMod = 139, LogicalOr = 166, Select = 169, IEqual = 170, SLessThan = 177,
+        UDiv = 134, SDiv = 135, UMod = 137, SRem = 138, SMod = 139, FRem = 140, FMod = 141, LogicalOr = 166, Select = 169, IEqual = 170, SLessThan = 177,
         FUnordNotEqual = 183, FOrdLessThan = 184, FOrdGreaterThanEqual = 190, ShiftRightLogical = 194, ShiftRightArithmetic = 195, ShiftLeftLogical = 196, BitwiseAnd = 199,
         ControlBarrier = 224, MemoryBarrier = 225, AtomicLoad = 227, AtomicStore = 228, AtomicExchange = 229, AtomicCompareExchange = 230, AtomicXor = 242, DecorateId = 332,
         DecorateString = 5632, MemberDecorateString = 5633,

@@ -149,11 +149,11 @@ namespace Host.Shaders
                 Varying written = vertexOutputs.FirstOrDefault(o => o.Semantic == input.Semantic.Full);
                 if (written == null)
                     throw new ProgramException($"the fragment program reads {input.Semantic.Short}, which the vertex program does not write");
-                if (written.Location != input.Register || written.First != BitOperations.TrailingZeroCount(input.Mask))
-                    throw new ProgramException($"the fragment program reads {input.Semantic.Short} from another register than the vertex program writes it to; Direct3D joins stages by register: declare the same struct, or the same order, in both");
-                int components = 32 - BitOperations.LeadingZeroCount((uint)input.ReadMask) - written.First;
+                int components = BitOperations.Log2((uint)input.ReadMask) + 1 - BitOperations.TrailingZeroCount(input.Mask);
                 if (written.Components < components)
                     throw new ProgramException($"the fragment program reads {components} components of {input.Semantic.Short}, the vertex program writes {written.Components}");
+                if (written.Location != input.Register || written.First != BitOperations.TrailingZeroCount(input.Mask))
+                    throw new ProgramException($"the fragment program reads {input.Semantic.Short} from another register than the vertex program writes it to; Direct3D joins stages by register: declare the same struct, or the same order, in both");
             }
         }
     }
