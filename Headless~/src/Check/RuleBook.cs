@@ -8,6 +8,7 @@ namespace Host.Check
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
             new FxcRule(),
+            new LayoutRule(),
             new TargetsRule(),
         };
     }

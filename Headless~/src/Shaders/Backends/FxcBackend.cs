@@ -23,7 +23,7 @@ namespace Host.Shaders
         public string KeyOf(PreprocessedSource source, CompileRequest request)
         {
             FxcRequest asked = FxcRequest.Of(request, source);
-            return $"{FxcInstallation.DllSha256} {asked.Profile} {asked.Flags} {Vkd3dCompiler.Identity} {Listed(request)?.Reason}";
+            return $"{FxcDownload.Sha256} {asked.Profile} {asked.Flags} {Vkd3dCompiler.Identity} {Listed(request)?.Reason}";
         }
 
         public CompiledProgram Build(PreprocessedSource source, CompileRequest request, SourceDeclarations declarations)
