@@ -22,7 +22,7 @@ namespace Host.Tests
             if (before == ShaderBackend.Glslang)
                 return;
             ShaderBackend.Current = ShaderBackend.Glslang;
-            ShaderBackend.Exempt(test.FullName, why);
+            ShaderBackend.Exempt($"{test.ClassName}.{test.MethodName}", why);
         }
 
         public void AfterTest(ITest test) => ShaderBackend.Current = before;

@@ -558,7 +558,7 @@ float3 Load(uint i, out float w) { w = 1; return _Points[i]; }
     InterlockedAdd(g_Cells[0].count, 1, old);
     InterlockedCompareExchange(_Cells[id.x].count, 1, old, old);
     InterlockedMin(_Cells[id.x].range.x, -3);
-    InterlockedExchange(_Sums[1], 7, old);
+    InterlockedExchange(_Sums[id.x], 7, old);
     DeviceMemoryBarrierWithGroupSync();
     AllMemoryBarrierWithGroupSync();
     float w;
@@ -567,8 +567,8 @@ float3 Load(uint i, out float w) { w = 1; return _Points[i]; }
     [loop] for (uint k = 0; k < g_Max; k++) { if (k == 5) break; sum += k * kOffsets[k % 3]; }
     Store(_Points, id.x, normalize(sum) + rcp(w) + saturate(sum.yzx) + float3(countbits(old), firstbitlow(old), reversebits(old)) + asfloat(0x3f800000u) + f16tof32(f32tof16(w)) + mad(w, w, w));
     bool3 b = sum > 0;
-    _Sums[0] = any(b) ? g_Max : (uint)all(b) + (uint)isnan(w);
-    switch (index & 3) { case 0: _Sums[2] = 1; break; case 1: case 2: _Sums[3] = 2; break; default: break; }
+    _Sums[id.x] = any(b) ? g_Max : (uint)all(b) + (uint)isnan(w);
+    switch (index & 3) { case 0: _Sums[id.x + 64] = 1; break; case 1: case 2: _Sums[id.x + 64] = 2; break; default: break; }
 }";
             ShaderProgram program = ShaderFolder.Compile(text);
             Assert.That(program.GroupsharedBytes, Is.EqualTo(64 * 12 + 4));

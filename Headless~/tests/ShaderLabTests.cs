@@ -215,6 +215,7 @@ SubShader { Pass {
         }
 
         [Test]
+        [ByGlslang("vkd3d makes no use of a promise about depth")]
         public void Depth_modes_of_another_entry_point_do_not_stick()
         {
             const string text = @"Shader ""T"" { SubShader {

@@ -32,15 +32,20 @@ namespace Host.Shaders
                 exempt[test] = why;
         }
 
+        /// <summary>Names of the programs that ran as FXC's bytecode.</summary>
+        public static List<string> Bytecode()
+        {
+            lock (asBytecode)
+                return asBytecode.Where(p => p.Value == null).Select(p => p.Key).ToList();
+        }
+
         /// <summary>What ran as FXC's bytecode, and what did not and why.</summary>
         public static IEnumerable<string> Report()
         {
+            yield return $"{Bytecode().Count} programs ran as FXC's bytecode, through vkd3d";
             lock (asBytecode)
-            {
-                yield return $"{asBytecode.Count(p => p.Value == null)} programs ran as FXC's bytecode, through vkd3d";
                 foreach (KeyValuePair<string, string> program in asBytecode.Where(p => p.Value != null))
                     yield return $"compiled by glslang instead: {program.Key}: {program.Value}";
-            }
             lock (exempt)
                 foreach (KeyValuePair<string, string> test in exempt)
                     yield return $"a test of glslang's programs: {test.Key}: {test.Value}";

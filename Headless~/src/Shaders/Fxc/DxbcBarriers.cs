@@ -12,18 +12,22 @@ namespace Host.Shaders
         Groupshared = 2, UavOfGroup = 4, UavGlobal = 8,
     }
 
-    static class DxbcBarriers
+    /// <summary>How a program orders its memory.</summary>
+    sealed class DxbcBarriers
     {
-        const uint Sync = 190, CustomData = 53;
+        const uint CustomData = 53, TypedUav = 156, StructuredUav = 158, Sync = 190, GloballyCoherent = 1 << 16;
         const int FlagsShift = 11;
 
-        /// <summary>The program's sync instructions in their order.</summary>
+        /// <summary>The sync instructions in their order.</summary>
+        public readonly List<SyncFlags> Barriers = new List<SyncFlags>();
+        /// <summary>Whether threads look at what others wrote to buffers or textures: behind such a barrier, or where one is declared globallycoherent.</summary>
+        public readonly bool ShareUavs;
+
         /// <exception cref="FormatException">The program is cut off.</exception>
-        public static List<SyncFlags> Read(DxbcContainer container)
+        public DxbcBarriers(DxbcContainer container)
         {
             byte[] program = container.Program;
             uint Word(int at) => DxbcContainer.UInt(program, at * 4);
-            var barriers = new List<SyncFlags>();
             int words = (int)Math.Min(Word(1), program.Length / 4);
             for (int at = 2, length; at < words; at += length)
             {
@@ -32,9 +36,11 @@ namespace Host.Shaders
                 if (length == 0 || at + length > words)
                     throw new FormatException($"The program in the DXBC container is cut off at word {at}.");
                 if (opcode == Sync)
-                    barriers.Add((SyncFlags)(token >> FlagsShift & 0xF));
+                    Barriers.Add((SyncFlags)(token >> FlagsShift & 0xF));
+                else if (opcode >= TypedUav && opcode <= StructuredUav)
+                    ShareUavs |= (token & GloballyCoherent) != 0;
             }
-            return barriers;
+            ShareUavs |= Barriers.Exists(b => (b & (SyncFlags.UavOfGroup | SyncFlags.UavGlobal)) != 0);
         }
     }
 }

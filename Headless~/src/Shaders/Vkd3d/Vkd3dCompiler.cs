@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using System.Threading.Tasks;
 
 namespace Host.Shaders
@@ -34,10 +35,12 @@ namespace Host.Shaders
                 string input = Path.Combine(folder, "in.dxbc"), output = Path.Combine(folder, "out.spv");
                 File.WriteAllBytes(input, dxbc);
                 string log = Run(new[] { "-x", "dxbc-tpf", "-b", "spirv-binary", "-o", output, input }, out int exitCode);
-                if (exitCode == 0 && File.Exists(output))
-                    return File.ReadAllBytes(output);
-                IEnumerable<string> reasons = log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0 && !IsHarmless(line)).Distinct();
-                throw new ProgramException($"{Tool} cannot translate it: {string.Join("; ", reasons)}");
+                bool made = exitCode == 0 && File.Exists(output);
+                List<string> remarks = log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0 && !Harmless.Any(known => known.IsMatch(line))).Distinct().ToList();
+                // It leaves out what it does not know, says so, and calls that a success.
+                if (!made || remarks.Count > 0)
+                    throw new ProgramException($"{Tool} cannot translate it: {string.Join("; ", remarks)}");
+                return File.ReadAllBytes(output);
             }
             finally
             {
@@ -45,8 +48,20 @@ namespace Host.Shaders
             }
         }
 
-        // It remarks on the type that shader model 5 repeats in each load, and goes on without it.
-        static bool IsHarmless(string line) => line.StartsWith("fixme:shader_sm4_read_instruction_modifier");
+        // What it remarks on (in version 1.2) where nothing is wrong.
+        static readonly Regex[] Harmless =
+        {
+            // The type that shader model 5 repeats in each load.
+            new Regex("^fixme:shader_sm4_read_instruction_modifier: "),
+            // Which barrier it should be is read from the bytecode (Vkd3dProgram.Rewrite).
+            new Regex("^fixme:vkd3d_dxbc_compiler_emit_sync: Unhandled sync flags"),
+            // 0x2 globallycoherent, read from the bytecode too; 0x100 a counter.
+            new Regex("^fixme:vkd3d_dxbc_compiler_emit_dcl_resource_(structured|raw|typed): Unhandled UAV flags 0x(2|100|102)\\.$"),
+            // Least precisions (min16float): more is allowed. With more bits set it would also drop a sign.
+            new Regex("^fixme:shader_sm4_read_param: Skipping modifier 0x000(04|08|10|14)001\\.$"),
+            // Bits for refactoring allowed, raw buffers, no optimization, least precisions.
+            new Regex("^fixme:vkd3d_dxbc_compiler_emit_dcl_global_flags: Unhandled global flags 0x[0123]?[0189]\\.$"),
+        };
 
         static string Run(IEnumerable<string> arguments, out int exitCode)
         {

@@ -46,14 +46,15 @@ namespace Host.Shaders
 
         void Rewrite()
         {
-            Queue<SyncFlags> barriers = new Queue<SyncFlags>(DxbcBarriers.Read(container));
-            if (barriers.Any(b => (b & (SyncFlags.UavOfGroup | SyncFlags.UavGlobal)) != 0))
+            var order = new DxbcBarriers(container);
+            var barriers = new Queue<SyncFlags>(order.Barriers);
+            if (order.ShareUavs)
                 MakeCoherent();
             var loaded = new Dictionary<uint, uint>();      // from what would be an image to its variable
             foreach (Instruction i in module.Instructions)
                 switch (i.Op)
                 {
-                    // Bound anew; and the names of registers have been read.
+                    // Bound anew.
                     case Op.Decorate when (Decoration)i[1] is Decoration.DescriptorSet or Decoration.Binding:
                     // Defined among the added types.
                     case Op.Variable when storageBuffers.ContainsKey(i[1]):
