@@ -32,6 +32,11 @@ namespace Host.Tests
                 .Add("Wave.compute", Kernel + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID)\n{\n    _Out[id.x] = WaveActiveSum(id.x);\n}\n")
                 .Add("Dxc.compute", "#pragma use_dxc\n" + Kernel + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { _Out[id.x] = WaveActiveSum(id.x); }\n")
                 .Add("Truncates.compute", "#pragma kernel K\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID)\n{\n    float4 four = float4(id, 1);\n    _Out[id.x] = four;\n}\n")
+                .Add("Hushed.compute", "#include \"Hush.hlsl\"\n#pragma kernel K\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID) { float4 four = float4(id, 1); _Out[id.x] = four; }\n")
+                .Add("Hush.hlsl", "#pragma warning(disable : 3206)\n")
+                .Add("Loud.compute", "#pragma warning(disable : 3206)\n#pragma kernel K\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID) { float4 four = float4(id, 1); _Out[id.x] = four; }\n")
+                .Add("Pragma.compute", Kernel + "#include \"Pragma.hlsl\"\n[numthreads(1,1,1)] void K() { _Out[0] = 1; }\n")
+                .Add("Pragma.hlsl", "\n#pragma multi_compile _ NOT_HERE\n")
                 .Add("NineUavs.compute", "#pragma kernel K\n" + Declare("RWStructuredBuffer<uint> _A", 9) + "[numthreads(64,1,1)] void K(uint3 id : SV_DispatchThreadID) { " + Each("_A@[id.x] = 1; ", 9) + "}\n")
                 .Add("TooShared.compute", Kernel + "groupshared uint g_A[8193];\n[numthreads(64,1,1)] void K(uint3 id : SV_GroupThreadID)\n{\n    g_A[id.x * 100] = id.x;\n    GroupMemoryBarrierWithGroupSync();\n    _Out[id.x] = g_A[8192 - id.x];\n}\n")
                 .Add("Threads.compute", Kernel + "[numthreads(1025,1,1)] void K(uint3 id : SV_DispatchThreadID) { _Out[id.x] = 1; }\n")
@@ -44,6 +49,7 @@ namespace Host.Tests
                 .Add("Samples~/Old.shader", Shader("sampler2D _Tex;\nfloat4 Vertex(float4 at : POSITION) : SV_Position { return at; }\nfloat4 Fragment(float4 at : SV_Position) : COLOR { return tex2D(_Tex, at.xy); }\n"))
                 .Add("Stage.shader", Shader("float4 Vertex(float4 at : POSITION) : SV_Position { return at; }\nfloat4 Fragment(float4 at : SV_Position) : SV_Target\n{\n    return wrong;\n}\n"))
                 .Add("Fog.shader", Shader("#pragma multi_compile_fog\nfloat4 Vertex(float4 at : POSITION) : SV_Position { return at; }\nfloat4 Fragment(float4 at : SV_Position) : SV_Target { return 1; }\n"))
+                .Add("Unused.hlsl", "float Unused(float a) { return a; }\n")
                 .Add("Hidden~/Ignored.compute", "not HLSL at all");
             findings = new FxcRule().Examine(package.Tree);
         }
@@ -65,6 +71,8 @@ namespace Host.Tests
         [TestCase("Wave.compute(5): error X3004: undeclared identifier 'WaveActiveSum'")]
         [TestCase("Dxc.compute (K): #pragma use_dxc asks for DXC")]
         [TestCase("Truncates.compute(6): warning X3206: implicit truncation of vector type")]
+        [TestCase("Loud.compute(4): warning X3206: implicit truncation of vector type")]    // Unity minds HLSL's pragmas in includes alone
+        [TestCase("Pragma.hlsl(2): warning X3568: 'multi_compile' : unknown pragma ignored; in Pragma.compute (K)")]
         [TestCase("NineUavs.compute (K): 9 UAVs, but Direct3D 11.0 has 8")]
         [TestCase("TooShared.compute(1): error X4586: The total amount of group shared memory (32772 bytes) exceeds")]
         [TestCase("Threads.compute(3): error X3655")]
@@ -74,10 +82,18 @@ namespace Host.Tests
         [TestCase("Nameless.compute(1): error: #pragma kernel needs a name")]
         [TestCase("Garbage.shader(3): error")]
         [TestCase("Stage.shader(14): error X3004: undeclared identifier 'wrong'; in Stage.shader (P/Vertex), Stage.shader (P/Fragment)")]
+        [TestCase("Unused.hlsl: no kernel or stage of the package includes it")]
         [TestCase("Fog.shader(11): the variants of #pragma multi_compile_fog are not compiled here")]
         public void A_planted_fault_is_named_with_file_and_line(string fault)
         {
             Assert.That(findings.Faults, Has.Some.StartsWith(fault));
+        }
+
+        [Test]
+        public void A_fault_in_an_include_of_the_package_is_seen_once_with_kernels_that_have_it()
+        {
+            using (var copy = new PackageCopy())
+                copy.Catches(new FxcRule(), () => copy.Replace("Shaders/GridRows.hlsl", "#endif", "float Planted(float4 four) { return four; }\n#endif"), "Shaders/GridRows.hlsl(", "warning X3206", "Shaders/DensityConstraint.compute (BuildList)", " more");
         }
 
         [Test]
@@ -87,6 +103,7 @@ namespace Host.Tests
         }
 
         [TestCase("Good.compute")]
+        [TestCase("Hushed.compute")]
         [TestCase("Samples~/Old.shader")]
         [TestCase("Hidden~")]
         public void What_Unity_takes_or_does_not_see_is_no_fault(string file)

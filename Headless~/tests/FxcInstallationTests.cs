@@ -1,11 +1,9 @@
 using System;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using Host.Check;
 using Host.Shaders;
 using NUnit.Framework;
-using UnityEngine.Headless;
 
 namespace Host.Tests
 {
@@ -118,6 +116,17 @@ namespace Host.Tests
             var results = compiler.CompileAll(new[] { Request("poison"), Request("one"), Request("two") });
             Assert.That(results.Select(r => r.Success), Is.EqualTo(new[] { false, true, true }));
             Assert.That(results[0].Messages.Single().ToString(), Is.EqualTo("poison(1): error: FXC ended with code 7 while it compiled this"));
+        }
+
+        [Test]
+        public void A_compiler_that_hangs_is_stopped()
+        {
+            TakeDll();
+            Script(Gcc, "touch fxc-worker.exe\n");
+            Script("wine64", "if [ $(wc -c < jobs) -gt 4 ]; then exec sleep 100; fi\n");
+            var worker = new FxcWorker(new FxcInstallation(cache, new[] { tools }), TimeSpan.FromSeconds(0.5));
+            Assert.That(worker.Run(new[] { Request("long") }, out string ending), Is.Empty);
+            Assert.That(ending, Does.StartWith("was stopped after"));
         }
 
         [Test]

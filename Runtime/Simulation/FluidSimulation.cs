@@ -207,7 +207,11 @@ namespace Rill
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
         }
 
-        void Update()
+        void Update() => Advance(Time.deltaTime);
+
+        /// <summary>Lets time pass: takes the fixed steps that fit. Allocates no managed memory once it runs.</summary>
+        /// <param name="frameTime">Time since the last call, s.</param>
+        internal void Advance(float frameTime)
         {
             if (!HasFiniteTransform())
                 return;
@@ -227,7 +231,7 @@ namespace Rill
             }
 
             double dropped = clock.Dropped;
-            int steps = clock.Advance(Time.deltaTime, FixedStep, maxStepsPerFrame);
+            int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
         }

@@ -20,7 +20,7 @@ namespace Host.Check
             string packageFolder = PackageFolder(package, findings);
             string Resolve(string include) => packageFolder != null && include.StartsWith(packageFolder, StringComparison.Ordinal) ? package.FullPath(include.Substring(packageFolder.Length)) : null;
 
-            List<string> paths = Files(package).ToList();
+            List<string> paths = Files(package, ".compute", ".shader").ToList();
             files = paths.Count;
             var variants = new List<ShaderVariant>();
             foreach (string path in paths)
@@ -35,10 +35,17 @@ namespace Host.Check
             return variants;
         }
 
-        static IEnumerable<string> Files(PackageTree package)
+        /// <summary>Includes of which no variant has read a line: nothing shows that they compile.</summary>
+        public static IEnumerable<string> Unread(PackageTree package, IEnumerable<ShaderVariant> variants)
+        {
+            HashSet<string> read = variants.Where(v => v.Fxc != null).SelectMany(v => v.Fxc.Source.Files).Select(Path.GetFullPath).ToHashSet();
+            return Files(package, ".hlsl", ".cginc").Where(file => !read.Contains(package.FullPath(file)));
+        }
+
+        static IEnumerable<string> Files(PackageTree package, params string[] extensions)
         {
             var visible = new HashSet<string>(package.Visible);
-            return package.WithExtension(".compute", ".shader").Where(file => visible.Contains(file) || file.StartsWith(Samples, StringComparison.Ordinal));
+            return package.WithExtension(extensions).Where(file => visible.Contains(file) || file.StartsWith(Samples, StringComparison.Ordinal));
         }
 
         // "Packages/com.name/", as includes have it; a package without a name is another rule's fault, but its includes fail here.

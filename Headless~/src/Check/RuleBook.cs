@@ -7,6 +7,18 @@ namespace Host.Check
     {
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
+            new MetaFilesRule(),
+            new FileNamesRule(),
+            new ManifestRule(),
+            new AssemblyDefinitionsRule(),
+            new ScriptNamesRule(),
+            new ReferencesRule(),
+            new ScriptFieldsRule(),
+            new TarballRule(),
+            new TestProjectRule(),
+            new LinksRule(),
+            new FrameCallsRule(),
+            new StaticsRule(),
             new FxcRule(),
             new LayoutRule(),
             new TargetsRule(),

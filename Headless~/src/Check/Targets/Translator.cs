@@ -12,6 +12,8 @@ namespace Host.Check
     /// <summary>Runs spirv-cross and glslangValidator; what they said is kept by content. Thread-safe.</summary>
     sealed class Translator
     {
+        const string Version = "2";     // of how the tools are run: another makes what was kept worthless
+
         readonly string cache, cross, glslang;
 
         /// <param name="toolFolders">Null: those of the PATH.</param>
@@ -31,7 +33,7 @@ namespace Host.Check
         /// <summary>Null when the program becomes a text that its language's compiler takes; otherwise what is wrong, in a line.</summary>
         public string Try(ShaderProgram program, Translation translation)
         {
-            string key = ShaderCache.Key(Identity(cross), Identity(glslang), string.Join(" ", translation.Options), string.Join(" ", translation.ReadBack ?? new[] { "not" }), Convert.ToHexString(program.Spirv));
+            string key = ShaderCache.Key(Version, Identity(cross), Identity(glslang), string.Join(" ", translation.Options), string.Join(" ", translation.ReadBack ?? new[] { "not" }), Convert.ToHexString(program.Spirv));
             string kept = Path.Combine(cache, key);
             if (!File.Exists(kept))
             {

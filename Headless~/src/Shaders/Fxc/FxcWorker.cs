@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Text;
-using System.Threading;
 
 namespace Host.Shaders
 {
@@ -68,7 +67,7 @@ namespace Host.Shaders
                     continue;
                 process.Kill(entireProcessTree: true);
                 process.WaitForExit(10000);
-                return $"was stopped after {patience.TotalSeconds:0} s without an answer";
+                return $"was stopped after {patience.TotalSeconds:0.#} s without an answer";
             }
             return $"ended with code {process.ExitCode}";
         }

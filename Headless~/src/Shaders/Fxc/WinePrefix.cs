@@ -11,6 +11,8 @@ namespace Host.Shaders
     /// </summary>
     static class WinePrefix
     {
+        const string Kernel = "kernel32.dll";
+
         static readonly string[] LibraryFolders =
         {
             "/usr/lib/x86_64-linux-gnu/wine/x86_64-windows", "/usr/lib/wine/x86_64-windows", "/usr/lib64/wine/x86_64-windows", "/opt/wine-stable/lib64/wine/x86_64-windows",
@@ -19,15 +21,14 @@ namespace Host.Shaders
         /// <param name="tryOut">Runs a program in it; it stays only when that goes well.</param>
         public static void Make(string prefix, Action tryOut)
         {
-            string ready = Path.Combine(prefix, "ready");
-            if (File.Exists(ready))
+            string ready = Path.Combine(prefix, "ready"), system = Path.Combine(prefix, "drive_c", "windows", "system32"), drives = Path.Combine(prefix, "dosdevices");
+            if (File.Exists(ready) && File.Exists(Path.Combine(system, Kernel)))    // wine may have moved since
                 return;
-            string libraries = LibraryFolders.FirstOrDefault(f => File.Exists(Path.Combine(f, "kernel32.dll")))
+            string libraries = LibraryFolders.FirstOrDefault(f => File.Exists(Path.Combine(f, Kernel)))
                 ?? throw new FxcException($"wine's libraries are in none of {string.Join(", ", LibraryFolders)} (Debian: apt-get install wine64).");
             if (Directory.Exists(prefix))
                 Directory.Delete(prefix, recursive: true);
 
-            string system = Path.Combine(prefix, "drive_c", "windows", "system32"), drives = Path.Combine(prefix, "dosdevices");
             Directory.CreateDirectory(system);
             foreach (string library in Directory.GetFiles(libraries, "*.dll"))
                 File.CreateSymbolicLink(Path.Combine(system, Path.GetFileName(library)), library);

@@ -34,6 +34,8 @@ namespace Host.Shaders
         public List<SourceLine> Lines = new List<SourceLine>();
         /// <summary>#pragma lines of the root and of files included with #include_with_pragmas.</summary>
         public List<PragmaLine> Pragmas = new List<PragmaLine>();
+        /// <summary>Every file that was read, on disk.</summary>
+        public HashSet<string> Files = new HashSet<string>();
     }
 
     /// <summary>Who reads the text.</summary>
@@ -54,7 +56,6 @@ namespace Host.Shaders
     sealed class Preprocessor
     {
         const int MaxIncludeDepth = 64;
-        static readonly HashSet<string> StandardPragmas = new HashSet<string> { "def", "message", "pack_matrix", "ruledisable", "warning" };
 
         readonly IncludeResolver resolver;
         readonly Macros macros = new Macros();
@@ -113,6 +114,8 @@ namespace Host.Shaders
 
         void Process(SourceSegment segment, bool pragmasCount)
         {
+            if (segment.DiskPath != null)
+                result.Files.Add(segment.DiskPath);
             List<string> lines = SourceText.Lines(segment.Text);
             var branches = new Stack<Branch>();
             bool active = true;
@@ -314,8 +317,8 @@ namespace Host.Shaders
             string name = text.Split(new[] { ' ', '\t', '(' }, 2)[0];
             if (name == "once")
                 onceOnly.Add(segment.DiskPath);
-            // Unity passes the pragmas of HLSL itself on from regular includes ("Preprocessor directives in HLSL").
-            else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount && StandardPragmas.Contains(name))
+            // Unity leaves pragmas of regular includes to the compiler (manual, "pragma directives in HLSL"). Its own do nothing there, of which FXC warns.
+            else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount)
                 Emit("#pragma " + text, segment, line - segment.FirstLine);
             else if (pragmasCount)
                 result.Pragmas.Add(new PragmaLine(text, new SourceLine(segment.DisplayPath, line)));
