@@ -474,6 +474,64 @@ namespace Host.Tests
             }
         }
 
+        // ---- control
+
+        static uint[] RunControl(string backend, string kernel)
+        {
+            ComputeShader shader = Compute(backend, "Control");
+            int k = shader.FindKernel(kernel);
+            using (GraphicsBuffer words = Buffer(Inputs))
+            using (GraphicsBuffer result = Buffer(new uint[64]))
+            {
+                shader.SetBuffer(k, "_Words", words);
+                shader.SetBuffer(k, "_Result", result);
+                shader.Dispatch(k, 1, 1, 1);
+                return Words(result);
+            }
+        }
+
+        static void CheckControl(string backend, string kernel, Func<int, uint, uint> rule)
+            => Assert.That(RunControl(backend, kernel), Is.EqualTo(Enumerable.Range(0, 64).Select(i => rule(i, Inputs[i]))));
+
+        [TestCaseSource(nameof(Backends))]
+        public void Arrays_are_indexed_at_run_time(string backend)
+        {
+            uint[] table = { 3, 1, 4, 1, 5, 9, 2 };
+            CheckControl(backend, "Arrays", (i, word) => (uint)Inputs.Take(i + 1).Sum(w => table[w % 7]) + 3 * (word & 3) + 1 + (uint)i % 3);
+        }
+
+        [TestCaseSource(nameof(Backends))]
+        public void A_switch_takes_one_way(string backend)
+            => CheckControl(backend, "Switches", (i, word) =>
+            {
+                switch (word % 6)
+                {
+                    case 0: return (uint)i;
+                    case 1:
+                    case 2: return 100 + (uint)i;
+                    case 4: return i % 2 == 1 ? 100u : 4;
+                    default: return 7;
+                }
+            });
+
+        [TestCaseSource(nameof(Backends))]
+        public void Loops_are_left_and_gone_on_with(string backend)
+            => CheckControl(backend, "Loops", (i, word) =>
+            {
+                uint steps = 0, odd = 0;
+                for (uint n = word; n != 1 && steps < 50; n = n % 2 == 0 ? n / 2 : 3 * n + 1)
+                {
+                    steps++;
+                    odd += n % 2;
+                }
+                int found = Array.FindIndex(Inputs, w => w % 64 == i);
+                return steps + 100 * odd + 10000 * (uint)(found < 0 ? 64 : found);
+            });
+
+        [TestCaseSource(nameof(Backends))]
+        public void Functions_return_early_and_through_their_parameters(string backend)
+            => CheckControl(backend, "Calls", (i, word) => Math.Max(word, (uint)i % 5) + 1000);
+
         // ---- what is not the same
 
         static float[] RunUnset(string backend, string kernel, float[] floats, int count, int results)

@@ -187,6 +187,7 @@ namespace Host.Shaders
 
         string Text(int at)
         {
+            Slice(at, 0);
             int end = Array.IndexOf(chunk, (byte)0, at);
             if (end < 0)
                 throw new FormatException($"A name at byte {at} of the RDEF chunk has no end.");

@@ -15,7 +15,7 @@ namespace Host.Shaders
         ImageFetch = 95, ImageRead = 98, ImageWrite = 99, ImageQuerySize = 104, ConvertFToU = 109, ConvertFToS = 110, Bitcast = 124, SNegate = 126, FAdd = 129, ISub = 130, FSub = 131, IMul = 132, FMul = 133,
         UDiv = 134, SDiv = 135, UMod = 137, SRem = 138, SMod = 139, FRem = 140, FMod = 141, LogicalOr = 166, Select = 169, IEqual = 170, SLessThan = 177,
         FUnordNotEqual = 183, FOrdLessThan = 184, FOrdGreaterThanEqual = 190, ShiftRightLogical = 194, ShiftRightArithmetic = 195, ShiftLeftLogical = 196, BitwiseAnd = 199,
-        ControlBarrier = 224, MemoryBarrier = 225, AtomicLoad = 227, AtomicStore = 228, AtomicExchange = 229, AtomicCompareExchange = 230, AtomicXor = 242, DecorateId = 332,
+        ControlBarrier = 224, MemoryBarrier = 225, AtomicLoad = 227, AtomicStore = 228, AtomicExchange = 229, AtomicCompareExchange = 230, AtomicXor = 242, Label = 248, Branch = 249, Unreachable = 255, DecorateId = 332,
         DecorateString = 5632, MemberDecorateString = 5633,
     }
 

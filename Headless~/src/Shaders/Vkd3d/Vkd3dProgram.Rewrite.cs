@@ -51,7 +51,7 @@ namespace Host.Shaders
             if (order.ShareUavs)
                 MakeCoherent();
             var loaded = new Dictionary<uint, uint>();      // from what would be an image to its variable
-            foreach (Instruction i in module.Instructions)
+            foreach (Instruction i in Reachable(module.Instructions))
                 switch (i.Op)
                 {
                     // Bound anew.
@@ -89,6 +89,19 @@ namespace Host.Shaders
             foreach (Instruction variable in module.Instructions.Where(i => i.Op == Op.Variable && storageBuffers.ContainsKey(i[1])))
                 editor.Add(variable);
             editor.Commit(output);
+        }
+
+        // vkd3d goes on behind the end of a block where a loop's last instruction leaves it.
+        static IEnumerable<Instruction> Reachable(IEnumerable<Instruction> instructions)
+        {
+            bool ended = false;
+            foreach (Instruction i in instructions)
+            {
+                ended &= i.Op != Op.Label && i.Op != Op.FunctionEnd;
+                if (!ended)
+                    yield return i;
+                ended |= i.Op >= Op.Branch && i.Op <= Op.Unreachable;
+            }
         }
 
         uint Zero => editor.Constant(editor.Definition(editor.Type(Op.TypeInt, 32, 0)), 0);

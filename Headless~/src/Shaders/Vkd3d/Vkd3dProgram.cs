@@ -13,8 +13,6 @@ namespace Host.Shaders
     /// </summary>
     sealed partial class Vkd3dProgram
     {
-        /// <summary>Part of the cache's keys: another build of this assembly may rewrite differently.</summary>
-        public static string Version => ProgramBuilder.Version;
         const int FirstFragmentBinding = 32;
         static readonly Regex RegisterName = new Regex(@"^(?:(cb)(\d+)_\d+|([tus])(\d+)(_counter)?)$");
 
