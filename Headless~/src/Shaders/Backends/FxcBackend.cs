@@ -23,7 +23,7 @@ namespace Host.Shaders
         public string KeyOf(PreprocessedSource source, CompileRequest request)
         {
             FxcRequest asked = FxcRequest.Of(request, source);
-            return $"{FxcDownload.Sha256} {asked.Profile} {asked.Flags} {Vkd3dCompiler.Identity} {Listed(request)?.Reason}";
+            return $"{FxcDownload.Sha256} {asked.Profile} {asked.Flags} {Vkd3dCompiler.Identity} {SpirvValidator.Identity} {Listed(request)?.Reason}";
         }
 
         public CompiledProgram Build(PreprocessedSource source, CompileRequest request, SourceDeclarations declarations)
@@ -37,6 +37,7 @@ namespace Host.Shaders
             {
                 byte[] spirv = Vkd3dCompiler.Translate(result.Dxbc);
                 compiled = Vkd3dProgram.Build(result.Dxbc, spirv, request.Name, request.Stage, declarations, request.VertexOutputs);
+                SpirvValidator.Check(compiled.Program.Spirv);
             }
             catch (ProgramException e) when (listed != null && e.Message == listed.Reason)
             {
