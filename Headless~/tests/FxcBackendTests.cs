@@ -209,7 +209,7 @@ namespace Host.Tests
             using (GraphicsBuffer written = Buffer(new float[2 * elementWords], stride: 4 * elementWords))
             {
                 shader.SetInt("_Index", index);
-                shader.SetConstantBuffer("Params", constants, 0, 256 * 4);
+                shader.SetConstantBuffer(kernel == "ReadPlaced" ? "Placed" : "Params", constants, 0, 256 * 4);
                 if (kernel == "ReadElements")
                 {
                     shader.SetBuffer(k, "_Elements", elements);
@@ -231,6 +231,10 @@ namespace Host.Tests
             // As in ShaderLayoutTests up to x at 76; pair 80, 84 and 88, isSet 90, mats 92 (columns) and 104, end 114.
             Assert.That(got.Take(20), Is.EqualTo(new float[] { 2, 3, 16, 17, 24, 22, 31, 37, 38, 51, 54, 65, 74, 76, 12, 52, 89, 1, 113, 114 }));
         }
+
+        [TestCaseSource(nameof(Backends))]
+        public void Constants_lie_where_packoffset_puts_them(string backend)
+            => Assert.That(RunPacking(backend, "ReadPlaced", 0).Take(4), Is.EqualTo(new float[] { 37, 11, 24, 55 }));
 
         [TestCaseSource(nameof(Backends))]
         public void Elements_of_structured_buffers_lie_without_gaps(string backend)

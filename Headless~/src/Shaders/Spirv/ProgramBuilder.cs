@@ -217,7 +217,8 @@ namespace Host.Shaders
 
         ShaderResource DescribeConstants(string name, Instruction block)
         {
-            layout.Apply(block, Packing.Constant);
+            layout.Apply(block, Packing.Constant, m => declarations.PackOffset(types.MemberName(block[0], m)));
+            int end = Enumerable.Range(0, block.Words.Length - 1).Max(m => (int)types.Decorated(block[0], m, Decoration.Offset)[3] + layout.Size(types[block[m + 1]], layout.IsRowMajor(block, m), Packing.Constant));
             bool globals = name == "$Global";
             return new ShaderResource
             {
@@ -225,7 +226,7 @@ namespace Host.Shaders
                 Kind = ShaderResourceKind.ConstantBuffer,
                 Constants = new ConstantLayout
                 {
-                    Bytes = (layout.Size(block, false, Packing.Constant) + 15) / 16 * 16,
+                    Bytes = (end + 15) / 16 * 16,
                     IsGlobals = globals,
                     Fields = Enumerable.Range(0, block.Words.Length - 1).Where(m => IsSettable(types[block[m + 1]])).Select(m => DescribeField(block, m)).ToArray(),
                 },
