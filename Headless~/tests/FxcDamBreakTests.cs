@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using System.Reflection;
 using Host.Assets;
@@ -15,23 +16,17 @@ namespace Host.Tests
         const int Frames = 60;
         const float FrameTime = 1f / 60f;
 
-        static FluidStatistics Play(IShaderBackend backend)
+        // With assets of their own: those of the run have their kernels already.
+        static T With<T>(IShaderBackend backend, Func<T> play)
         {
             IShaderBackend backendBefore = ShaderBackend.Current;
             IAssetSource assetsBefore = Player.Assets;
-            // Assets of its own: those of the run have their kernels already.
             ShaderBackend.Current = backend;
             var assets = new ProjectAssets(ProjectFolders.Of(Session.Root()), new[] { typeof(FluidSimulation).Assembly }, strict: true);
             Player.Assets = assets;
             try
             {
-                FluidSimulation simulation = Build();
-                for (int i = 0; i < Frames; i++)
-                    PlayerLoop.Frame(FrameTime);
-                HostSetup.Device.WaitIdle();
-                PlayerLoop.Frame(0f);
-                Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics), Is.True);
-                return statistics;
+                return play();
             }
             finally
             {
@@ -42,8 +37,28 @@ namespace Host.Tests
             }
         }
 
+        static FluidStatistics Collapse()
+        {
+            FluidSimulation simulation = Build(drawn: false);
+            for (int i = 0; i < Frames; i++)
+                PlayerLoop.Frame(FrameTime);
+            HostSetup.Device.WaitIdle();
+            PlayerLoop.Frame(0f);
+            Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics), Is.True);
+            return statistics;
+        }
+
+        static byte[] Picture()
+        {
+            Player.ScreenWidth = 160;
+            Player.ScreenHeight = 96;
+            Build(drawn: true);
+            PlayerLoop.Frame(FrameTime);
+            return Screenshot.ReadRgba();
+        }
+
         // 1,280 particles against one wall of a tank.
-        static FluidSimulation Build()
+        static FluidSimulation Build(bool drawn)
         {
             var fluid = new GameObject("Fluid");
             fluid.SetActive(false);
@@ -58,6 +73,12 @@ namespace Host.Tests
             block.transform.SetParent(fluid.transform);
             block.transform.localPosition = new Vector3(-0.5f, 0f, 0f);
             block.AddComponent<FluidVolume>().Size = new Vector3(1f, 1f, 0.8f);
+            if (drawn)
+            {
+                fluid.AddComponent<ParticleRenderer>();
+                fluid.AddComponent<DomainRenderer>();
+                new GameObject("Camera").AddComponent<Camera>().transform.position = new Vector3(0f, 0f, -2f);
+            }
             fluid.SetActive(true);
             return simulation;
         }
@@ -65,7 +86,7 @@ namespace Host.Tests
         [Test]
         public void Water_collapses_the_same_way()
         {
-            FluidStatistics expected = Play(ShaderBackend.Glslang), got = Play(ShaderBackend.Fxc);
+            FluidStatistics expected = With(ShaderBackend.Glslang, Collapse), got = With(ShaderBackend.Fxc, Collapse);
             string[] kernels = ShaderBackend.Bytecode().Where(name => name.Contains(".compute")).ToArray();
             Assert.That(kernels.Length, Is.GreaterThanOrEqualTo(15), "kernels from bytecode: " + string.Join(", ", kernels));
 
@@ -82,6 +103,17 @@ namespace Host.Tests
             Assert.That(got.furthest.x, Is.EqualTo(expected.furthest.x).Within(0.1f));
             Assert.That(got.densityError, Is.EqualTo(expected.densityError).Within(0.01f));
             TestContext.WriteLine($"volume {expected.volumeRatio} {got.volumeRatio}, speed {expected.speed} {got.speed}, front {expected.furthest.x} {got.furthest.x}, density error {expected.densityError} {got.densityError}");
+        }
+
+        [Test]
+        public void It_looks_the_same()
+        {
+            byte[] expected = With(ShaderBackend.Glslang, Picture), got = With(ShaderBackend.Fxc, Picture);
+            Assert.That(ShaderBackend.Bytecode().Count(name => name.Contains(".shader")), Is.GreaterThanOrEqualTo(4), "both stages of particles and domain from bytecode");
+            Assert.That(expected.Distinct().Count(), Is.GreaterThan(20), "there is something to see");
+            // A sphere's edge may fall on the other side of a pixel's centre.
+            int different = Enumerable.Range(0, expected.Length).Count(i => Math.Abs(expected[i] - got[i]) > 2);
+            Assert.That(different, Is.LessThanOrEqualTo(expected.Length / 500));
         }
     }
 }
