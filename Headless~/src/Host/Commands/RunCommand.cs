@@ -26,10 +26,12 @@ namespace Host.Commands
             var seed = new Option<int?>("--seed") { Description = "Seed of UnityEngine.Random." };
             var noCompute = new Option<bool>("--no-compute") { Description = "Pretend that the machine cannot run compute shaders." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
+            Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, seconds, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, notStrict };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, seconds, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, notStrict, shaders };
             command.SetAction(parsed =>
             {
+                ShadersOption.Use(parsed.GetValue(shaders));
                 (int width, int height) = Size(parsed.GetValue(size));
                 var settings = new RunSettings
                 {
@@ -55,7 +57,9 @@ namespace Host.Commands
                     throw new HostException("--stills needs frames; leave out --no-frames.");
                 if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
                     throw new HostException("--dump <folder> and --at <frame,...> go together.");
-                return new SceneRun(settings, Console.Out).Execute();
+                int outcome = new SceneRun(settings, Console.Out).Execute();
+                ShadersOption.Report(Console.Out);
+                return outcome;
             });
             return command;
         }
