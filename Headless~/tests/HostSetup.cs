@@ -47,6 +47,7 @@ namespace Host.Tests
             deviceBefore = Player.Device;
             strictBefore = Player.Strict;
             Player.Device = HostSetup.Device;
+            BuiltInShaders.Install();
             Player.Strict = true;
             Player.PretendNoCompute = false;
             Player.LinearColorSpace = true;

@@ -270,7 +270,7 @@ ENDHLSL } } }";
         [TestCase("Shader \"T\" {\n SubShader {\n Pass {\n HLSLPROGRAM\n } } }", 4, "ENDHLSL")]
         [TestCase("Shader \"T {\n", 1, "no closing quote")]
         [TestCase("Shader \"T\" {\n\n Gibberish }", 3, "'Gibberish'")]
-        [TestCase("Shader \"T\" { SubShader {\n CGPROGRAM\n#pragma surface surf Lambert\nENDCG } }", 2, "surface shader")]
+        [TestCase("Shader \"T\" { SubShader {\n CGPROGRAM\n#pragma vertex vert\nENDCG } }", 2, "#pragma surface")]
         public void Syntax_errors_are_named_with_file_and_line(string text, int line, string what)
         {
             var error = Assert.Throws<ShaderCompileException>(() => Import(text));

@@ -44,7 +44,15 @@ namespace Host.Shaders
 
         /// <summary>What Unity's compiler for Direct3D 11 defines.</summary>
         /// <param name="target">SHADER_TARGET: 50 for shader model 5.0.</param>
-        public static List<KeyValuePair<string, string>> PlatformDefines(ShaderStage stage, int target) => new List<KeyValuePair<string, string>>
+        public static List<KeyValuePair<string, string>> PlatformDefines(ShaderStage stage, int target)
+        {
+            List<KeyValuePair<string, string>> defines = Direct3D11(stage, target);
+            if (!Player.LinearColorSpace)
+                defines.Add(KeyValuePair.Create("UNITY_COLORSPACE_GAMMA", "1"));
+            return defines;
+        }
+
+        static List<KeyValuePair<string, string>> Direct3D11(ShaderStage stage, int target) => new List<KeyValuePair<string, string>>
         {
             KeyValuePair.Create("SHADER_API_D3D11", "1"),
             KeyValuePair.Create("SHADER_API_DESKTOP", "1"),
@@ -58,6 +66,9 @@ namespace Host.Shaders
 
         public List<PragmaLine> ReadPragmas(List<SourceSegment> segments, ShaderStage stage, int target)
             => Preprocessor.ReadPragmas(segments, PlatformDefines(stage, target), resolver);
+
+        /// <exception cref="ShaderCompileException"/>
+        public string Preprocess(List<SourceSegment> segments, List<KeyValuePair<string, string>> defines) => Preprocessor.Run(segments, defines, resolver).Text;
 
         /// <exception cref="ShaderCompileException"/>
         public CompiledProgram Compile(CompileRequest request)
@@ -84,6 +95,15 @@ namespace Host.Shaders
 
         CompiledProgram Build(PreprocessedSource source, CompileRequest request)
         {
+            try
+            {
+                source.Text = LegacySyntax.Rewrite(source.Text);
+            }
+            catch (LegacySyntaxException e)
+            {
+                SourceLine where = e.Line < source.Lines.Count ? source.Lines[e.Line] : request.EntryLine;
+                throw new ShaderCompileException(where.File, where.Line, e.Message);
+            }
             var declarations = new SourceDeclarations(source.Text);
             // glslang would make an empty program of an entry point that it does not find.
             if (!declarations.HasFunction(request.EntryPoint))

@@ -52,6 +52,20 @@ namespace Host.Shaders
 
         public RenderState Copy() => (RenderState)MemberwiseClone();
 
+        /// <summary>What the options alpha and decal of a surface shader ask for.</summary>
+        public RenderState With(SurfaceBlend mode)
+        {
+            RenderState state = Copy();
+            if (mode == SurfaceBlend.Opaque)
+                return state;
+            StateValue one = new StateValue(1), alpha = new StateValue(5), oneMinusAlpha = new StateValue(10);
+            state.blend = true;
+            state.srcColor = state.srcAlpha = mode == SurfaceBlend.Premultiplied || mode == SurfaceBlend.DecalAdd ? one : alpha;
+            state.dstColor = state.dstAlpha = mode == SurfaceBlend.DecalAdd ? one : oneMinusAlpha;
+            state.zWrite = new StateValue(0);
+            return state;
+        }
+
         /// <summary>Reads one command when the reader stands at one. Adds to the notes what this host leaves out.</summary>
         public bool TryRead(ShaderLabReader reader, List<string> notes)
         {
