@@ -15,7 +15,7 @@ namespace Host.Tests
     /// <summary>What the package says of itself, held against what the device was asked to do and what memory is alive.</summary>
     public class FluidSceneTests : GraphicsFixture
     {
-        const float Frame = 1f / 60f;
+        const float FrameTime = 1f / 60f;
 
         static readonly (string Name, Action<FluidSimulation> Change, bool Particles, bool Domain)[] Scenes =
         {
@@ -34,10 +34,10 @@ namespace Host.Tests
         public void A_step_dispatches_what_is_explained_and_nothing_else(string name)
         {
             FluidSimulation simulation = Build(name);
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
 
             GpuWork.Log = new List<string>();
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
             List<string> asked = GpuWork.Log.Select(Short).OrderBy(entry => entry).ToList();
             GpuWork.Log = null;
 
@@ -50,8 +50,8 @@ namespace Host.Tests
         public void The_buffers_alive_are_those_explained(string name)
         {
             FluidSimulation simulation = Build(name);
-            PlayerLoop.Frame(Frame);
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
+            PlayerLoop.Frame(FrameTime);
 
             var alive = BufferStorage.Live.Select(buffer => $"{buffer.Name} {buffer.Bytes}").OrderBy(entry => entry);
             var explained = simulation.Describe().SelectMany(stage => stage.Buffers).Select(buffer => $"{buffer.name} {buffer.bytes}").OrderBy(entry => entry);
@@ -62,7 +62,7 @@ namespace Host.Tests
         public void A_stage_that_is_off_has_no_kernel_and_no_buffer()
         {
             FluidSimulation simulation = Build("everything off");
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
             List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
             Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Vorticity confinement", "Statistics", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
@@ -75,13 +75,13 @@ namespace Host.Tests
             FluidSimulation simulation = Build("everything off");
             simulation.StatisticsInterval = 1;
             for (int i = 0; i < 6; i++)
-                PlayerLoop.Frame(Frame);
+                PlayerLoop.Frame(FrameTime);
             Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics), Is.True);
             Assert.That(statistics.particles, Is.EqualTo(512));
             Assert.That(BufferStorage.Live.Select(buffer => buffer.Name), Has.Member("Rill.Statistics.Results"));
 
             simulation.StatisticsInterval = 0;
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
             Assert.That(BufferStorage.Live.Select(buffer => buffer.Name), Has.No.Member("Rill.Statistics.Results"));
         }
 
@@ -89,18 +89,18 @@ namespace Host.Tests
         public void Twenty_cycles_of_enabling_leave_nothing_alive()
         {
             FluidSimulation simulation = Build("particles and domain drawn");
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
             simulation.gameObject.SetActive(false);
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
             int idle = LiveObjects.Count;
             Assert.That(BufferStorage.Live, Is.Empty);
             for (int i = 0; i < 20; i++)
             {
                 simulation.gameObject.SetActive(true);
-                PlayerLoop.Frame(Frame);
+                PlayerLoop.Frame(FrameTime);
                 Assert.That(BufferStorage.Live, Is.Not.Empty);
                 simulation.gameObject.SetActive(false);
-                PlayerLoop.Frame(Frame);
+                PlayerLoop.Frame(FrameTime);
                 Assert.That(BufferStorage.Live, Is.Empty, $"cycle {i}");
                 Assert.That(LiveObjects.Count, Is.EqualTo(idle), $"cycle {i}: " + string.Join(", ", LiveObjects.Report()));
             }
@@ -118,12 +118,12 @@ namespace Host.Tests
             try
             {
                 SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
-                PlayerLoop.Frame(Frame);
+                PlayerLoop.Frame(FrameTime);
                 List<string> once = LiveObjects.Report();
                 Assert.That(once.Count(entry => entry.Contains("Rill.Positions")), Is.EqualTo(1));
 
                 SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
-                PlayerLoop.Frame(Frame);
+                PlayerLoop.Frame(FrameTime);
                 Assert.That(LiveObjects.Report(), Is.EquivalentTo(once));
 
                 SceneManager.UnloadEverything();
@@ -144,7 +144,7 @@ namespace Host.Tests
             LogAssert.Expect(LogType.Error, new Regex("'Fluid' is off: this device has no compute shaders.*Run on"));
             Player.PretendNoCompute = true;
             FluidSimulation simulation = Build("particles drawn");
-            PlayerLoop.Frame(Frame);
+            PlayerLoop.Frame(FrameTime);
             Player.PretendNoCompute = false;
             Assert.That(simulation.enabled, Is.False);
             Assert.That(simulation.IsRunning, Is.False);

@@ -6,6 +6,7 @@ using System.Reflection;
 using Host.Assets;
 using Host.Scripts;
 using Host.Scripts.Assemblies;
+using Host.Scripts.Stubs;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -257,6 +258,16 @@ namespace Host.Tests
         }
 
         // ---- stubs
+
+        [Test]
+        public void Stubs_stand_for_most_of_Unity_and_compile_in_one_go()
+        {
+            var stubs = StubAssembly.Get(new[] { typeof(UnityEngine.Object).Assembly, typeof(Unity.Mathematics.math).Assembly });
+            Assert.That(stubs.Types, Is.GreaterThan(1500));
+            Assert.That(stubs.Members, Is.GreaterThan(10000));
+            Assert.That(stubs.Dropped, Is.LessThan(150), "members of the lists that are no C# by themselves");
+            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy mends.txt from {Path.GetDirectoryName(stubs.File)} to Headless~/src/Scripts/Stubs/Sources");
+        }
 
         [Test]
         public void A_stub_throws_its_own_name_and_is_counted()

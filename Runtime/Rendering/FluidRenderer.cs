@@ -74,7 +74,10 @@ namespace Rill
             material = null;
         }
 
-        void Update()
+        void Update() => DrawFrame();
+
+        /// <summary>Draws this frame if the simulation is running. Allocates no managed memory.</summary>
+        internal void DrawFrame()
         {
             if (Simulation.IsRunning)
                 Draw();

@@ -171,7 +171,7 @@ namespace Rill
         {
             if (!SystemInfo.supportsComputeShaders)
             {
-                Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan, Metal or OpenGL ES 3.1 or newer.");
+                Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.");
                 return;
             }
             if (!HasFiniteTransform())
@@ -207,7 +207,11 @@ namespace Rill
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
         }
 
-        void Update()
+        void Update() => Advance(Time.deltaTime);
+
+        /// <summary>Lets time pass: takes the fixed steps that fit. Allocates no managed memory once it runs.</summary>
+        /// <param name="frameTime">Time since the last call, s.</param>
+        internal void Advance(float frameTime)
         {
             if (!HasFiniteTransform())
                 return;
@@ -227,7 +231,7 @@ namespace Rill
             }
 
             double dropped = clock.Dropped;
-            int steps = clock.Advance(Time.deltaTime, FixedStep, maxStepsPerFrame);
+            int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
         }

@@ -34,6 +34,9 @@ namespace Host.Check
         public bool Has(string file) => File.Exists(FullPath(file));
         public IEnumerable<string> WithExtension(params string[] extensions) => Files.Where(file => extensions.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase));
 
+        /// <summary>Whether a path below the root begins with a folder that tools write there.</summary>
+        public static bool IsGenerated(string path) => Generated.Any(folder => path == folder || path.StartsWith(folder, StringComparison.Ordinal) && !char.IsLetterOrDigit(path[folder.Length]));
+
         static bool IsVisible(string file) => !file.Split('/').Any(ProjectIndex.IsHidden);
 
         IEnumerable<string> List(string folder)

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Host.Check.Api;
 
 namespace Host.Check
 {
@@ -7,6 +8,25 @@ namespace Host.Check
     {
         public static IReadOnlyList<Rule> All { get; } = new Rule[]
         {
+            new MetaFilesRule(),
+            new FileNamesRule(),
+            new ManifestRule(),
+            new AssemblyDefinitionsRule(),
+            new ScriptNamesRule(),
+            new ReferencesRule(),
+            new ScriptFieldsRule(),
+            new TarballRule(),
+            new TestProjectRule(),
+            new LinksRule(),
+            new FrameCallsRule(),
+            new StaticsRule(),
+            new UnityMembersRule(),
+            new SourceNamesRule(),
+            new NetStandardRule(),
+            new NUnitRule(),
+            new HostSurfaceRule(),
+            new FxcRule(),
+            new TargetsRule(),
         };
     }
 }

@@ -88,6 +88,8 @@ namespace Host
         {
             SceneManager.LoadNow(scene.AssetPath, LoadSceneMode.Single);
             Initializers.Run(RuntimeInitializeLoadType.AfterSceneLoad);
+            foreach (string problem in assets.Index.Problems)
+                Console.Error.WriteLine("warning: " + problem);
             PrintWarnings();
             ThrowFault();
         }

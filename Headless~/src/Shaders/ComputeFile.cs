@@ -22,7 +22,7 @@ namespace Host.Shaders
         readonly List<SourceSegment> segments;
         readonly List<Kernel> kernels;
         readonly Keywords keywords;
-        readonly ConcurrentDictionary<string, Lazy<ShaderProgram>> programs = new ConcurrentDictionary<string, Lazy<ShaderProgram>>();
+        readonly ConcurrentDictionary<string, Lazy<CompiledProgram>> programs = new ConcurrentDictionary<string, Lazy<CompiledProgram>>();
 
         public ComputeFile(string filePath, string displayPath, ShaderCompiler compiler)
         {
@@ -38,21 +38,39 @@ namespace Host.Shaders
         public override IReadOnlyList<string> Kernels => kernels.ConvertAll(k => k.Name);
         public override IReadOnlyList<string> Keywords => keywords.All;
 
-        public override ShaderProgram Compile(int kernel, ICollection<string> enabledKeywords)
+        public override ShaderProgram Compile(int kernel, ICollection<string> enabledKeywords) => CompileKernel(kernels[kernel], enabledKeywords).Program;
+
+        /// <summary>Every kernel under every choice of keywords that makes a difference to it.</summary>
+        /// <exception cref="ShaderCompileException">The keywords make too many.</exception>
+        public IReadOnlyList<ShaderVariant> AllVariants()
         {
-            Kernel k = kernels[kernel];
-            List<KeyValuePair<string, string>> variant = keywords.Select(ShaderStage.Compute, enabledKeywords);
-            string key = kernel + " " + string.Join(" ", variant.Select(d => d.Key + "=" + d.Value));
-            return programs.GetOrAdd(key, _ => new Lazy<ShaderProgram>(() => compiler.Compile(new CompileRequest
+            var variants = new List<ShaderVariant>();
+            foreach (Kernel kernel in kernels)
             {
-                Name = $"{Path} ({k.Name})",
-                Stage = ShaderStage.Compute,
-                EntryPoint = k.Name,
-                EntryLine = k.Where,
-                Segments = segments,
-                Defines = ShaderCompiler.PlatformDefines(ShaderStage.Compute, Target).Concat(variant).Concat(k.Defines).ToList(),
-            }).Program)).Value;
+                var list = new VariantList(compiler, Path, kernel.Name);
+                foreach (string[] enabled in keywords.Choices(Path))
+                    list.Add(Request(kernel, enabled), enabled, () => CompileKernel(kernel, enabled));
+                variants.AddRange(list.Variants);
+            }
+            return variants;
         }
+
+        CompiledProgram CompileKernel(Kernel kernel, ICollection<string> enabledKeywords)
+        {
+            string key = kernels.IndexOf(kernel) + " " + string.Join(" ", keywords.Select(ShaderStage.Compute, enabledKeywords).Select(d => d.Key + "=" + d.Value));
+            return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() => compiler.Compile(Request(kernel, enabledKeywords)))).Value;
+        }
+
+        CompileRequest Request(Kernel kernel, ICollection<string> enabledKeywords) => new CompileRequest
+        {
+            Name = $"{Path} ({kernel.Name})",
+            Stage = ShaderStage.Compute,
+            Target = Target,
+            EntryPoint = kernel.Name,
+            EntryLine = kernel.Where,
+            Segments = segments,
+            Defines = ShaderCompiler.PlatformDefines(ShaderStage.Compute, Target).Concat(keywords.Select(ShaderStage.Compute, enabledKeywords)).Concat(kernel.Defines).ToList(),
+        };
 
         // "kernel Name DEF=1 OTHER"; null for other pragmas.
         static Kernel ParseKernel(PragmaLine pragma)

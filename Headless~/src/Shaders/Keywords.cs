@@ -18,6 +18,8 @@ namespace Host.Shaders
             public bool Dynamic;
         }
 
+        const int MostChoices = 4096;
+
         readonly List<Line> lines = new List<Line>();
 
         public const string Instancing = "INSTANCING_ON", ProceduralInstancing = "PROCEDURAL_INSTANCING_ON";
@@ -50,6 +52,28 @@ namespace Host.Shaders
         }
 
         public IReadOnlyList<string> All => lines.SelectMany(l => l.Names).Where(n => n.Length > 0).Distinct().ToArray();
+
+        /// <summary>Whether it is a line such as multi_compile_fog, whose keywords are Unity's and not known here.</summary>
+        public static bool AreOfUnity(PragmaLine pragma)
+        {
+            string name = pragma.Text.Split(new[] { ' ', '\t' })[0];
+            return (name.StartsWith("multi_compile_") || name.StartsWith("shader_feature_")) && !LineName.IsMatch(name);
+        }
+
+        /// <summary>The enabled keywords of every variant, none first.</summary>
+        /// <exception cref="ShaderCompileException">There are too many to compile them one by one.</exception>
+        public IReadOnlyList<string[]> Choices(string file)
+        {
+            var choices = new List<string[]> { Array.Empty<string>() };
+            foreach (Line line in lines)
+            {
+                IEnumerable<string> names = line.Dynamic && !line.Names.Contains("") ? line.Names.Prepend("") : line.Names;
+                choices = choices.SelectMany(choice => names, (choice, name) => name.Length == 0 ? choice : choice.Append(name).ToArray()).ToList();
+                if (choices.Count > MostChoices)
+                    throw new ShaderCompileException(file, 1, $"its keywords make more than {MostChoices} variants; no build would want to compile them: use fewer, or dynamic_branch");
+            }
+            return choices;
+        }
 
         /// <summary>One define a line: its first enabled keyword, or its first when none is.</summary>
         public List<KeyValuePair<string, string>> Select(ShaderStage stage, ICollection<string> enabled)

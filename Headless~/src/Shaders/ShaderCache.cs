@@ -23,7 +23,7 @@ namespace Host.Shaders
             Directory.CreateDirectory(this.folder);
         }
 
-        static string DefaultFolder()
+        public static string DefaultFolder()
         {
             string named = Environment.GetEnvironmentVariable("RILL_CACHE");
             if (!string.IsNullOrEmpty(named))

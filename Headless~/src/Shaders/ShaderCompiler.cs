@@ -11,6 +11,8 @@ namespace Host.Shaders
         /// <summary>For messages: "Shaders/PrefixSum.compute (SumTiles)".</summary>
         public string Name;
         public ShaderStage Stage;
+        /// <summary>As in #pragma target: 50 for shader model 5.0.</summary>
+        public int Target;
         public string EntryPoint;
         /// <summary>Where the entry point is named, for faults that have no line of their own.</summary>
         public SourceLine EntryLine;
@@ -83,6 +85,22 @@ namespace Host.Shaders
             }
             compiled.Program.Name = request.Name;   // the same content may lie in another file
             return compiled;
+        }
+
+        /// <summary>The same for FXC. Fast: only preprocesses.</summary>
+        /// <exception cref="ShaderCompileException"/>
+        public FxcRequest ForFxc(CompileRequest request)
+        {
+            PreprocessedSource source = Preprocessor.Run(request.Segments, request.Defines, resolver, SourceReader.Fxc);
+            return new FxcRequest
+            {
+                Name = request.Name,
+                Source = source,
+                EntryPoint = request.EntryPoint,
+                EntryLine = request.EntryLine,
+                Profile = FxcDialect.Profile(request.Stage, request.Target),
+                Flags = FxcDialect.Flags(source, request.Stage),
+            };
         }
 
         static CompiledProgram Build(PreprocessedSource source, CompileRequest request)

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using UnityEngine.Headless;
 
 namespace Host.Shaders
@@ -16,5 +18,15 @@ namespace Host.Shaders
         /// <exception cref="ShaderCompileException">The ShaderLab part or a pragma is wrong; programs are compiled, and judged, later.</exception>
         public static ShaderSource ImportShader(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache)
             => new ShaderFile(filePath, displayPath, resolver, new ShaderCompiler(resolver, cache));
+
+        /// <summary>Everything that Unity compiles from a .compute or .shader file.</summary>
+        /// <exception cref="ShaderCompileException">The file cannot be read as what it is; what is wrong in one variant is said there.</exception>
+        public static IReadOnlyList<ShaderVariant> AllVariants(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache)
+        {
+            var compiler = new ShaderCompiler(resolver, cache);
+            return filePath.EndsWith(".compute", StringComparison.OrdinalIgnoreCase)
+                ? new ComputeFile(filePath, displayPath, compiler).AllVariants()
+                : new ShaderFile(filePath, displayPath, resolver, compiler).AllVariants();
+        }
     }
 }

@@ -34,6 +34,22 @@ namespace Host.UnityApi
         public bool IsType => Kind <= ApiKind.Delegate;
         public bool Obsolete => Line.Obsolete;
 
+        public ApiMember With(ApiTypeName type, IReadOnlyList<ApiParameter> parameters)
+        {
+            var copy = (ApiMember)MemberwiseClone();
+            copy.Type = type;
+            copy.Parameters = parameters;
+            return copy;
+        }
+
+        public ApiMember With(ApiKind kind, string name)
+        {
+            var copy = (ApiMember)MemberwiseClone();
+            copy.Kind = kind;
+            copy.Name = name;
+            return copy;
+        }
+
         public override string ToString() => Kind switch
         {
             ApiKind.Value => $"value {Name}",

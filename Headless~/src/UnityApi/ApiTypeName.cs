@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Host.UnityApi
 {
-    enum ApiTypeForm { Named, Parameter, Array, Pointer }
+    enum ApiTypeForm { Named, Parameter, Array, Pointer, Reference }
 
     /// <summary>
     /// A type as a signature names it. Both sides of a comparison are brought to this form: C#'s keywords are full names
@@ -13,19 +13,22 @@ namespace Host.UnityApi
     sealed class ApiTypeName
     {
         public readonly ApiTypeForm Form;
-        /// <summary>Of a named type: "System", "Collections", "Generic", "List". Of a type parameter: its name.</summary>
+        /// <summary>Of a named type, each part with the number of its own type parameters as metadata has it: "System", "Collections", "Generic", "List`1". Of a type parameter its name or place.</summary>
         public readonly IReadOnlyList<string> Path;
-        /// <summary>Type arguments, those of outer types first; of an array or pointer the element.</summary>
+        /// <summary>Type arguments, those of outer types first; of an array, pointer or reference the element.</summary>
         public readonly IReadOnlyList<ApiTypeName> Arguments;
         /// <summary>Of an array.</summary>
         public readonly int Rank;
+        /// <summary>The path begins at the outermost namespace. Not so in a signature as written.</summary>
+        public readonly bool Full;
 
-        ApiTypeName(ApiTypeForm form, IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments, int rank = 0)
+        ApiTypeName(ApiTypeForm form, IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments, int rank = 0, bool full = false)
         {
             Form = form;
             Path = path;
             Arguments = arguments;
             Rank = rank;
+            Full = full;
         }
 
         static readonly IReadOnlyList<ApiTypeName> None = Array.Empty<ApiTypeName>();
@@ -38,49 +41,45 @@ namespace Host.UnityApi
             ["nint"] = "IntPtr", ["nuint"] = "UIntPtr",
         };
 
-        public static ApiTypeName Named(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null)
-        {
-            if (path.Count == 1 && Keywords.TryGetValue(path[0], out string name))
-                path = new[] { "System", name };
-            return new ApiTypeName(ApiTypeForm.Named, path, arguments ?? None);
-        }
+        /// <summary>As written: a keyword, a name, a part of a full name.</summary>
+        public static ApiTypeName Written(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null) =>
+            path.Count == 1 && Keywords.TryGetValue(path[0], out string name) ? Named(new[] { "System", name }) : new ApiTypeName(ApiTypeForm.Named, path, arguments ?? None);
+
+        /// <summary>By full name.</summary>
+        public static ApiTypeName Named(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null) => new(ApiTypeForm.Named, path, arguments ?? None, full: true);
 
         /// <summary>Type parameters are compared by place, not by name: "!0" of the type, "!!0" of the method.</summary>
         public static ApiTypeName Parameter(string name) => new(ApiTypeForm.Parameter, new[] { name }, None);
         public static ApiTypeName ArrayOf(ApiTypeName element, int rank = 1) => new(ApiTypeForm.Array, Array.Empty<string>(), new[] { element }, rank);
         public static ApiTypeName PointerTo(ApiTypeName element) => new(ApiTypeForm.Pointer, Array.Empty<string>(), new[] { element });
-        public static ApiTypeName NullableOf(ApiTypeName element) => Named(new[] { "System", "Nullable" }, new[] { element });
-        public static ApiTypeName TupleOf(IReadOnlyList<ApiTypeName> elements) => Named(new[] { "System", "ValueTuple" }, elements);
+        public static ApiTypeName ReferenceTo(ApiTypeName element) => new(ApiTypeForm.Reference, Array.Empty<string>(), new[] { element });
+        public static ApiTypeName NullableOf(ApiTypeName element) => Named(new[] { "System", "Nullable`1" }, new[] { element });
+        public static ApiTypeName TupleOf(IReadOnlyList<ApiTypeName> elements) => Named(new[] { "System", "ValueTuple`" + elements.Count }, elements);
 
         /// <summary>The type's own name, without what it is in.</summary>
         public string Name => Path.Count == 0 ? "" : Path[^1];
-        public bool IsVoid => Form == ApiTypeForm.Named && Path.Count == 2 && Path[1] == "Void" && Path[0] == "System";
-        public bool IsNullable => Form == ApiTypeForm.Named && Name == "Nullable" && Arguments.Count == 1;
+        /// <summary>The path with dots: the key of a type.</summary>
+        public string Key => string.Join(".", Path);
+        public bool IsVoid => Form == ApiTypeForm.Named && Key == "System.Void";
+        public bool IsNullable => Form == ApiTypeForm.Named && Key == "System.Nullable`1";
+        public ApiTypeName Element => Arguments[0];
 
-        /// <summary>The same with type parameters in place of the names that <paramref name="parameters"/> has.</summary>
-        public ApiTypeName Bind(IReadOnlyDictionary<string, string> parameters)
+        /// <summary>The same with every named type or parameter in it replaced; arguments first.</summary>
+        public ApiTypeName Map(Func<ApiTypeName, ApiTypeName> replace)
         {
-            if (Form == ApiTypeForm.Named && Path.Count == 1 && Arguments.Count == 0 && parameters.TryGetValue(Path[0], out string place))
-                return Parameter(place);
-            return Arguments.Count == 0 ? this : new ApiTypeName(Form, Path, Arguments.Select(argument => argument.Bind(parameters)).ToList(), Rank);
-        }
-
-        /// <summary>The same with types in place of type parameters.</summary>
-        public ApiTypeName Substitute(Func<string, ApiTypeName> argument)
-        {
-            if (Form == ApiTypeForm.Parameter)
-                return argument(Name) ?? this;
-            return Arguments.Count == 0 ? this : new ApiTypeName(Form, Path, Arguments.Select(inner => inner.Substitute(argument)).ToList(), Rank);
+            ApiTypeName mapped = Arguments.Count == 0 ? this : new ApiTypeName(Form, Path, Arguments.Select(argument => argument.Map(replace)).ToList(), Rank, Full);
+            return Form is ApiTypeForm.Named or ApiTypeForm.Parameter ? replace(mapped) : mapped;
         }
 
         public override string ToString() => Form switch
         {
-            ApiTypeForm.Array => $"{Arguments[0]}[{new string(',', Rank - 1)}]",
-            ApiTypeForm.Pointer => $"{Arguments[0]}*",
+            ApiTypeForm.Array => $"{Element}[{new string(',', Rank - 1)}]",
+            ApiTypeForm.Pointer => $"{Element}*",
+            ApiTypeForm.Reference => $"ref {Element}",
             ApiTypeForm.Parameter => Name,
-            _ when IsNullable => $"{Arguments[0]}?",
+            _ when IsNullable => $"{Element}?",
             _ when Path.Count == 2 && Path[0] == "System" && Keyword(Path[1]) is { } keyword => keyword,
-            _ => string.Join(".", Path) + (Arguments.Count == 0 ? "" : $"<{string.Join(", ", Arguments)}>"),
+            _ => string.Join(".", Path.Select(part => part.Split('`')[0])) + (Arguments.Count == 0 ? "" : $"<{string.Join(", ", Arguments)}>"),
         };
 
         static string Keyword(string name) => name is "IntPtr" or "UIntPtr" ? null : Keywords.FirstOrDefault(pair => pair.Value == name).Key;

@@ -86,7 +86,7 @@ namespace Host.UnityApi
         {
             tokens.Next();
             member.Kind = ApiKind.Enum;
-            member.Type = tokens.Take(":") ? TypeReader.Read(tokens) : ApiTypeName.Named(new[] { "int" });
+            member.Type = tokens.Take(":") ? TypeReader.Read(tokens) : ApiTypeName.Written(new[] { "int" });
         }
 
         void Delegate()

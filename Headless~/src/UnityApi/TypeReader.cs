@@ -44,19 +44,23 @@ namespace Host.UnityApi
             }
             do
             {
-                path.Add(tokens.Identifier());
-                if (!tokens.Take("<"))
-                    continue;
-                do
+                string name = tokens.Identifier();
+                int own = 0;
+                if (tokens.Take("<"))
                 {
-                    _ = tokens.Take("in") || tokens.Take("out");        // variance, in the name of a declared type
-                    arguments.Add(Read(tokens));
+                    do
+                    {
+                        _ = tokens.Take("in") || tokens.Take("out");        // variance, in the name of a declared type
+                        arguments.Add(Read(tokens));
+                        own++;
+                    }
+                    while (tokens.Take(","));
+                    tokens.Expect(">");
                 }
-                while (tokens.Take(","));
-                tokens.Expect(">");
+                path.Add(own == 0 ? name : $"{name}`{own}");
             }
             while (tokens.Take("."));
-            return ApiTypeName.Named(path, arguments);
+            return ApiTypeName.Written(path, arguments);
         }
 
         static ApiTypeName Tuple(SignatureTokens tokens)

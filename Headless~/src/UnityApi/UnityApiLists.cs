@@ -58,19 +58,16 @@ namespace Host.UnityApi
         /// <summary>The lists that the host carries.</summary>
         public static UnityApiLists Load()
         {
-            using Stream packed = typeof(UnityApiLists).Assembly.GetManifestResourceStream("unity-api.gz");
-            return Read(packed);
+            using var packed = new StreamReader(new GZipStream(Resource("unity-api.gz"), CompressionMode.Decompress));
+            using var supplement = new StreamReader(Resource("supplement.txt"));
+            return Read(packed, supplement);
         }
 
-        /// <summary>Lists as tools/pack-unity-api packs them.</summary>
-        public static UnityApiLists Read(Stream packed)
-        {
-            using var text = new StreamReader(new GZipStream(packed, CompressionMode.Decompress));
-            return Read(text);
-        }
+        static Stream Resource(string name) => typeof(UnityApiLists).Assembly.GetManifestResourceStream(name);
 
-        /// <summary>The text inside: the lists' names, then types, below each its members with the bits of the lists that hold them.</summary>
-        public static UnityApiLists Read(TextReader text)
+        /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that hold them.</summary>
+        /// <param name="supplement">A list as it is before packing, "type | signature", that counts for every version; or null.</param>
+        public static UnityApiLists Read(TextReader text, TextReader supplement = null)
         {
             string head = text.ReadLine() ?? "";
             if (!head.StartsWith(Head + " ", StringComparison.Ordinal))
@@ -101,10 +98,22 @@ namespace Host.UnityApi
                         mask |= means[i];
                 if (lentTo >= 0 && lentFrom >= 0 && type.StartsWith(LentNamespace, StringComparison.Ordinal) && (mask >> lentFrom & 1) != 0)
                     mask |= 1u << lentTo;
-                bool obsolete = parts[2].EndsWith(Obsolete, StringComparison.Ordinal);
-                lines.Add(new ApiLine(type, obsolete ? parts[2].Substring(0, parts[2].Length - Obsolete.Length) : parts[2], obsolete, mask));
+                lines.Add(Line(type, parts[2], mask));
+            }
+            for (string line; (line = supplement?.ReadLine()) != null;)
+            {
+                int bar = line.IndexOf(" | ", StringComparison.Ordinal);
+                if (bar < 0)
+                    throw new InvalidDataException($"A line of the supplement to the API lists is not \"type | signature\": \"{line}\"");
+                lines.Add(Line(line.Substring(0, bar), line.Substring(bar + 3), every));
             }
             return new UnityApiLists(versions, lists.Where(list => !IsEditor(list)).ToList(), lines);
+        }
+
+        static ApiLine Line(string type, string signature, uint versions)
+        {
+            bool obsolete = signature.EndsWith(Obsolete, StringComparison.Ordinal);
+            return new ApiLine(type, obsolete ? signature.Substring(0, signature.Length - Obsolete.Length) : signature, obsolete, versions);
         }
 
         static bool IsEditor(string list) => list.StartsWith(Editor, StringComparison.Ordinal) && list.Length > Editor.Length && char.IsDigit(list[Editor.Length]);

@@ -22,6 +22,8 @@ namespace Host.Assets
 
         public static bool IsBuiltIn(string guid) => guid == Extra || guid == Default;
 
+        public static bool IsKnown(long fileId) => Names.ContainsKey(fileId);
+
         public static string NameOf(long fileId) => Names.TryGetValue(fileId, out var name) ? $"'{name}'" : $"object {fileId}";
 
         /// <summary>Null when the engine has none.</summary>

@@ -30,8 +30,6 @@ namespace Host
             var index = new ProjectIndex(ignoreCase: !strict);
             foreach (MountedFolder mount in located.Mounts)
                 index.Mount(mount);
-            foreach (string problem in index.Problems)
-                Console.Error.WriteLine("warning: " + problem);
 
             var scripts = new ProjectScripts(root, index);
             foreach (string package in scripts.Packages.Missing)

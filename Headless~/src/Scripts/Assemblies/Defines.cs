@@ -8,7 +8,7 @@ using Host.Assets;
 namespace Host.Scripts.Assemblies
 {
     /// <summary>
-    /// The symbols with which Unity 2022.3 compiles scripts of a Windows player: what the host plays is a player (nothing of the
+    /// The symbols with which Unity 2022.3 compiles scripts of a Windows development player: what the host plays is a player (nothing of the
     /// editor's runs), and it keeps Direct3D 11's conventions, which is why Application.platform says Windows as well.
     /// </summary>
     internal static class Defines
@@ -20,7 +20,7 @@ namespace Host.Scripts.Assemblies
         static readonly string[] Always =
         {
             "UNITY_2022_3_0", "UNITY_2022_3", "UNITY_2022", "UNITY_64", "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "PLATFORM_STANDALONE", "PLATFORM_STANDALONE_WIN",
-            "ENABLE_MONO", "NET_STANDARD_2_0", "NET_STANDARD", "NET_STANDARD_2_1", "NETSTANDARD", "NETSTANDARD2_1", "CSHARP_7_OR_LATER", "CSHARP_7_3_OR_NEWER", "TRACE",
+            "DEVELOPMENT_BUILD", "UNITY_ASSERTIONS", "ENABLE_PROFILER", "ENABLE_MONO", "NET_STANDARD_2_0", "NET_STANDARD", "NET_STANDARD_2_1", "NETSTANDARD", "NETSTANDARD2_1", "CSHARP_7_OR_LATER", "CSHARP_7_3_OR_NEWER", "TRACE",
         };
 
         static readonly Dictionary<int, int> LastMinor = new Dictionary<int, int> { [2017] = 4, [2018] = 4, [2019] = 4, [2020] = 3, [2021] = 3, [2022] = 3 };

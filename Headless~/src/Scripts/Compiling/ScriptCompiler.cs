@@ -72,11 +72,12 @@ namespace Host.Scripts.Compiling
             if (response?.Language != null && LanguageVersionFacts.TryParse(response.Language, out var asked)) language = asked;
             var parsing = new CSharpParseOptions(language, DocumentationMode.None, preprocessorSymbols: defines);
             var trees = sources.Select(s => CSharpSyntaxTree.ParseText(SourceText.From(s.text, Encoding.UTF8), parsing, s.file.Path)).ToList();
-            RefuseBadSyntax(assembly, trees);
+            RefuseBadSyntax(assembly, trees.SelectMany(t => t.GetDiagnostics()));
 
             var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: assembly.AllowUnsafe || response?.Unsafe == true, optimizationLevel: OptimizationLevel.Release,
                 warningLevel: 0, deterministic: true, nullableContextOptions: response?.Nullable == true ? NullableContextOptions.Enable : NullableContextOptions.Disable);
             var compilation = CSharpCompilation.Create(assembly.Name, trees, ReferencesOf(assembly), options);
+            RefuseBadSyntax(assembly, compilation.GetDeclarationDiagnostics().Where(d => d.Id == NewerLanguage));
             var leftOut = LeaveOut(ref compilation);
 
             using (var file = File.Create(Path.Combine(folder, assembly.Name + ".dll")))
@@ -87,10 +88,13 @@ namespace Host.Scripts.Compiling
             CompiledAssembly.WriteLeftOut(folder, leftOut);
         }
 
-        static void RefuseBadSyntax(ScriptAssembly assembly, List<SyntaxTree> trees)
+        // "Feature ... is not available in C# 9.0": some features are found out after parsing.
+        const string NewerLanguage = "CS8773";
+
+        static void RefuseBadSyntax(ScriptAssembly assembly, IEnumerable<Diagnostic> said)
         {
             const int shown = 10;
-            var errors = trees.SelectMany(t => t.GetDiagnostics()).Where(d => d.Severity == DiagnosticSeverity.Error).ToList();
+            var errors = said.Where(d => d.Severity == DiagnosticSeverity.Error).ToList();
             if (errors.Count == 0) return;
             throw new ScriptException($"{assembly.Name} has errors of syntax, which stop Unity too:\n{string.Join("\n", errors.Take(shown).Select(Said))}{(errors.Count > shown ? $"\nand {errors.Count - shown} more" : "")}");
         }

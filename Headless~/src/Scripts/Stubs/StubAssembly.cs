@@ -26,12 +26,16 @@ namespace Host.Scripts.Stubs
         /// <summary>UnityEngine.Stubs.dll, and UnityEngine.UI.dll for projects with com.unity.ugui.</summary>
         public readonly string File, UserInterfaceFile;
         public readonly int Types, Members, Dropped;
+        /// <summary>What the compiler refused that Sources/mends.txt does not know of yet.</summary>
+        public readonly IReadOnlyList<string> Refused;
 
         StubAssembly(string folder)
         {
             File = Path.Combine(folder, Name + ".dll");
             UserInterfaceFile = Path.Combine(folder, UserInterface + ".dll");
-            var counts = System.IO.File.ReadAllLines(Path.Combine(folder, "counts.txt"))[0].Split(' ').Select(int.Parse).ToArray();
+            var lines = System.IO.File.ReadAllLines(Path.Combine(folder, "counts.txt"));
+            var counts = lines[0].Split(' ').Select(int.Parse).ToArray();
+            Refused = lines.Skip(1).ToList();
             (Types, Members, Dropped) = (counts[0], counts[1], counts[2]);
         }
 
@@ -47,7 +51,7 @@ namespace Host.Scripts.Stubs
         {
             var sources = new StubSources(UnityApiLists.Load().In(Version), host);
             Mends.Apply(sources, References.Source("mends.txt").Split('\n'));
-            var maker = new StubCompilation(sources, host.Select(a => (MetadataReference)MetadataReference.CreateFromFile(a.Location)));
+            var maker = new StubCompilation(sources, host);
             // What the compiler refused when this was written is known; a host with other types may bring up more.
             var file = Path.Combine(folder, Name + ".dll");
             if (!TryEmit(maker.Compilation, file, out _))
@@ -90,14 +94,14 @@ namespace Host.Scripts.Stubs
         public CSharpCompilation Compilation;
         public readonly List<string> Refused = new List<string>();
 
-        public StubCompilation(StubSources sources, IEnumerable<MetadataReference> host)
+        public StubCompilation(StubSources sources, IReadOnlyList<Assembly> host)
         {
             // The lists write names as their files did, which had usings of their own: here all namespaces are open.
-            var spaces = sources.Types.Select(StubSources.NamespaceOf).Distinct().Where(s => s.StartsWith("UnityEngine", StringComparison.Ordinal) || s.StartsWith("Unity.", StringComparison.Ordinal));
+            var spaces = sources.Types.Select(StubSources.NamespaceOf).Concat(host.SelectMany(a => a.GetExportedTypes()).Select(t => t.Namespace ?? "")).Distinct().Where(s => s.StartsWith("UnityEngine", StringComparison.Ordinal) || s.StartsWith("Unity.", StringComparison.Ordinal));
             usings = string.Concat(new[] { "System", "System.Collections", "System.Collections.Generic", "System.Reflection", "System.Threading", "System.Threading.Tasks", "System.Text", "UnityEngine", "UnityEngine.Rendering", "UnityEngine.Events", "UnityEngine.SceneManagement", "UnityEngine.Experimental.Rendering", "Unity.Collections" }
                 .Concat(spaces).Distinct().Select(s => $"using {s};")) + "using Object = UnityEngine.Object; using Random = UnityEngine.Random; using MinMaxCurve = UnityEngine.ParticleSystem.MinMaxCurve; using MinMaxGradient = UnityEngine.ParticleSystem.MinMaxGradient; using ThreadPriority = UnityEngine.ThreadPriority; using DebugScreenCapture = Unity.Profiling.DebugScreenCapture;";
             foreach (var type in sources.Types) Write(type);
-            Compilation = CSharpCompilation.Create(StubAssembly.Name, trees.Keys.Append(CSharpSyntaxTree.ParseText(References.Source("StubCalls.cs"), Language)), References.Standard.Concat(host), Options);
+            Compilation = CSharpCompilation.Create(StubAssembly.Name, trees.Keys.Append(CSharpSyntaxTree.ParseText(References.Source("StubCalls.cs"), Language)), References.Standard.Concat(host.Select(a => MetadataReference.CreateFromFile(a.Location))), Options);
         }
 
         SyntaxTree Write(StubType type)

@@ -34,6 +34,19 @@ namespace Host.Shaders
         public List<SourceLine> Lines = new List<SourceLine>();
         /// <summary>#pragma lines of the root and of files included with #include_with_pragmas.</summary>
         public List<PragmaLine> Pragmas = new List<PragmaLine>();
+        /// <summary>Every file that was read, on disk.</summary>
+        public HashSet<string> Files = new HashSet<string>();
+    }
+
+    /// <summary>Who reads the text.</summary>
+    enum SourceReader
+    {
+        /// <summary>Nobody: the pragmas alone are wanted.</summary>
+        Survey,
+        /// <summary>Matrix swizzles are written out.</summary>
+        Glslang,
+        /// <summary>HLSL as it was written.</summary>
+        Fxc,
     }
 
     /// <summary>
@@ -49,13 +62,15 @@ namespace Host.Shaders
         readonly HashSet<string> onceOnly = new HashSet<string>();
         readonly PreprocessedSource result = new PreprocessedSource();
         readonly StringBuilder output = new StringBuilder();
+        readonly SourceReader reader;
         readonly bool survey;
         int depth;
 
-        Preprocessor(IncludeResolver resolver, bool survey)
+        Preprocessor(IncludeResolver resolver, SourceReader reader)
         {
             this.resolver = resolver;
-            this.survey = survey;
+            this.reader = reader;
+            survey = reader == SourceReader.Survey;
         }
 
         /// <summary>
@@ -63,12 +78,12 @@ namespace Host.Shaders
         /// variant may need, does not count.
         /// </summary>
         public static List<PragmaLine> ReadPragmas(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver)
-            => Run(new Preprocessor(resolver, survey: true), segments, defines).Pragmas;
+            => Run(new Preprocessor(resolver, SourceReader.Survey), segments, defines).Pragmas;
 
         /// <param name="defines">Name and value; the value may be empty.</param>
         /// <exception cref="ShaderCompileException"/>
-        public static PreprocessedSource Run(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver)
-            => Run(new Preprocessor(resolver, survey: false), segments, defines);
+        public static PreprocessedSource Run(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver, SourceReader reader = SourceReader.Glslang)
+            => Run(new Preprocessor(resolver, reader), segments, defines);
 
         static PreprocessedSource Run(Preprocessor preprocessor, IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines)
         {
@@ -99,6 +114,8 @@ namespace Host.Shaders
 
         void Process(SourceSegment segment, bool pragmasCount)
         {
+            if (segment.DiskPath != null)
+                result.Files.Add(segment.DiskPath);
             List<string> lines = SourceText.Lines(segment.Text);
             var branches = new Stack<Branch>();
             bool active = true;
@@ -124,7 +141,8 @@ namespace Host.Shaders
                         tokens.Add(Token.Blank);
                         tokens.AddRange(Token.Split(lines[++i]));
                     }
-                    Emit(Print(MatrixSwizzle.Expand(macros.Expand(tokens))), segment, first);
+                    tokens = macros.Expand(tokens);
+                    Emit(Print(reader == SourceReader.Glslang ? MatrixSwizzle.Expand(tokens) : tokens), segment, first);
                 }
             }
             catch (PreprocessorException e)
@@ -300,7 +318,8 @@ namespace Host.Shaders
             string name = text.Split(new[] { ' ', '\t', '(' }, 2)[0];
             if (name == "once")
                 onceOnly.Add(segment.DiskPath);
-            else if (name == "pack_matrix")
+            // Unity leaves pragmas of regular includes to the compiler (manual, "pragma directives in HLSL"). Its own do nothing there, of which FXC warns.
+            else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount)
                 Emit("#pragma " + text, segment, line - segment.FirstLine);
             else if (pragmasCount)
                 result.Pragmas.Add(new PragmaLine(text, new SourceLine(segment.DisplayPath, line)));

@@ -17,6 +17,7 @@ namespace Host.Shaders
 
         readonly ParsedShader parsed;
         readonly PassFile[] passes;
+        readonly Func<ParsedPass, ParsedSubShader, PassFile> read;
 
         public ShaderFile(string filePath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler)
         {
@@ -24,7 +25,8 @@ namespace Host.Shaders
             parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, package => resolver?.Invoke($"Packages/{package}/package.json") != null);
             // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
             ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Passes.Count > 0 && (!s.Tags.TryGetValue("RenderPipeline", out string pipeline) || pipeline.Length == 0));
-            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Select(p => new PassFile(p, usable, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler)).ToArray();
+            read = (pass, subShader) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler);
+            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Select(p => read(p, usable)).ToArray();
             RenderQueue = usable != null && usable.Tags.TryGetValue("Queue", out string queue) ? ParseQueue(queue) : Queues["Geometry"];
             if (usable == null)
                 parsed.Notes.Add("no SubShader is for the pipeline and packages of this project");
@@ -37,6 +39,13 @@ namespace Host.Shaders
         public override IReadOnlyList<ShaderPassSource> Passes => passes;
         public override int RenderQueue { get; }
         public override IReadOnlyList<string> Notes => parsed.Notes;
+
+        /// <summary>
+        /// Every vertex and fragment program of every pass under every choice of keywords that makes a difference to it; of
+        /// every SubShader, those of other pipelines too, since Unity compiles them all.
+        /// </summary>
+        /// <exception cref="ShaderCompileException">A pragma is wrong, or the keywords make too many.</exception>
+        public IReadOnlyList<ShaderVariant> AllVariants() => parsed.SubShaders.SelectMany(subShader => subShader.Passes, (subShader, pass) => read(pass, subShader)).SelectMany(pass => pass.AllVariants()).ToList();
 
         // "Transparent", "Geometry+10", "Overlay - 1".
         int ParseQueue(string text)
@@ -132,28 +141,59 @@ namespace Host.Shaders
 
         public override ShaderProgram Compile(ShaderStage stage, ICollection<string> enabledKeywords) => CompileLinked(stage, enabledKeywords).Program;
 
+        public IReadOnlyList<ShaderVariant> AllVariants()
+        {
+            var variants = new List<ShaderVariant>();
+            foreach (ShaderStage stage in new[] { ShaderStage.Vertex, ShaderStage.Fragment })
+            {
+                var list = new VariantList(compiler, displayPath, $"{(Name.Length > 0 ? Name + "/" : "")}{Entry(stage).name}");
+                foreach (string[] enabled in keywords.Choices(displayPath))
+                    list.Add(Request(stage, enabled), enabled, () => CompileLinked(stage, enabled));
+                variants.AddRange(list.Variants);
+            }
+            return variants;
+        }
+
+        (string name, SourceLine where) Entry(ShaderStage stage) => entries.TryGetValue(stage, out (string, SourceLine) entry) ? entry
+            : throw new ShaderCompileException(displayPath, pass.Line, $"this pass has no #pragma {(stage == ShaderStage.Vertex ? "vertex" : "fragment")}");
+
         CompiledProgram CompileLinked(ShaderStage stage, ICollection<string> enabledKeywords)
         {
-            if (!entries.TryGetValue(stage, out (string name, SourceLine where) entry))
-                throw new ShaderCompileException(displayPath, pass.Line, $"this pass has no #pragma {(stage == ShaderStage.Vertex ? "vertex" : "fragment")}");
+            // The fragment program's inputs are numbered as the vertex program's outputs, which have a variant of their own.
+            Varying[] outputs = stage == ShaderStage.Fragment ? CompileLinked(ShaderStage.Vertex, enabledKeywords).Outputs : Array.Empty<Varying>();
+            string key = stage + " " + string.Join(" ", Defines(stage, enabledKeywords).Select(d => d.Key + "=" + d.Value)) + " " + string.Join(" ", outputs.Select(o => o.Semantic));
+            return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() =>
+            {
+                CompileRequest request = Request(stage, enabledKeywords);
+                request.VertexOutputs = outputs;
+                return compiler.Compile(request);
+            })).Value;
+        }
+
+        List<KeyValuePair<string, string>> Defines(ShaderStage stage, ICollection<string> enabledKeywords)
+        {
             List<KeyValuePair<string, string>> defines = ShaderCompiler.PlatformDefines(stage, target).Concat(keywords.Select(stage, enabledKeywords)).ToList();
             if (proceduralFunction != null)
                 defines.Add(KeyValuePair.Create("UNITY_INSTANCING_PROCEDURAL_FUNC", proceduralFunction));
             if (surface != null && surface.Blend == SurfaceBlend.Premultiplied)
                 defines.Add(KeyValuePair.Create("_ALPHAPREMULTIPLY_ON", "1"));
-            // The fragment program's inputs are numbered as the vertex program's outputs, which have a variant of their own.
-            Varying[] outputs = stage == ShaderStage.Fragment ? CompileLinked(ShaderStage.Vertex, enabledKeywords).Outputs : Array.Empty<Varying>();
-            string key = stage + " " + string.Join(" ", defines.Select(d => d.Key + "=" + d.Value)) + " " + string.Join(" ", outputs.Select(o => o.Semantic));
-            return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() => compiler.Compile(new CompileRequest
+            return defines;
+        }
+
+        CompileRequest Request(ShaderStage stage, ICollection<string> enabledKeywords)
+        {
+            (string name, SourceLine where) entry = Entry(stage);
+            List<KeyValuePair<string, string>> defines = Defines(stage, enabledKeywords);
+            return new CompileRequest
             {
                 Name = $"{displayPath} ({shaderName}{(Name.Length > 0 ? "/" + Name : "")}, {entry.name})",
                 Stage = stage,
+                Target = target,
                 EntryPoint = entry.name,
                 EntryLine = entry.where,
                 Segments = surface == null ? segments : segments.Append(Generated(defines, entry.where)).ToList(),
                 Defines = defines,
-                VertexOutputs = outputs,
-            }))).Value;
+            };
         }
 
         // What it looks like depends on the variant: the Input may have members under #if.

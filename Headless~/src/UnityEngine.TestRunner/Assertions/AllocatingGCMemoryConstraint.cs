@@ -1,6 +1,7 @@
 using System;
 using NUnit.Framework;
 using NUnit.Framework.Constraints;
+using UnityEngine.Headless;
 
 namespace UnityEngine.TestTools.Constraints
 {
@@ -22,9 +23,9 @@ namespace UnityEngine.TestTools.Constraints
         {
             // What the first call makes the runtime compile is not the code's allocation.
             code();
-            long before = GC.GetAllocatedBytesForCurrentThread();
+            long before = NativeWork.ScriptBytes;
             code();
-            long bytes = GC.GetAllocatedBytesForCurrentThread() - before;
+            long bytes = NativeWork.ScriptBytes - before;
             return new Result(this, bytes);
         }
 

@@ -21,6 +21,7 @@ namespace UnityEngine.Headless
 
         public static void Add(QueuedDraw draw, MaterialPropertyBlock properties)
         {
+            using NativeWork.Scope native = NativeWork.Enter();
             if (draw.Call.Material == null)
                 throw new ArgumentNullException("material", $"Graphics.{draw.Call.Call}: the material is null.");
             if (properties != null && !properties.isEmpty)

@@ -15,6 +15,7 @@ namespace UnityEngine
         {
             if (buffer == null)
                 throw new ArgumentNullException(nameof(buffer));
+            using NativeWork.Scope native = NativeWork.Enter();
             buffer.Execute();
         }
 

@@ -69,6 +69,7 @@ namespace UnityEngine.Headless
         /// <param name="size">Bytes; -1 for all behind the offset.</param>
         public static AsyncGPUReadbackRequest Request(BufferStorage buffer, int offset, int size, ReadbackOutput output, Action<AsyncGPUReadbackRequest> callback)
         {
+            using NativeWork.Scope native = NativeWork.Enter();
             if (buffer == null)
                 throw new ArgumentNullException("src", "AsyncGPUReadback.Request: the buffer is null.");
             Gpu.RequireCompute("AsyncGPUReadback.Request");
@@ -89,6 +90,7 @@ namespace UnityEngine.Headless
 
         public static AsyncGPUReadbackRequest Request(Texture texture, int mip, ReadbackRegion region, TextureFormat? format, ReadbackOutput output, Action<AsyncGPUReadbackRequest> callback)
         {
+            using NativeWork.Scope native = NativeWork.Enter();
             if (texture == null)
                 throw new ArgumentNullException("src", "AsyncGPUReadback.Request: the texture is null.");
             Gpu.RequireCompute("AsyncGPUReadback.Request");

@@ -16,6 +16,7 @@ namespace UnityEngine.Headless
 
         public static ReadbackOutput Of<T>(NativeArray<T> array) where T : struct
         {
+            using NativeWork.Scope native = NativeWork.Enter();
             if (!array.IsCreated)
                 throw new ArgumentException("AsyncGPUReadback: the output array was not created.");
             return new ReadbackOutput

@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using Host.Assets;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.SceneManagement;
+
+namespace Host.Check
+{
+    /// <summary>What scenes and assets store is read by a field of the class: a renamed field without [FormerlySerializedAs] loses its values in silence.</summary>
+    sealed class ScriptFieldsRule : Rule
+    {
+        public override string Name => "package: fields stored in scenes and assets exist in their classes";
+
+        public override Findings Examine(PackageTree package)
+        {
+            var findings = new Findings();
+            List<Assembly> scripts = PackageScripts.Load(package, findings);
+            ProjectIndex index = ProjectView.Index(package);
+            int files = 0, objects = 0;
+            var log = new List<string>();
+            void Hear(LogEntry entry) { if (entry.Type != LogType.Log) log.Add(entry.Message); }
+
+            IAssetSource before = Player.Assets;
+            Action<LogEntry> writer = LogSink.Writer;
+            LogSink.Received += Hear;
+            LogSink.Writer = _ => { };
+            var project = new ProjectAssets(ProjectView.Mounts(package), scripts, strict: false);
+            Player.Assets = project;
+            try
+            {
+                foreach (AssetEntry entry in ProjectView.Documents(index))
+                {
+                    files++;
+                    try
+                    {
+                        objects += UnityYaml.Load(entry.File, entry.Path).Documents.Count;
+                        if (entry.Extension == ".unity")
+                            project.ReadScene(entry);
+                        else
+                            project.LoadAtPath(entry.Path, typeof(UnityEngine.Object));
+                    }
+                    catch (AssetException e)
+                    {
+                        findings.Fault(e.Message);
+                    }
+                }
+                foreach (string warning in project.Warnings.Concat(log).Distinct())
+                    findings.Fault(warning);
+            }
+            finally
+            {
+                SceneManager.UnloadEverything();
+                project.ReloadAll();
+                Player.Assets = before;
+                LogSink.Received -= Hear;
+                LogSink.Writer = writer;
+            }
+            findings.Looked = $"{objects} objects in {files} files";
+            return findings;
+        }
+    }
+
+    /// <summary>The package's assemblies as built here.</summary>
+    static class PackageScripts
+    {
+        /// <summary>Those of the definitions that are no tests; one that was not built is a fault.</summary>
+        public static List<Assembly> Load(PackageTree package, Findings findings)
+        {
+            var loaded = new List<Assembly>();
+            foreach (AssemblyDefinition definition in AssemblyDefinition.All(package, findings).Where(a => !a.IsTest))
+            {
+                string file = Path.Combine(package.Assemblies, definition.Name + ".dll");
+                if (File.Exists(file))
+                    loaded.Add(Assembly.LoadFrom(file));
+                else
+                    findings.Fault($"{file} is not there: build it first (Headless~/rill does)");
+            }
+            return loaded;
+        }
+    }
+}

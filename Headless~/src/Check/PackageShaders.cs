@@ -1,0 +1,67 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Host.Shaders;
+using UnityEngine.Headless;
+
+namespace Host.Check
+{
+    /// <summary>What Unity would compile of a package's shader files: those of its tests and samples too, and none of other hidden folders.</summary>
+    static class PackageShaders
+    {
+        const string Samples = "Samples~/";
+
+        /// <summary>Files that cannot be read as what they are become faults.</summary>
+        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, ShaderCache cache, Findings findings, out int files)
+        {
+            string packageFolder = PackageFolder(package, findings);
+            string Resolve(string include) => packageFolder != null && include.StartsWith(packageFolder, StringComparison.Ordinal) ? package.FullPath(include.Substring(packageFolder.Length)) : null;
+
+            List<string> paths = Files(package, ".compute", ".shader").ToList();
+            files = paths.Count;
+            var variants = new List<ShaderVariant>();
+            foreach (string path in paths)
+                try
+                {
+                    variants.AddRange(ShaderImporter.AllVariants(package.FullPath(path), path, Resolve, cache));
+                }
+                catch (ShaderCompileException e)
+                {
+                    findings.Fault(e.Message);
+                }
+            return variants;
+        }
+
+        /// <summary>Includes of which no variant has read a line: nothing shows that they compile.</summary>
+        public static IEnumerable<string> Unread(PackageTree package, IEnumerable<ShaderVariant> variants)
+        {
+            HashSet<string> read = variants.Where(v => v.Fxc != null).SelectMany(v => v.Fxc.Source.Files).Select(Path.GetFullPath).ToHashSet();
+            return Files(package, ".hlsl", ".cginc").Where(file => !read.Contains(package.FullPath(file)));
+        }
+
+        static IEnumerable<string> Files(PackageTree package, params string[] extensions)
+        {
+            var visible = new HashSet<string>(package.Visible);
+            return package.WithExtension(extensions).Where(file => visible.Contains(file) || file.StartsWith(Samples, StringComparison.Ordinal));
+        }
+
+        // "Packages/com.name/", as includes have it; a package without a name is another rule's fault, but its includes fail here.
+        static string PackageFolder(PackageTree package, Findings findings)
+        {
+            if (!package.Has("package.json"))
+                return null;
+            try
+            {
+                using JsonDocument manifest = JsonDocument.Parse(package.Read("package.json"));
+                return manifest.RootElement.TryGetProperty("name", out JsonElement name) ? $"Packages/{name.GetString()}/" : null;
+            }
+            catch (JsonException e)
+            {
+                findings.Fault($"package.json: {e.Message}");
+                return null;
+            }
+        }
+    }
+}

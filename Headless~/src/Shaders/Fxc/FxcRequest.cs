@@ -1,0 +1,32 @@
+using System;
+
+namespace Host.Shaders
+{
+    /// <summary>D3DCOMPILE_* of d3dcompiler.h.</summary>
+    [Flags]
+    enum FxcFlags : uint
+    {
+        Debug = 1 << 0,
+        SkipOptimization = 1 << 2,
+        BackwardsCompatibility = 1 << 12,
+        OptimizationLevel3 = 1 << 15,
+    }
+
+    /// <summary>One entry point of one variant for FXC.</summary>
+    sealed class FxcRequest
+    {
+        /// <summary>For messages: "Shaders/PrefixSum.compute (SumTiles)".</summary>
+        public string Name;
+        /// <summary>
+        /// Preprocessed here: since 2022.1 Unity always runs its own preprocessor first (EditorSettings.cachingShaderPreprocessor
+        /// says so), so FXC sees no #include, macro or pragma of Unity's there either.
+        /// </summary>
+        public PreprocessedSource Source;
+        public string EntryPoint;
+        /// <summary>Where the entry point is named, for messages that have no line.</summary>
+        public SourceLine EntryLine;
+        /// <summary>cs_5_0, vs_5_0, ps_4_0 ...</summary>
+        public string Profile;
+        public FxcFlags Flags;
+    }
+}

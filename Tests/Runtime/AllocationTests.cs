@@ -1,0 +1,86 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+using UnityEngine.TestTools.Constraints;
+using Is = UnityEngine.TestTools.Constraints.Is;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>What the garbage collector gets of a playing fluid: nothing.</summary>
+    public class AllocationTests
+    {
+        const int WarmUp = 30, Frames = 300;
+        const float Step = 1f / 60f;
+
+        GameObject fluid;
+
+        // Fluids take their steps when this test says so and at no other time.
+        [SetUp]
+        public void StopTime() => Time.timeScale = 0f;
+
+        [UnityTearDown]
+        public IEnumerator LeaveNothing()
+        {
+            Object.Destroy(fluid);
+            Time.timeScale = 1f;
+            yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator Three_hundred_frames_with_everything_on_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Dam();
+            FluidRenderer[] renderers = fluid.GetComponents<FluidRenderer>();
+            TestDelegate frame = () =>
+            {
+                simulation.Advance(Step);
+                foreach (FluidRenderer renderer in renderers)
+                    renderer.DrawFrame();
+            };
+            yield return null;
+            for (int i = 0; i < WarmUp; i++)
+            {
+                frame();
+                yield return null;
+            }
+            int before = simulation.StepCount;
+            for (int i = 0; i < Frames; i++)
+            {
+                Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                yield return null;
+            }
+            Assert.That(simulation.StepCount - before, NUnit.Framework.Is.GreaterThanOrEqualTo(Frames));
+            Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.particles, NUnit.Framework.Is.EqualTo(800));
+        }
+
+        [Test]
+        public void An_allocation_of_a_few_bytes_is_seen()
+        {
+            object kept = null;
+            TestDelegate allocates = () => kept = new object();
+            Assert.That(allocates, Is.AllocatingGCMemory());
+            Assert.That(kept, NUnit.Framework.Is.Not.Null);
+        }
+
+        FluidSimulation Dam()
+        {
+            fluid = new GameObject("Fluid");
+            fluid.SetActive(false);
+            var simulation = fluid.AddComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(1f, 0.6f, 0.5f), 0.05f, 1000);
+            simulation.StatisticsInterval = 3;
+            FluidMaterial material = FluidMaterial.Water;
+            material.vorticity = 0.1f;
+            material.artificialPressure = 0.1f;
+            simulation.Material = material;
+            fluid.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.4f, 0.5f);
+            fluid.AddComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
+            fluid.AddComponent<DomainRenderer>();
+            fluid.SetActive(true);
+            return simulation;
+        }
+    }
+}
