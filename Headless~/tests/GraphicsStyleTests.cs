@@ -2,6 +2,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
+using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
@@ -268,6 +269,21 @@ ENDCG } } }";
             Assert.That(Pixel(30, 16, target), Is.EqualTo(clear), "where it is");
             if (target != null)
                 Object.DestroyImmediate(target);
+        }
+
+        [Test]
+        public void A_broken_shader_draws_magenta_and_is_named_once()
+        {
+            Player.Strict = false;
+            NewCamera();
+            var broken = new Material(ShaderOf("Shader \"Broken\" { SubShader { Pass {\nCGPROGRAM\n#pragma vertex vert\n#pragma fragment frag\nfloat4 vert(float4 v : POSITION) : SV_POSITION { return nonsense; }\nfloat4 frag() : SV_Target { return 1; }\nENDCG } } }"));
+            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex(@"Shader error in 'Broken': Test\.shader\(5\): error: .*nonsense"));
+            for (int i = 0; i < 2; i++)
+            {
+                Graphics.DrawMesh(Resources.GetBuiltinResource<Mesh>("Quad.fbx"), Matrix4x4.Scale(Vector3.one * 4), broken, 0);
+                Frame();
+            }
+            Assert.That(Pixel(32, 16), Is.EqualTo(new Color32(255, 0, 255, 255)));
         }
 
         [Test]
