@@ -127,6 +127,18 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Semantics_of_old_still_mean_the_position()
+        {
+            const string code = "struct v2f { float4 pos : POSITION; float2 uv : TEXCOORD0; };\n" +
+                "v2f vert(appdata_img v) { v2f o; o.pos = UnityObjectToClipPos(v.vertex); o.uv = v.texcoord; return o; }\n" +
+                "float4 frag(float2 uv : TEXCOORD0, UNITY_VPOS_TYPE at : VPOS) : COLOR { return float4(at.xy, uv); }";
+            var target = new RenderTexture(2, 2, 0, RenderTextureFormat.ARGBFloat);
+            Graphics.Blit(null, target, new Material(ShaderOf(Effect(code).Replace("vert_img", "vert"))));
+            AssertNear(Read(target)[1], new Vector4(1.5f, 0.5f, 0.75f, 0.25f));
+            Object.DestroyImmediate(target);
+        }
+
+        [Test]
         public void A_screen_position_points_at_its_own_texel()
         {
             // ComputeScreenPos of the clip position that a Blit draws at must be the uv that it is drawn with.

@@ -2,6 +2,7 @@ using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
+using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
@@ -242,6 +243,72 @@ ENDCG } } }";
             Color32 pixel = Pixel(32, 16);
             Assert.That(new[] { (int)pixel.r, pixel.g, pixel.b }, Is.EqualTo(new[] { 128, 0, 128 }).Within(1));
             Assert.That(Value("float4(IsGammaSpace(), unity_ColorSpaceGrey.r, 0, 0)"), Is.EqualTo(new Vector4(1, 0.5f, 0, 0)));
+        }
+
+        static Shader Masked(string state) => ShaderOf("Shader \"T\" { Properties { _Color (\"C\", Color) = (1,1,1,1) _Ref (\"R\", Int) = 1 } SubShader { Pass { " + state +
+            "\nCGPROGRAM\n#pragma vertex vert\n#pragma fragment frag\n#include \"UnityCG.cginc\"\nfixed4 _Color; float4 vert(float4 v : POSITION) : SV_POSITION { return UnityObjectToClipPos(v); } fixed4 frag() : SV_Target { return _Color; }\nENDCG } } }");
+
+        [Test]
+        public void A_stencil_lets_through_where_it_was_written([Values(false, true)] bool intoTexture)
+        {
+            Camera camera = NewCamera();
+            RenderTexture target = intoTexture ? new RenderTexture(64, 32, 24) : null;
+            camera.targetTexture = target;
+            Mesh quad = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
+            var mask = new Material(Masked("ColorMask 0 ZWrite Off Stencil { Ref [_Ref] Comp Always Pass Replace }")) { renderQueue = 1999 };
+            mask.SetInt("_Ref", 2);
+            var inside = new Material(Masked("Stencil { Ref 2 Comp Equal }")) { color = Color.red };
+            var outside = new Material(Masked("Stencil { Ref 3 ReadMask 2 Comp NotEqual }")) { color = Color.green };
+            Graphics.DrawMesh(quad, Matrix4x4.Scale(Vector3.one * 4), mask, 0);
+            Graphics.DrawMesh(quad, Matrix4x4.TRS(new Vector3(2, 0, 0), Quaternion.identity, Vector3.one * 4), inside, 0);
+            Graphics.DrawMesh(quad, Matrix4x4.TRS(new Vector3(-2, 0, 0), Quaternion.identity, Vector3.one * 4), outside, 0);
+            Frame();
+            Assert.That(Pixel(33, 16, target), Is.EqualTo(new Color32(255, 0, 0, 255)), "inside of the mask");
+            Assert.That(Pixel(38, 16, target), Is.EqualTo(clear), "outside of it");
+            Assert.That(Pixel(26, 16, target), Is.EqualTo(new Color32(0, 255, 0, 255)), "where the masked bit is not set");
+            Assert.That(Pixel(30, 16, target), Is.EqualTo(clear), "where it is");
+            if (target != null)
+                Object.DestroyImmediate(target);
+        }
+
+        [Test]
+        public void A_broken_shader_draws_magenta_and_is_named_once()
+        {
+            Player.Strict = false;
+            NewCamera();
+            var broken = new Material(ShaderOf("Shader \"Broken\" { SubShader { Pass {\nCGPROGRAM\n#pragma vertex vert\n#pragma fragment frag\nfloat4 vert(float4 v : POSITION) : SV_POSITION { return nonsense; }\nfloat4 frag() : SV_Target { return 1; }\nENDCG } } }"));
+            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex(@"Shader error in 'Broken': Test\.shader\(5\): error: .*nonsense"));
+            for (int i = 0; i < 2; i++)
+            {
+                Graphics.DrawMesh(Resources.GetBuiltinResource<Mesh>("Quad.fbx"), Matrix4x4.Scale(Vector3.one * 4), broken, 0);
+                Frame();
+            }
+            Assert.That(Pixel(32, 16), Is.EqualTo(new Color32(255, 0, 255, 255)));
+        }
+
+        [Test]
+        public void A_part_of_a_texture_is_blitted_by_scale_and_offset()
+        {
+            var source = new Texture2D(2, 2, TextureFormat.RGBAFloat, false, true) { filterMode = FilterMode.Point };
+            source.SetPixels(new[] { Color.red, Color.green, Color.blue, Color.white });
+            source.Apply();
+            var target = new RenderTexture(1, 1, 0, RenderTextureFormat.ARGBFloat);
+            Graphics.Blit(source, target, Vector2.one * 0.5f, new Vector2(0.5f, 0));
+            Assert.That((Color)Read(target)[0], Is.EqualTo(Color.green));
+            Object.DestroyImmediate(source);
+            Object.DestroyImmediate(target);
+        }
+
+        [Test]
+        public void The_corners_of_a_view_are_counted_clockwise_from_the_lower_left()
+        {
+            Camera camera = NewCamera();
+            camera.orthographic = false;
+            camera.fieldOfView = 90;
+            var corners = new Vector3[4];
+            camera.CalculateFrustumCorners(new Rect(0, 0, 1, 1), 10, Camera.MonoOrStereoscopicEye.Mono, corners);
+            Assert.That(Vector3.Distance(corners[0], new Vector3(-20, -10, 10)), Is.LessThan(1e-3f), $"{corners[0]}");
+            Assert.That(Vector3.Distance(corners[2], new Vector3(20, 10, 10)), Is.LessThan(1e-3f), $"{corners[2]}");
         }
     }
 }

@@ -26,6 +26,7 @@ namespace Host.Check
             new NUnitRule(),
             new HostSurfaceRule(),
             new FxcRule(),
+            new LayoutRule(),
             new TargetsRule(),
         };
     }

@@ -29,10 +29,12 @@ namespace Host.Commands
             var noCompute = new Option<bool>("--no-compute") { Description = "Pretend that the machine cannot run compute shaders." };
             var strict = new Option<bool>("--strict") { Description = "With --project: stop where Unity logs and goes on or is undefined." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
+            Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, shaders };
             command.SetAction(parsed =>
             {
+                ShadersOption.Use(parsed.GetValue(shaders));
                 (int width, int height) = Size(parsed.GetValue(size));
                 double rate = Positive(parsed.GetValue(fps), "--fps");
                 if (parsed.GetValue(scene) == null && parsed.GetValue(project) == null)
@@ -62,7 +64,9 @@ namespace Host.Commands
                     throw new HostException("--stills needs frames; leave out --no-frames.");
                 if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
                     throw new HostException("--dump <folder> and --at <frame,...> go together.");
-                return new SceneRun(settings, Console.Out).Execute();
+                int outcome = new SceneRun(settings, Console.Out).Execute();
+                ShadersOption.Report(Console.Out);
+                return outcome;
             });
             return command;
         }

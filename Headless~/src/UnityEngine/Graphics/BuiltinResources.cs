@@ -6,13 +6,14 @@ namespace UnityEngine.Headless
     /// <summary>What Resources.GetBuiltinResource and scene files find by name, and GameObject.CreatePrimitive is made of.</summary>
     internal static class BuiltinResources
     {
-        const string DefaultMaterialName = "Default-Material.mat";
+        const string DefaultMaterialName = "Default-Material.mat", ErrorMaterialName = "Error.mat";
 
         // Material file to shader.
         static readonly Dictionary<string, string> materialShaders = new Dictionary<string, string>
         {
             [DefaultMaterialName] = "Standard", ["Default-Diffuse.mat"] = "Legacy Shaders/Diffuse", ["Default-Skybox.mat"] = "Skybox/Procedural",
             ["Default-Particle.mat"] = "Legacy Shaders/Particles/Alpha Blended Premultiply", ["Default-ParticleSystem.mat"] = "Particles/Standard Unlit",
+            [ErrorMaterialName] = "Hidden/InternalErrorShader",
             ["Default-Line.mat"] = "Legacy Shaders/Particles/Alpha Blended", ["Sprites-Default.mat"] = "Sprites/Default",
         };
         static readonly Dictionary<string, Material> materials = new Dictionary<string, Material>();
@@ -34,6 +35,9 @@ namespace UnityEngine.Headless
 
         /// <summary>Null, and nothing is drawn with it, when there is no Standard shader.</summary>
         public static Material DefaultMaterial => MaterialOf(DefaultMaterialName);
+
+        /// <summary>Magenta, for what a broken shader should have drawn; null when there are no built-in shaders.</summary>
+        public static Material ErrorMaterial => MaterialOf(ErrorMaterialName);
 
         static Material MaterialOf(string file)
         {

@@ -68,7 +68,13 @@ namespace UnityEngine.Headless
         {
             Material material = call.Material;
             if (!material.Programs(passIndex, call.Instancing, out ProgramLayout vertex, out ProgramLayout fragment))
-                return;
+            {
+                // What has a mesh is drawn in magenta, as Unity does.
+                material = call.Mesh is object ? BuiltinResources.ErrorMaterial : null;
+                passIndex = 0;
+                if (material is null || !material.Programs(passIndex, Instancing.None, out vertex, out fragment))
+                    return;
+            }
 
             stateMaterial = material;
             DeviceRasterState state = material.shader.Source.Passes[passIndex].ResolveState(materialFloat);
