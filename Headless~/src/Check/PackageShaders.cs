@@ -42,6 +42,10 @@ namespace Host.Check
             return Files(package, ".hlsl", ".cginc").Where(file => !read.Contains(package.FullPath(file)));
         }
 
+        /// <summary>Unity's own include files that a variant reads, of which this host has stand-ins.</summary>
+        public static IEnumerable<string> StandIns(ShaderVariant variant) =>
+            variant.Fxc == null ? Enumerable.Empty<string>() : variant.Fxc.Source.Files.Where(file => Path.GetDirectoryName(Path.GetFullPath(file)) == BuiltInFiles.Includes).Select(Path.GetFileName);
+
         static IEnumerable<string> Files(PackageTree package, params string[] extensions)
         {
             var visible = new HashSet<string>(package.Visible);
