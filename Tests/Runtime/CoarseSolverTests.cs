@@ -15,7 +15,7 @@ namespace Rill.Tests
         const float CellSize = 4f;
 
         // Means of the right-hand side, which varies by 0.2 about them: where it is negative for long, phi >= 0 binds.
-        const double Dense = 0.2, Dilute = 0.02;
+        const double Dense = 0.2, Dilute = 0.02, VeryDilute = -0.03;
 
         // Cells along each axis, and the fill of a cell from its place and a random number from 0 to 1.
         static readonly Dictionary<string, (int3 counts, Func<int3, double, double> fill)> Boxes = new Dictionary<string, (int3, Func<int3, double, double>)>
@@ -36,7 +36,7 @@ namespace Rill.Tests
         static IEnumerable<string> Names => Boxes.Keys;
 
         // What the residual falls to in a cycle, at most. Aggregates that keep the free surface's faces in full are too stiff
-        // below it, the more so the deeper the water is: that is the price of a calm surface.
+        // below it, the more so the deeper the water is; a calm surface is worth that.
         static double MostLeft(string name)
         {
             switch (name)
@@ -67,18 +67,20 @@ namespace Rill.Tests
             }
         }
 
-        [TestCase("half filled box", 1e-3)]
-        [TestCase("scattered cells", 1e-3)]
-        [TestCase("half filled, one level above the tail", 1e-3)]
-        // Coarse cells reach across the border of what is in tension: here the cycles end in going to and fro.
-        [TestCase("large half filled box", 0.1)]
-        public void Where_the_water_would_be_in_tension_the_potential_is_zero_and_the_rest_converges(string name, double share)
+        [TestCase("full box", VeryDilute)]
+        [TestCase("half filled box", Dilute)]
+        [TestCase("primes", VeryDilute)]
+        [TestCase("scattered cells", Dilute)]
+        [TestCase("deep column", VeryDilute)]
+        [TestCase("half filled, one level above the tail", Dilute)]
+        [TestCase("large half filled box", Dilute)]
+        public void Where_the_water_would_be_in_tension_the_potential_is_zero_and_the_rest_converges(string name, double source)
         {
-            using (var problem = new Problem(name, Dilute))
+            using (var problem = new Problem(name, source))
             {
                 problem.Cycle(24);
                 Assert.That(problem.Raw.Where((value, cell) => problem.Cells.active[cell]).Count(value => value == 0f), Is.GreaterThan(20), "no cell is in tension");
-                problem.AssertSolution(share);
+                problem.AssertSolution(1e-3);
             }
         }
 
