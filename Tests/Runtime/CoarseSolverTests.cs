@@ -28,7 +28,7 @@ namespace Rill.Tests
             ["primes"] = (new int3(7, 13, 11), (place, random) => BelowSurface(place.y, 9, random)),
             ["scattered cells"] = (new int3(17, 13, 19), (place, random) => random),
             ["deep column"] = (new int3(6, 60, 6), (place, random) => BelowSurface(place.y, 50, random)),
-            ["large half filled box"] = (new int3(60, 60, 60), (place, random) => BelowSurface(place.y, 30, random)),
+            ["large half filled box"] = (new int3(50, 50, 50), (place, random) => BelowSurface(place.y, 25, random)),
             ["half filled, one level above the tail"] = (new int3(28, 28, 28), (place, random) => BelowSurface(place.y, 14, random)),
             ["full box of odd sides"] = (new int3(33, 17, 33), (place, random) => 1.0),
         };
@@ -133,6 +133,13 @@ namespace Rill.Tests
                 problem.Cells.active[problem.Cells.Index(new int3(3, 4, 5))] = false;
                 Assert.That(() => problem.AssertSolution(1e-3), Throws.InstanceOf<AssertionException>());
             }
+        }
+
+        [Test]
+        public void The_boxes_have_none_one_and_two_levels_above_the_tail()
+        {
+            foreach ((string name, int first) in new[] { ("half filled box", 1), ("half filled, one level above the tail", 2), ("large half filled box", 3) })
+                Assert.That(new CoarseGrid(CellSize * (float3)Boxes[name].counts, CellSize).FirstTailLevel, Is.EqualTo(first), name);
         }
 
         // Full cells, a layer of any fill, none above.

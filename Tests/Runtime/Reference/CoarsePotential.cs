@@ -58,22 +58,24 @@ namespace Rill.Tests.Reference
             return Math.Sqrt(sum / Math.Max(number, 1));
         }
 
+        // What the cells beside one contribute.
         double Sum(int cell, double[] potential)
         {
-            int x = cell % cells.counts.x, y = cell / cells.counts.x % cells.counts.y, z = cell / (cells.counts.x * cells.counts.y);
-            int strideY = cells.counts.x, strideZ = cells.counts.x * cells.counts.y;
+            int3 counts = cells.counts;
+            int x = cell % counts.x, y = cell / counts.x % counts.y, z = cell / (counts.x * counts.y);
+            int strideY = counts.x, strideZ = counts.x * counts.y;
             double sum = 0.0;
             if (x > 0)
                 sum += coupling.x * potential[cell - 1];
-            if (x < cells.counts.x - 1)
+            if (x < counts.x - 1)
                 sum += coupling.x * potential[cell + 1];
             if (y > 0)
                 sum += coupling.y * potential[cell - strideY];
-            if (y < cells.counts.y - 1)
+            if (y < counts.y - 1)
                 sum += coupling.y * potential[cell + strideY];
             if (z > 0)
                 sum += coupling.z * potential[cell - strideZ];
-            if (z < cells.counts.z - 1)
+            if (z < counts.z - 1)
                 sum += coupling.z * potential[cell + strideZ];
             return sum;
         }
