@@ -43,7 +43,8 @@ namespace Host.Tests
                 .Add("OneVariant.compute", "#pragma kernel Uses\n#pragma kernel Ignores OTHER\n#pragma multi_compile_local _ RED GREEN\nRWStructuredBuffer<uint> _Out;\n#ifdef OTHER\n[numthreads(1,1,1)] void Ignores() { _Out[0] = 2; }\n#else\n" +
                     "[numthreads(1,1,1)] void Uses()\n{\n#if defined(RED)\n    _Out[0] = 3;\n#elif defined(GREEN)\n    _Out[0] = undefined;\n#endif\n}\n#endif\n")
                 .Add("NoEntry.compute", "#pragma kernel Elsewhere\nRWStructuredBuffer<uint> _Out;\n[numthreads(1,1,1)] void K() { _Out[0] = 1; }\n")
-                .Add("NoInclude.compute", Kernel + "#include \"UnityCG.cginc\"\n[numthreads(1,1,1)] void K() { _Out[0] = 1; }\n")
+                .Add("StandIn.compute", Kernel + "#include \"UnityCG.cginc\"\n[numthreads(1,1,1)] void K() { _Out[0] = 1; }\n")
+                .Add("NoInclude.compute", Kernel + "#include \"Missing.hlsl\"\n[numthreads(1,1,1)] void K() { _Out[0] = 1; }\n")
                 .Add("Nameless.compute", "#pragma kernel\n")
                 .Add("Garbage.shader", "Shader \"Garbage\"\n{\n    SubShader { Pass { Culling Off } }\n}\n")
                 .Add("Samples~/Old.shader", Shader("sampler2D _Tex;\nfloat4 Vertex(float4 at : POSITION) : SV_Position { return at; }\nfloat4 Fragment(float4 at : SV_Position) : COLOR { return tex2D(_Tex, at.xy); }\n"))
@@ -78,7 +79,8 @@ namespace Host.Tests
         [TestCase("Threads.compute(3): error X3655")]
         [TestCase("OneVariant.compute(13): error X3004: undeclared identifier 'undefined'; in OneVariant.compute (Uses, GREEN)")]
         [TestCase("NoEntry.compute(1): error X3501: 'Elsewhere': entrypoint not found")]
-        [TestCase("NoInclude.compute(3): error: Couldn't open include file 'UnityCG.cginc'; in NoInclude.compute (K)")]
+        [TestCase("NoInclude.compute(3): error: Couldn't open include file 'Missing.hlsl'; in NoInclude.compute (K)")]
+        [TestCase("StandIn.compute (K): includes UnityCG.cginc, of which only a stand-in is here")]
         [TestCase("Nameless.compute(1): error: #pragma kernel needs a name")]
         [TestCase("Garbage.shader(3): error")]
         [TestCase("Stage.shader(14): error X3004: undeclared identifier 'wrong'; in Stage.shader (P/Vertex), Stage.shader (P/Fragment)")]

@@ -238,6 +238,7 @@ namespace Host.Tests
         }
 
         [Test]
+        [ByGlslang("FXC does not compile it")]
         public void More_than_32_kilobytes_of_groupshared_memory()
         {
             ComputeShader shader = Compute("Faults");

@@ -47,6 +47,7 @@ namespace Host.Tests
             deviceBefore = Player.Device;
             strictBefore = Player.Strict;
             Player.Device = HostSetup.Device;
+            BuiltInShaders.Install();
             Player.Strict = true;
             Player.PretendNoCompute = false;
             Player.LinearColorSpace = true;
@@ -86,15 +87,15 @@ namespace Host.Tests
         /// <summary>A new object over a file of Shaders/Graphics, which is imported once.</summary>
         protected static ComputeShader Compute(string name)
         {
-            if (!computeSources.TryGetValue(name, out ComputeShaderSource source))
-                computeSources.Add(name, source = ShaderImporter.ImportCompute(Path.Combine(Folder(), name + ".compute"), name + ".compute", _ => null, new ShaderCache()));
+            if (!computeSources.TryGetValue(ShaderBackend.Current.Name + name, out ComputeShaderSource source))
+                computeSources.Add(ShaderBackend.Current.Name + name, source = ShaderImporter.ImportCompute(Path.Combine(Folder(), name + ".compute"), name + ".compute", _ => null, new ShaderCache()));
             return ComputeShader.Create(source);
         }
 
         protected static Shader DrawShader(string name)
         {
-            if (!shaderSources.TryGetValue(name, out ShaderSource source))
-                shaderSources.Add(name, source = ShaderImporter.ImportShader(Path.Combine(Folder(), name + ".shader"), name + ".shader", _ => null, new ShaderCache()));
+            if (!shaderSources.TryGetValue(ShaderBackend.Current.Name + name, out ShaderSource source))
+                shaderSources.Add(ShaderBackend.Current.Name + name, source = ShaderImporter.ImportShader(Path.Combine(Folder(), name + ".shader"), name + ".shader", _ => null, new ShaderCache()));
             return Shader.Create(source);
         }
 

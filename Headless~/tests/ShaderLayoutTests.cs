@@ -134,7 +134,6 @@ HLSLPROGRAM
 #pragma vertex vert
 #pragma fragment frag
 struct ToFragment { float unused : TEXCOORD0; nointerpolation uint instance : INSTANCE; float4 clip : SV_Position; float2 xy : TEXCOORD1; };
-struct FromVertex { float4 clip : SV_Position; float2 xy : TEXCOORD1; uint instance : INSTANCE; };
 ToFragment vert(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
     ToFragment o;
@@ -144,7 +143,7 @@ ToFragment vert(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
     o.instance = instance; o.unused = 7;
     return o;
 }
-float4 frag(FromVertex i) : SV_Target { return float4(i.instance + 1, i.clip.w, i.clip.xy); }
+float4 frag(ToFragment i) : SV_Target { return float4(i.instance + 1, i.clip.w, i.clip.xy); }
 ENDHLSL
 } } }";
             const int size = 4;

@@ -171,7 +171,7 @@ namespace Rill
         {
             if (!SystemInfo.supportsComputeShaders)
             {
-                Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan, Metal or OpenGL ES 3.1 or newer.");
+                Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.");
                 return;
             }
             if (!HasFiniteTransform())

@@ -99,7 +99,7 @@ namespace Host.Assets
             switch (entry.Extension)
             {
                 case ".compute": return asset.With(MainFileId.ComputeShader, engine.ComputeShader(entry));
-                case ".shader": return asset.With(MainFileId.Shader, engine.Shader(entry));
+                case ".shader": return asset.With(MainFileId.Shader, engine.Shader(entry, note => Note($"{entry.Path}: {note}")));
                 case ".png": return asset.With(MainFileId.Texture, engine.Texture(entry));
                 case ".jpg": case ".jpeg": case ".tga": case ".psd": case ".exr": case ".hdr": case ".tif": case ".tiff": case ".bmp":
                     Fail($"{entry.Path}: the host reads textures from .png files only: convert it");

@@ -22,13 +22,18 @@ namespace Host.Assets
         public readonly ScriptTypes Scripts;
         /// <summary>Broken references throw; otherwise they are null and logged as errors, as in Unity.</summary>
         public readonly bool Strict;
+        /// <summary>Components that a file has and the loaded scene has not, for want of their script.</summary>
+        public int MissingScripts { get; private set; }
+        readonly IForeignTypes foreign;
         /// <summary>What Unity passes over in silence: keys without a field, overrides without a target, classes that the host lacks.</summary>
         public readonly List<string> Warnings = new List<string>();
 
         /// <param name="scripts">The assemblies in which the project's scripts were compiled.</param>
-        public ProjectAssets(IEnumerable<MountedFolder> mounts, IEnumerable<Assembly> scripts, bool strict)
+        /// <param name="foreign">Of a project that the host was not built with; null otherwise.</param>
+        public ProjectAssets(IEnumerable<MountedFolder> mounts, IEnumerable<Assembly> scripts, bool strict, IForeignTypes foreign = null)
         {
             Strict = strict;
+            this.foreign = foreign;
             Scripts = new ScriptTypes(scripts);
             engine = new EngineObjects(ResolvePath);
             Index = new ProjectIndex(ignoreCase: !strict);
@@ -169,17 +174,26 @@ namespace Host.Assets
                 Note($"{script.Place}: {scope}: left out, as the host has no script {script.FileId} of Unity's own modules");
                 return null;
             }
-            if (Index.ByGuid(script.Guid) == null && ForeignScripts.NameOf(script.Guid) is string foreign)
+            if (foreign?.PackageScript(script.Guid) is Type stand) return stand;
+            if (Index.ByGuid(script.Guid) == null && ForeignScripts.NameOf(script.Guid) is string name)
             {
-                Note($"{script.Place}: {scope}: left out, as the host has no {foreign}");
+                Note($"{script.Place}: {scope}: left out, as the host has no {name}");
                 return null;
             }
             var entry = Entry(script, scope);
             if (entry == null) return null;
             var type = Scripts.Find(entry, out var problem);
-            if (type == null) Fail($"{script.Place}: {scope}: {problem}");
-            return type;
+            if (type != null) return type;
+            MissingScripts++;
+            if (foreign?.WhyMissing(entry.Path) is string reason) Note($"{script.Place}: {scope}, {entry.Path}, cannot be loaded, so the component is missing: {reason}");
+            else Fail($"{script.Place}: {scope}: {problem}");
+            return null;
         }
+
+        /// <summary>The engine's component that files call by that name, or a stub for it; null when there is neither.</summary>
+        public Type ComponentType(string name) => EngineObjects.ComponentType(name) ?? foreign?.StubComponent(name);
+
+        public bool IsStub(Type type) => foreign != null && foreign.IsStub(type);
 
         // ---- reports
 

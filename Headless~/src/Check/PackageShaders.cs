@@ -14,7 +14,8 @@ namespace Host.Check
         const string Samples = "Samples~/";
 
         /// <summary>Files that cannot be read as what they are become faults.</summary>
-        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, ShaderCache cache, Findings findings, out int files)
+        /// <param name="backend">Compiles the variants when asked; null = glslang.</param>
+        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, ShaderCache cache, Findings findings, out int files, IShaderBackend backend = null)
         {
             string packageFolder = PackageFolder(package, findings);
             string Resolve(string include) => packageFolder != null && include.StartsWith(packageFolder, StringComparison.Ordinal) ? package.FullPath(include.Substring(packageFolder.Length)) : null;
@@ -25,7 +26,7 @@ namespace Host.Check
             foreach (string path in paths)
                 try
                 {
-                    variants.AddRange(ShaderImporter.AllVariants(package.FullPath(path), path, Resolve, cache));
+                    variants.AddRange(ShaderImporter.AllVariants(package.FullPath(path), path, Resolve, cache, backend));
                 }
                 catch (ShaderCompileException e)
                 {
@@ -40,6 +41,10 @@ namespace Host.Check
             HashSet<string> read = variants.Where(v => v.Fxc != null).SelectMany(v => v.Fxc.Source.Files).Select(Path.GetFullPath).ToHashSet();
             return Files(package, ".hlsl", ".cginc").Where(file => !read.Contains(package.FullPath(file)));
         }
+
+        /// <summary>Unity's own include files that a variant reads, of which this host has stand-ins.</summary>
+        public static IEnumerable<string> StandIns(ShaderVariant variant) =>
+            variant.Fxc == null ? Enumerable.Empty<string>() : variant.Fxc.Source.Files.Where(file => Path.GetDirectoryName(Path.GetFullPath(file)) == BuiltInFiles.Includes).Select(Path.GetFileName);
 
         static IEnumerable<string> Files(PackageTree package, params string[] extensions)
         {

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Host.Check.Api;
 
 namespace Host.Check
 {
@@ -19,7 +20,13 @@ namespace Host.Check
             new LinksRule(),
             new FrameCallsRule(),
             new StaticsRule(),
+            new UnityMembersRule(),
+            new SourceNamesRule(),
+            new NetStandardRule(),
+            new NUnitRule(),
+            new HostSurfaceRule(),
             new FxcRule(),
+            new LayoutRule(),
             new TargetsRule(),
         };
     }

@@ -7,6 +7,7 @@ using System.Reflection;
 using Host.Assets;
 using Host.Commands;
 using Host.Fluids;
+using Host.Scripts;
 using Host.Vulkan;
 using UnityEngine.Headless;
 
@@ -48,13 +49,13 @@ namespace Host
             if (Environment.GetEnvironmentVariable("RILL_TRACE") == "1")
                 Console.Error.WriteLine(error);
             // These messages are written for the user. Others are a fault of somebody's code, and its kind helps to find it.
-            bool explained = error is HostException or AssetException or ShaderCompileException or GpuUsageException or OutOfGpuMemoryException or VulkanException;
+            bool explained = error is HostException or AssetException or ScriptException or ShaderCompileException or GpuUsageException or OutOfGpuMemoryException or VulkanException;
             return Fail(explained ? error.Message : $"{error.GetType().Name}: {error.Message} (RILL_TRACE=1 shows where)");
         }
 
         static int Fail(string message)
         {
-            Console.Error.WriteLine("rill: " + message.ReplaceLineEndings(" "));
+            Console.Error.WriteLine("rill: " + message.ReplaceLineEndings(message.Contains(": error CS", StringComparison.Ordinal) ? "\n  " : " "));
             return 2;
         }
     }

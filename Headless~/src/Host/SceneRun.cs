@@ -31,19 +31,22 @@ namespace Host
         /// <returns>The exit code: see <see cref="Program"/>.</returns>
         public int Execute()
         {
-            LocatedScene scene = Session.Locate(settings.Scene);
+            ForeignProject project = settings.Project == null ? null : ForeignProject.Open(settings.Project, settings.Scene, settings.Strict, output);
+            LocatedScene scene = project?.Scene ?? Session.Locate(settings.Scene);
             folder = Path.GetFullPath(settings.Target ?? Path.Combine("out", Path.GetFileNameWithoutExtension(scene.File)));
             Directory.CreateDirectory(folder);
             Player.ScreenWidth = settings.Width;
             Player.ScreenHeight = settings.Height;
 
-            using var session = new Session(scene, settings.Strict, settings.Compute);
+            using var session = project == null ? new Session(scene, settings.Strict, settings.Compute)
+                : new Session(project.Scene.Root, project.Scene.Mounts, project.Scripts.Assemblies, strict: settings.Strict, compute: settings.Compute, foreign: project.Scripts);
             output.WriteLine($"{Path.GetFileNameWithoutExtension(scene.File)} on {session.DescribeDevice()}");
             if (settings.Seed is int seed)
                 UnityEngine.Random.InitState(seed);
             session.LoadScene(scene);
 
-            List<IRunProbe> probes = Probes.OfScene();
+            // Probes look into the package that the host was built with.
+            List<IRunProbe> probes = project == null ? Probes.OfScene() : new List<IRunProbe>();
             var statistics = new Statistics(OwnColumns.Concat(probes.SelectMany(probe => probe.Columns)));
             using (var frames = settings.Draw ? new FrameWriter(Path.Combine(folder, "frames")) : null)
             {
@@ -59,8 +62,9 @@ namespace Host
                 }, frames);
             }
             if (settings.Hash)
-                output.WriteLine($"hash {StateHash.OfScene() ?? BufferDump.Hash()}");
-            return Close(session);
+                output.WriteLine($"hash {(project == null ? StateHash.OfScene() : null) ?? BufferDump.Hash()}");
+            int code = Close(session);
+            return project == null ? code : Math.Max(code, project.Summarize(session, output));
         }
 
         void Play(Session session, List<IRunProbe> probes, Statistics statistics, FrameWriter frames)

@@ -21,13 +21,15 @@ namespace Host
         readonly VulkanDevice device;
         readonly ProjectAssets assets;
         readonly HashSet<string> said = new();
+        int warned;
         readonly List<string> dropped = new();
         ExceptionDispatchInfo fault;
 
         /// <param name="root">A Unity project's or package's folder.</param>
         /// <param name="mounts">Null: those of the root.</param>
         /// <param name="scripts">Assemblies with scripts beside the package's.</param>
-        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true)
+        /// <param name="foreign">Of a project that the host was not built with; its scripts are all there are.</param>
+        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true, IForeignTypes foreign = null)
         {
             // Messages end as the command's output, each once: a fault in Update comes back every frame.
             LogSink.Received += Hear;
@@ -37,8 +39,9 @@ namespace Host
             Player.Strict = strict;
             Player.PretendNoCompute = !compute;
 
-            IEnumerable<Assembly> package = PackageAssemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll"))).Select(Assembly.Load);
-            assets = new ProjectAssets(mounts ?? ProjectFolders.Of(root), package.Concat(scripts ?? Enumerable.Empty<Assembly>()).ToList(), strict);
+            // A foreign project may bring the package as source: then its own assemblies count, and the host's would be second ones of the same name.
+            IEnumerable<Assembly> package = foreign != null ? Enumerable.Empty<Assembly>() : PackageAssemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll"))).Select(Assembly.Load);
+            assets = new ProjectAssets(mounts ?? ProjectFolders.Of(root), package.Concat(scripts ?? Enumerable.Empty<Assembly>()).ToList(), strict, foreign);
             Player.Assets = assets;
             SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
             // Entering play mode: statics and times go back to their start, then the project's settings apply.
@@ -85,10 +88,20 @@ namespace Host
         {
             SceneManager.LoadNow(scene.AssetPath, LoadSceneMode.Single);
             Initializers.Run(RuntimeInitializeLoadType.AfterSceneLoad);
-            foreach (string warning in assets.Warnings)
-                Console.Error.WriteLine("warning: " + warning);
+            foreach (string problem in assets.Index.Problems)
+                Console.Error.WriteLine("warning: " + problem);
+            PrintWarnings();
             ThrowFault();
         }
+
+        /// <summary>What came up since the last call.</summary>
+        public void PrintWarnings()
+        {
+            for (; warned < assets.Warnings.Count; warned++)
+                Console.Error.WriteLine("warning: " + assets.Warnings[warned]);
+        }
+
+        public ProjectAssets Assets => assets;
 
         /// <summary>Destroys the scene and names the objects with GPU memory that outlived it, or were dropped without a release.</summary>
         public List<string> End()

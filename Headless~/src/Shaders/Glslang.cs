@@ -1,10 +1,8 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
-using System.Threading.Tasks;
 using UnityEngine.Headless;
 
 namespace Host.Shaders
@@ -15,29 +13,21 @@ namespace Host.Shaders
         const string Tool = "glslangValidator";
         static readonly Regex Located = new Regex(@"^(?:ERROR: .*?:(\d+): (.*)|.*?\((\d+)\): (error .*))$");
 
-        static readonly Lazy<string> identity = new Lazy<string>(() =>
-        {
-            string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Select(f => Path.Combine(f, Tool)).FirstOrDefault(File.Exists);
-            if (path == null)
-                throw new InvalidOperationException($"{Tool} is not on the PATH; it compiles the shaders (Debian: apt-get install glslang-tools).");
-            var file = new FileInfo(path);
-            return $"{path} {file.Length} {file.LastWriteTimeUtc.Ticks}";
-        });
+        static readonly ShaderTool Program = new ShaderTool(Tool, "it compiles the shaders", "glslang-tools");
 
         /// <summary>Changes when the tool does; starts nothing.</summary>
-        public static string Identity => identity.Value;
+        public static string Identity => Program.Identity;
 
         /// <exception cref="ShaderCompileException">Names the source line behind the first error.</exception>
         public static byte[] Compile(PreprocessedSource source, ShaderStage stage, string entryPoint, SourceLine entryLine)
         {
-            _ = Identity;   // says what to install when there is none
             string folder = Directory.CreateTempSubdirectory("rill-shader-").FullName;
             try
             {
                 string input = Path.Combine(folder, "source.hlsl"), output = Path.Combine(folder, "out.spv");
                 File.WriteAllText(input, source.Text);
                 string stageName = stage == ShaderStage.Compute ? "comp" : stage == ShaderStage.Vertex ? "vert" : "frag";
-                string log = Run(new[]
+                string log = Program.Run(new[]
                 {
                     "-D", "-V", "--target-env", "vulkan1.1", "-S", stageName, "-e", entryPoint,
                     "--hlsl-dx-position-w",         // SV_Position.w as in Direct3D
@@ -55,19 +45,6 @@ namespace Host.Shaders
             {
                 Directory.Delete(folder, recursive: true);
             }
-        }
-
-        static string Run(IEnumerable<string> arguments, out int exitCode)
-        {
-            var start = new ProcessStartInfo(Tool) { RedirectStandardOutput = true, RedirectStandardError = true };
-            foreach (string argument in arguments)
-                start.ArgumentList.Add(argument);
-            using Process process = Process.Start(start);
-            Task<string> errors = process.StandardError.ReadToEndAsync();
-            string log = process.StandardOutput.ReadToEnd() + errors.Result;
-            process.WaitForExit();
-            exitCode = process.ExitCode;
-            return log;
         }
 
         static ShaderCompileException Error(string log, int exitCode, PreprocessedSource source, string entryPoint, SourceLine entryLine)

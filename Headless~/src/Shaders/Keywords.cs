@@ -22,13 +22,20 @@ namespace Host.Shaders
 
         readonly List<Line> lines = new List<Line>();
 
-        public Keywords(IEnumerable<PragmaLine> pragmas)
+        public const string Instancing = "INSTANCING_ON", ProceduralInstancing = "PROCEDURAL_INSTANCING_ON";
+
+        /// <param name="procedural">Whether "#pragma instancing_options procedural:" names a function.</param>
+        public Keywords(IEnumerable<PragmaLine> pragmas, bool procedural = false)
         {
             foreach (PragmaLine pragma in pragmas)
             {
                 string[] words = pragma.Text.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
                 Match match = LineName.Match(words[0]);
-                // Lines such as multi_compile_fog name keywords of render pipelines, all of which stay off here.
+                if (words[0] == "multi_compile_instancing")
+                    lines.Add(new Line { Names = procedural ? new[] { "", Instancing, ProceduralInstancing } : new[] { "", Instancing } });
+                // Of the lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light is on here.
+                if (words[0] == "multi_compile_fwdbase" || words[0] == "multi_compile_fwdbasealpha")
+                    lines.Add(new Line { Names = new[] { "DIRECTIONAL" } });
                 if (!match.Success || words.Length < 2)
                     continue;
                 string kind = match.Groups[1].Value, stage = match.Groups[3].Value;

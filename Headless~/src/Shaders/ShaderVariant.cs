@@ -20,7 +20,7 @@ namespace Host.Shaders
         public FxcRequest Fxc;
         /// <summary>Why the text could not be preprocessed (#error, an include that is not there); null when it could.</summary>
         public ShaderCompileException Fault;
-        /// <summary>By glslang, to SPIR-V as this host runs it. Throws ShaderCompileException.</summary>
+        /// <summary>By the importer's backend, to SPIR-V as this host runs it. Throws ShaderCompileException.</summary>
         public Func<CompiledProgram> Compile;
 
         public ShaderStage Stage => Request.Stage;

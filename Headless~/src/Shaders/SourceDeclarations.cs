@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -19,6 +20,7 @@ namespace Host.Shaders
         readonly HashSet<string> functions = new HashSet<string>();
         readonly HashSet<string> kernels = new HashSet<string>();
         readonly HashSet<string> strideQueries = new HashSet<string>();
+        readonly Dictionary<string, int> packOffsets = new Dictionary<string, int>();
 
         public SourceDeclarations(string preprocessed)
         {
@@ -39,6 +41,8 @@ namespace Host.Shaders
                         kernels.Add(token.Text);
                     numThreads = false;
                 }
+                if (token.Text == "packoffset")
+                    Place(tokens, i);
                 if (token.Text == "GetDimensions" && i > 1 && tokens[i - 1].Is("."))
                     strideQueries.Add(tokens[i - 2].Text);
                 depth += token.Is("{") || token.Is("(") ? 1 : token.Is("}") || token.Is(")") ? -1 : 0;
@@ -53,7 +57,23 @@ namespace Host.Shaders
         public bool HasFunction(string name) => functions.Contains(name);
         public bool HasNumThreads(string name) => kernels.Contains(name);
         public bool AsksDimensions(string name) => strideQueries.Contains(name);
+        /// <summary>Byte at which packoffset puts a constant; null for others.</summary>
+        public int? PackOffset(string name) => packOffsets.TryGetValue(name, out int bytes) ? bytes : (int?)null;
         public bool Mentions(string word) => words.Contains(word);
+
+        // "name[2] : packoffset(c3.y)" at the word.
+        void Place(List<Token> tokens, int at)
+        {
+            const int register = 16, word = 4;
+            int name = at - 2;
+            while (name > 0 && tokens[name].Kind != TokenKind.Identifier || name > 0 && tokens[name - 1].Is("["))
+                name--;
+            if (name < 0 || at + 2 >= tokens.Count || !int.TryParse(tokens[at + 2].Text.TrimStart('c'), out int number))
+                return;     // the compiler says what is wrong
+            bool hasComponent = at + 4 < tokens.Count && tokens[at + 3].Is(".");
+            int component = hasComponent ? Math.Max("xyzw".IndexOf(tokens[at + 4].Text, StringComparison.Ordinal), "rgba".IndexOf(tokens[at + 4].Text, StringComparison.Ordinal)) : 0;
+            packOffsets[tokens[name].Text] = number * register + component * word;
+        }
 
         // "Type<Element> a, b;" from the type on.
         void Declare(List<Token> tokens, int at)

@@ -201,7 +201,7 @@ namespace Host.Vulkan
             var info = new VkRenderingInfo
             {
                 renderArea = area, layerCount = 1, colorAttachmentCount = (uint)t.ColorCount, pColorAttachments = colors,
-                pDepthAttachment = t.Depth != null ? &depth : null,
+                pDepthAttachment = t.Depth != null ? &depth : null, pStencilAttachment = hasStencil ? &depth : null,
             };
             vk.CmdBeginRendering(commands, &info);
             isRendering = true;
@@ -283,6 +283,17 @@ namespace Host.Vulkan
                 depthTestEnable = hasDepth ? VkBool32.True : VkBool32.False, depthWriteEnable = hasDepth && state.DepthWrite ? VkBool32.True : VkBool32.False,
                 depthCompareOp = (VkCompareOp)(int)state.DepthTest,     // the same eight in the same order
             };
+            bool hasStencil = (GpuFormat.Of(depthFormat).Aspects & VkImageAspectFlags.STENCIL) != 0;
+            if (hasStencil && state.Stencil.Enabled)
+            {
+                depth.stencilTestEnable = VkBool32.True;
+                depth.front = depth.back = new VkStencilOpState
+                {
+                    // Both enumerations in the same order too.
+                    failOp = (VkStencilOp)(int)state.Stencil.Fail, passOp = (VkStencilOp)(int)state.Stencil.Pass, depthFailOp = (VkStencilOp)(int)state.Stencil.DepthFail,
+                    compareOp = (VkCompareOp)(int)state.Stencil.Compare, compareMask = state.Stencil.ReadMask, writeMask = state.Stencil.WriteMask, reference = state.Stencil.Reference,
+                };
+            }
             var blends = stackalloc VkPipelineColorBlendAttachmentState[4];
             var formats = stackalloc VkFormat[4];
             int colors = 0;
@@ -299,6 +310,7 @@ namespace Host.Vulkan
             var rendering = new VkPipelineRenderingCreateInfo
             {
                 colorAttachmentCount = (uint)colors, pColorAttachmentFormats = formats, depthAttachmentFormat = GpuFormat.Of(depthFormat).Vulkan,
+                stencilAttachmentFormat = hasStencil ? GpuFormat.Of(depthFormat).Vulkan : VkFormat.UNDEFINED,
             };
             if (state.Topology == DeviceTopology.Points && pass.PointModule == VkShaderModule.Null)
                 pass.PointModule = CreateModule(PointSizePatch.Apply(pass.Vertex.Spirv), pass.Vertex.Name);

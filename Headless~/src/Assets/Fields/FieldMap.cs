@@ -54,6 +54,9 @@ namespace Host.Assets
 
         public static bool IsEngine(Type type) => type.Assembly == typeof(Object).Assembly;
 
+        /// <summary>The host's stand-ins for Unity's packages hold a part of what the originals store.</summary>
+        public static bool StandsForPackage(Type type) => type.Assembly.GetName().Name.StartsWith("UnityEngine.", StringComparison.Ordinal);
+
         public static Type ElementOf(Type type) => SerializedFields.ElementType(type);
 
         /// <summary>A T[] or List&lt;T&gt; of these elements.</summary>

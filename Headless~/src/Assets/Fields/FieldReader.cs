@@ -65,7 +65,7 @@ namespace Host.Assets
             }
             // What the host's engine leaves out of its own classes is no fault of the project.
             foreach (var entry in source.Entries)
-                if (!Bookkeeping.Contains(entry.Key) && !fields.Any(f => f.IsNamed(entry.Key)) && !FieldMap.IsEngine(type))
+                if (!Bookkeeping.Contains(entry.Key) && !fields.Any(f => f.IsNamed(entry.Key)) && !FieldMap.IsEngine(type) && !FieldMap.StandsForPackage(type))
                     warn($"{entry.Value.Place}: {scope}: {type.Name} has no serialized field '{entry.Key}'; a renamed one needs [FormerlySerializedAs(\"{entry.Key}\")], otherwise save the file again");
         }
 

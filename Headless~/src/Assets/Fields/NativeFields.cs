@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
+using System.Runtime.CompilerServices;
 
 namespace Host.Assets
 {
@@ -26,12 +27,18 @@ namespace Host.Assets
         static readonly Dictionary<Type, Dictionary<string, PropertyInfo>> Known = new Dictionary<Type, Dictionary<string, PropertyInfo>>();
 
         /// <param name="target">Null for a class of static properties.</param>
-        public static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope)
+        public static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope) => Read(target, type, fields, reader, scope, _ => true);
+
+        /// <summary>Of a stub those properties that merely hold a value; the others throw.</summary>
+        public static void ReadStub(object target, YamlMapping fields, FieldReader reader, ReadScope scope) =>
+            Read(target, target.GetType(), fields, reader, scope, p => p.GetMethod?.IsDefined(typeof(CompilerGeneratedAttribute)) == true || p.DeclaringType.Assembly == typeof(UnityEngine.Object).Assembly);
+
+        static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope, Func<PropertyInfo, bool> which)
         {
             foreach (var entry in fields.Entries)
             {
                 var property = PropertyOf(type, entry.Key);
-                if (property == null) continue;
+                if (property == null || !which(property)) continue;
                 var node = Unwrap(property.PropertyType, entry.Value);
                 scope.Enter(entry.Key);
                 if (reader.TryRead(property.PropertyType, null, node, scope, out var value)) property.SetValue(target, value, BindingFlags.DoNotWrapExceptions, null, null, null);

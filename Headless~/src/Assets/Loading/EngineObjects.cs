@@ -15,14 +15,20 @@ namespace Host.Assets
         readonly IncludeResolver includes;
 
         /// <param name="includes">"Packages/com.x/Shaders/Y.hlsl" to a file on disk; null when there is none.</param>
-        public EngineObjects(IncludeResolver includes) => this.includes = includes;
+        public EngineObjects(IncludeResolver includes)
+        {
+            this.includes = includes;
+            BuiltInShaders.Install();
+        }
 
         public ComputeShader ComputeShader(AssetEntry entry) =>
             AsAsset(UnityEngine.ComputeShader.Create(ShaderImporter.ImportCompute(entry.File, entry.Path, includes, cache.Value)), entry.Name);
 
-        public Shader Shader(AssetEntry entry)
+        /// <param name="note">Takes what the importer passed over.</param>
+        public Shader Shader(AssetEntry entry, Action<string> note)
         {
             var source = ShaderImporter.ImportShader(entry.File, entry.Path, includes, cache.Value);
+            foreach (var text in source.Notes) note(text);
             return AsAsset(UnityEngine.Shader.Create(source), source.Name);
         }
 

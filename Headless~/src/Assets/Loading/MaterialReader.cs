@@ -22,6 +22,8 @@ namespace Host.Assets
         {
             T Find<T>(YamlNode node, string key) where T : UnityEngine.Object
             {
+                // A slot that was never filled stands in the file all the same.
+                if (FileReference.Of(node).IsNone) return null;
                 scope.Enter(key);
                 var found = (T)resolve(FileReference.Of(node), typeof(T), scope);
                 scope.Leave();

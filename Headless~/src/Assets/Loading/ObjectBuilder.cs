@@ -92,7 +92,7 @@ namespace Host.Assets
                 throw transformDocument.Place.Error($"the GameObject {id} of this {transformDocument.TypeName} is not in the file");
 
             var gameObject = ObjectFactory.CreateGameObject(document.Fields.Text("m_Name"), scene);
-            var transform = (Transform)ObjectFactory.AddComponent(gameObject, EngineObjects.ComponentType(transformDocument.TypeName) ?? typeof(Transform));
+            var transform = (Transform)ObjectFactory.AddComponent(gameObject, project.ComponentType(transformDocument.TypeName) ?? typeof(Transform));
             gameObject.SetActiveSilently(document.Fields.Bool("m_IsActive", true));
             gameObject.layer = document.Fields.Int("m_Layer");
             gameObject.tag = document.Fields.Text("m_TagString", "Untagged");
@@ -132,9 +132,10 @@ namespace Host.Assets
             }
             else
             {
-                type = EngineObjects.ComponentType(document.TypeName);
+                type = project.ComponentType(document.TypeName);
                 if (type == null) project.Note($"{document.Place}: the host has no {document.TypeName}; it is left out of '{PathOf(owner)}' (and of others, if there are)", document.TypeName);
             }
+            if (type != null && project.IsStub(type)) project.Note($"{document.Place}: the host has a {type.Name} in name only: the one on '{PathOf(owner)}' (and others, if there are) does nothing", type.Name);
             if (type == null)
             {
                 result.LeftOut.Add(document.FileId);
@@ -201,6 +202,7 @@ namespace Host.Assets
                     whenAllIsRead(() => ObjectFactory.Wake(asset));
                     break;
                 case Texture _: case UnityEngine.Mesh _: break;
+                case Component _ when project.IsStub(target.GetType()): NativeFields.ReadStub(target, document.Fields, Reader(), scope); break;
                 default: NativeFields.Read(target, target.GetType(), document.Fields, Reader(), scope); break;
             }
         }
@@ -209,6 +211,7 @@ namespace Host.Assets
 
         Object Resolve(FileReference reference, Type type, ReadScope scope)
         {
+            if (reference.IsNone) return null;
             if (!reference.IsLocal) return project.Resolve(reference, type, scope);
             if (result.Objects.TryGetValue(reference.FileId, out var found)) return project.Checked(found, reference, type, scope);
             if (!result.LeftOut.Contains(reference.FileId))

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using UnityEngine;
@@ -28,9 +29,12 @@ namespace Host.Assets
                 Time.maximumDeltaTime = time.Float("Maximum Allowed Timestep", Time.maximumDeltaTime);
                 Time.timeScale = time.Float("m_TimeScale", Time.timeScale);
             }
-            if (Settings(root, "EditorBuildSettings") is YamlNode build)
-                SceneManager.BuildScenes.AddRange(build.Items("m_Scenes").Where(s => s.Bool("enabled")).Select(s => s.Text("path")).Where(exists));
+            SceneManager.BuildScenes.AddRange(BuildScenes(root).Where(exists));
         }
+
+        /// <summary>The paths of the scenes in the build, whether they are there or not.</summary>
+        public static IEnumerable<string> BuildScenes(string root) =>
+            Settings(root, "EditorBuildSettings") is YamlNode build ? build.Items("m_Scenes").Where(s => s.Bool("enabled")).Select(s => s.Text("path")) : Enumerable.Empty<string>();
 
         static YamlNode Settings(string root, string name)
         {

@@ -59,6 +59,8 @@ namespace Host.Check
                     findings.Fault($"{variant.Fault.Message}; in {variant}");
                 else if (FxcDialect.NeedsDxc(variant.Fxc.Source, out PragmaLine asking))
                     findings.Fault($"{variant}: #pragma {asking.Text} asks for DXC, which is not run here, so nothing shows that this compiles in Unity");
+                else if (PackageShaders.StandIns(variant).FirstOrDefault() is string standIn)
+                    findings.Fault($"{variant}: includes {standIn}, of which only a stand-in is here, so nothing shows that this compiles in Unity");
                 else
                     compilable.Add(variant);
             foreach (IGrouping<string, PragmaLine> line in variants.Where(v => v.Fxc != null).SelectMany(v => v.Fxc.Source.Pragmas).Where(Keywords.AreOfUnity).GroupBy(p => $"{p.Where.File}({p.Where.Line})"))

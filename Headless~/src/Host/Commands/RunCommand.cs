@@ -11,8 +11,10 @@ namespace Host.Commands
     {
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "A .unity file, or the name of a scene or sample." };
+            var scene = new Argument<string>("scene") { Description = "A .unity file, or the name of a scene or sample; with --project, the first scene of the build by default.", Arity = ArgumentArity.ZeroOrOne };
+            var project = new Option<string>("--project") { Description = "A Unity project's folder: its scripts are compiled, and its scene is played as Unity would, logging and going on." };
             var seconds = new Option<double>("--seconds") { Description = "Simulated time.", DefaultValueFactory = _ => 5 };
+            var frames = new Option<int?>("--frames") { Description = "Frames to play, instead of --seconds." };
             var fps = new Option<double>("--fps") { Description = "Frames per second of the player; frame time is its inverse.", DefaultValueFactory = _ => 60 };
             var every = new Option<int>("--every") { Description = "Draw each Nth frame.", DefaultValueFactory = _ => 2 };
             var size = new Option<string>("--size") { Description = "Pixels of a frame.", DefaultValueFactory = _ => "1280x720" };
@@ -25,17 +27,24 @@ namespace Host.Commands
             var at = new Option<string>("--at") { Description = "Frames to dump, by number from 1: 1,60,300." };
             var seed = new Option<int?>("--seed") { Description = "Seed of UnityEngine.Random." };
             var noCompute = new Option<bool>("--no-compute") { Description = "Pretend that the machine cannot run compute shaders." };
+            var strict = new Option<bool>("--strict") { Description = "With --project: stop where Unity logs and goes on or is undefined." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
+            Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, seconds, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, notStrict };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, shaders };
             command.SetAction(parsed =>
             {
+                ShadersOption.Use(parsed.GetValue(shaders));
                 (int width, int height) = Size(parsed.GetValue(size));
+                double rate = Positive(parsed.GetValue(fps), "--fps");
+                if (parsed.GetValue(scene) == null && parsed.GetValue(project) == null)
+                    throw new HostException("run needs a scene: a .unity file or the name of one, or --project <folder>.");
                 var settings = new RunSettings
                 {
                     Scene = parsed.GetValue(scene),
-                    Seconds = Positive(parsed.GetValue(seconds), "--seconds"),
-                    FramesPerSecond = Positive(parsed.GetValue(fps), "--fps"),
+                    Project = parsed.GetValue(project),
+                    Seconds = parsed.GetValue(frames) is int count ? Positive(count, "--frames") / rate : Positive(parsed.GetValue(seconds), "--seconds"),
+                    FramesPerSecond = rate,
                     DrawEvery = (int)Positive(parsed.GetValue(every), "--every"),
                     Width = width,
                     Height = height,
@@ -48,14 +57,16 @@ namespace Host.Commands
                     DumpAt = Frames(parsed.GetValue(at)),
                     Seed = parsed.GetValue(seed),
                     Compute = !parsed.GetValue(noCompute),
-                    Strict = !parsed.GetValue(notStrict),
+                    Strict = parsed.GetValue(project) == null ? !parsed.GetValue(notStrict) : parsed.GetValue(strict),
                     Command = "rill " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
                 };
                 if (settings.Stills.Length > 0 && !settings.Draw)
                     throw new HostException("--stills needs frames; leave out --no-frames.");
                 if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
                     throw new HostException("--dump <folder> and --at <frame,...> go together.");
-                return new SceneRun(settings, Console.Out).Execute();
+                int outcome = new SceneRun(settings, Console.Out).Execute();
+                ShadersOption.Report(Console.Out);
+                return outcome;
             });
             return command;
         }
@@ -91,7 +102,7 @@ namespace Host.Commands
 
     sealed class RunSettings
     {
-        public string Scene, Target, DumpFolder, Command;
+        public string Scene, Project, Target, DumpFolder, Command;
         public double Seconds, FramesPerSecond;
         public int Width, Height, DrawEvery;
         public bool Video, Draw, Hash, Compute, Strict;

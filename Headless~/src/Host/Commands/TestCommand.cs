@@ -22,8 +22,13 @@ namespace Host.Commands
             var package = new Option<bool>("--package-only") { Description = "Only the package's tests." };
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
             var noValidation = new Option<bool>("--no-validation") { Description = "Without Vulkan's validation layer, where it is not installed." };
-            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation };
-            command.SetAction(parsed => Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation)));
+            Option<string> shaders = ShadersOption.Create();
+            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, shaders };
+            command.SetAction(parsed =>
+            {
+                ShadersOption.Use(parsed.GetValue(shaders));
+                return Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation));
+            });
             return command;
         }
 
@@ -62,6 +67,7 @@ namespace Host.Commands
             output.WriteLine($"device: {session.DescribeDevice()}");
             output.WriteLine(validation ? $"validation layer: {session.ValidationMessages.Count} messages" : "validation layer: off (--no-validation)");
             output.WriteLine($"{run.Methods} test methods, {run.DispatchingMethods} of them dispatched on the device");
+            ShadersOption.Report(output);
             foreach (string complaint in complaints)
                 output.WriteLine("FAILED " + complaint);
             int failed = run.Failed + complaints.Count;

@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Host.Commands;
 using Rill;
 using Spectre.Console;
 using Unity.Mathematics;
@@ -34,9 +35,12 @@ namespace Host.Fluids
             var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {LeastSteps}.", DefaultValueFactory = _ => LeastSteps };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, window, steps, json };
+            Option<string> shaders = ShadersOption.Create();
+
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, window, steps, json, shaders };
             command.SetAction(parsed =>
             {
+                ShadersOption.Use(parsed.GetValue(shaders));
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = parsed.GetValue(iterations);
                 settings.substeps = parsed.GetValue(substeps);

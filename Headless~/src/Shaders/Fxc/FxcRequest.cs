@@ -28,5 +28,19 @@ namespace Host.Shaders
         /// <summary>cs_5_0, vs_5_0, ps_4_0 ...</summary>
         public string Profile;
         public FxcFlags Flags;
+
+        /// <summary>As Unity would ask. Fast: only preprocesses.</summary>
+        /// <exception cref="ShaderCompileException"/>
+        public static FxcRequest Of(CompileRequest request, IncludeResolver resolver) => Of(request, Preprocessor.Run(request.Segments, request.Defines, resolver, SourceReader.Fxc));
+
+        public static FxcRequest Of(CompileRequest request, PreprocessedSource source) => new FxcRequest
+        {
+            Name = request.Name,
+            Source = source,
+            EntryPoint = request.EntryPoint,
+            EntryLine = request.EntryLine,
+            Profile = FxcDialect.Profile(request.Stage, request.Target),
+            Flags = FxcDialect.Flags(source, request.Stage),
+        };
     }
 }

@@ -15,7 +15,7 @@ namespace Host.Shaders
         static readonly string[] Assignments = { "=", "+=", "-=", "*=", "/=" };
         static readonly Regex Element = new Regex(@"_m?\d\d");
 
-        /// <exception cref="PreprocessorException">One is assigned to.</exception>
+        /// <summary>Where they are read.</summary>
         public static List<Token> Expand(List<Token> tokens)
         {
             for (int i = 0; i < tokens.Count; i++)
@@ -26,7 +26,7 @@ namespace Host.Shaders
                 while (next < tokens.Count && tokens[next].Kind == TokenKind.Space)
                     next++;
                 if (next < tokens.Count && tokens[next].Kind == TokenKind.Symbol && Array.IndexOf(Assignments, tokens[next].Text) >= 0)
-                    throw new PreprocessorException($"'{tokens[i].Text}' is assigned to; glslang cannot do that for several elements at once: assign them one by one");
+                    continue;       // a statement may go over several lines: see ExpandAssignments
 
                 int begin = Begin(tokens, i - 2);
                 List<Token> matrix = tokens.GetRange(begin, i - 1 - begin);
@@ -46,6 +46,40 @@ namespace Host.Shaders
                 i = begin + call.Count - 1;
             }
             return tokens;
+        }
+
+        /// <summary>Where they are assigned to: "M._11_21 = v;" becomes a block that assigns one by one. In whole texts.</summary>
+        /// <exception cref="LegacySyntaxException">It is a part of a larger expression.</exception>
+        public static bool ExpandAssignments(List<Token> tokens)
+        {
+            bool any = false;
+            for (int i = 2; i < tokens.Count; i++)
+            {
+                if (tokens[i].Kind != TokenKind.Identifier || tokens[i].Text.Length < 6 || !tokens[i - 1].Is(".") || !Several.IsMatch(tokens[i].Text))
+                    continue;
+                int assign = i + 1;
+                while (assign < tokens.Count && tokens[assign].Kind == TokenKind.Space)
+                    assign++;
+                if (assign == tokens.Count || tokens[assign].Kind != TokenKind.Symbol || Array.IndexOf(Assignments, tokens[assign].Text) < 0)
+                    continue;
+                int begin = Begin(tokens, i - 2), before = begin - 1, end = assign;
+                while (before >= 0 && tokens[before].Kind == TokenKind.Space)
+                    before--;
+                for (int depth = 0; end < tokens.Count && (depth > 0 || !tokens[end].Is(";")); end++)
+                    depth += tokens[end].Is("(") || tokens[end].Is("{") ? 1 : tokens[end].Is(")") || tokens[end].Is("}") ? -1 : 0;
+                if (end == tokens.Count || before >= 0 && !tokens[before].Is(";") && !tokens[before].Is("{") && !tokens[before].Is("}") && !tokens[before].Is(")") && tokens[before].Text != "else")
+                    throw new LegacySyntaxException(tokens, i, $"'{tokens[i].Text}' is assigned to inside of an expression; make that a statement of its own");
+
+                string matrix = Preprocessor.Print(tokens.GetRange(begin, i - 1 - begin)), operation = tokens[assign].Text;
+                string[] elements = Element.Matches(tokens[i].Text).Select(m => m.Value).ToArray();
+                var block = Token.Split($"{{ float{elements.Length} rill_v = ");
+                block.AddRange(tokens.GetRange(assign + 1, end - assign - 1));
+                block.AddRange(Token.Split("; " + string.Join(" ", elements.Select((e, k) => $"{matrix}.{e} {operation} rill_v.{"xyzw"[k]};")) + " }"));
+                tokens.RemoveRange(begin, end + 1 - begin);
+                tokens.InsertRange(begin, block);
+                any = true;
+            }
+            return any;
         }
 
         // Where the expression that ends at that token begins: names, members, indices and calls.

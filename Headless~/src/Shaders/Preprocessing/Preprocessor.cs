@@ -292,6 +292,7 @@ namespace Host.Shaders
             display = path;
             if (disk == null && rooted && File.Exists(beside))
                 disk = beside;
+            disk ??= BuiltInFiles.FindInclude(path);
             return disk != null && File.Exists(disk);
         }
 

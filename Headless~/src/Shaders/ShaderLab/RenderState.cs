@@ -27,7 +27,7 @@ namespace Host.Shaders
     sealed class RenderState
     {
         static readonly string[] CullModes = { "Off", "Front", "Back" };
-        static readonly string[] Compares = { "Disabled", "Never", "Less", "Equal", "LEqual", "Greater", "NotEqual", "GEqual", "Always" };
+        internal static readonly string[] Compares = { "Disabled", "Never", "Less", "Equal", "LEqual", "Greater", "NotEqual", "GEqual", "Always" };
         static readonly string[] Factors = { "Zero", "One", "DstColor", "SrcColor", "OneMinusDstColor", "SrcAlpha", "OneMinusSrcColor", "DstAlpha", "OneMinusDstAlpha", "SrcAlphaSaturate", "OneMinusSrcAlpha" };
         static readonly string[] Operations = { "Add", "Sub", "RevSub", "Min", "Max" };
         static readonly string[] Switch = { "Off", "On" };
@@ -48,9 +48,24 @@ namespace Host.Shaders
         StateValue cull = new StateValue(2), zWrite = new StateValue(1), zTest = new StateValue(4), colorMask = new StateValue(15);
         StateValue offsetFactor, offsetUnits;
         bool blend;
+        StencilState stencil;
         StateValue srcColor = new StateValue(1), dstColor, srcAlpha = new StateValue(1), dstAlpha, colorOp, alphaOp;
 
         public RenderState Copy() => (RenderState)MemberwiseClone();
+
+        /// <summary>What the options alpha and decal of a surface shader ask for.</summary>
+        public RenderState With(SurfaceBlend mode)
+        {
+            RenderState state = Copy();
+            if (mode == SurfaceBlend.Opaque)
+                return state;
+            StateValue one = new StateValue(1), alpha = new StateValue(5), oneMinusAlpha = new StateValue(10);
+            state.blend = true;
+            state.srcColor = state.srcAlpha = mode == SurfaceBlend.Premultiplied || mode == SurfaceBlend.DecalAdd ? one : alpha;
+            state.dstColor = state.dstAlpha = mode == SurfaceBlend.DecalAdd ? one : oneMinusAlpha;
+            state.zWrite = new StateValue(0);
+            return state;
+        }
 
         /// <summary>Reads one command when the reader stands at one. Adds to the notes what this host leaves out.</summary>
         public bool TryRead(ShaderLabReader reader, List<string> notes)
@@ -75,8 +90,7 @@ namespace Host.Shaders
                 ReadBlend(reader, notes);
             else if (reader.TakeWord("Stencil"))
             {
-                notes.Add($"line {reader.Line}: Stencil is left out");
-                reader.SkipBraces();
+                stencil = StencilState.Read(reader, Choice, Number, notes);
             }
             else if (reader.TakeWord("Fog"))
                 reader.SkipBraces();    // of the fixed-function pipeline, without meaning beside a program
@@ -190,6 +204,7 @@ namespace Host.Shaders
                 ColorMask = colorMask.ResolveInt(properties) & 15,
                 DepthBiasFactor = 0 - offsetFactor.Resolve(properties),
                 DepthBiasUnits = 0 - offsetUnits.Resolve(properties),
+                Stencil = stencil?.Resolve(properties) ?? default,
             };
         }
 

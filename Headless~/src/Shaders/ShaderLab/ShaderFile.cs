@@ -25,7 +25,7 @@ namespace Host.Shaders
             parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, package => resolver?.Invoke($"Packages/{package}/package.json") != null);
             // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
             ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Passes.Count > 0 && (!s.Tags.TryGetValue("RenderPipeline", out string pipeline) || pipeline.Length == 0));
-            read = (pass, subShader) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, resolver, compiler);
+            read = (pass, subShader) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler);
             passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Select(p => read(p, usable)).ToArray();
             RenderQueue = usable != null && usable.Tags.TryGetValue("Queue", out string queue) ? ParseQueue(queue) : Queues["Geometry"];
             if (usable == null)
@@ -69,11 +69,14 @@ namespace Host.Shaders
         readonly string shaderName, displayPath;
         readonly List<SourceSegment> segments;
         readonly Keywords keywords;
+        readonly RenderState state;
+        readonly SurfaceOptions surface;
+        readonly string proceduralFunction;
         readonly int target = DefaultTarget;
         readonly Dictionary<ShaderStage, (string name, SourceLine where)> entries = new Dictionary<ShaderStage, (string, SourceLine)>();
         readonly ConcurrentDictionary<string, Lazy<CompiledProgram>> programs = new ConcurrentDictionary<string, Lazy<CompiledProgram>>();
 
-        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler)
+        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath, ShaderCompiler compiler)
         {
             this.pass = pass;
             this.compiler = compiler;
@@ -86,9 +89,10 @@ namespace Host.Shaders
 
             segments = pass.Code.Select(c => new SourceSegment { Text = c.Text, FirstLine = c.FirstLine, DiskPath = diskPath, DisplayPath = displayPath }).ToList();
             if (pass.Code[pass.Code.Count - 1].Cg)
-                segments.InsertRange(0, ImplicitIncludes(diskPath, resolver));
+                segments.InsertRange(0, ImplicitIncludes(diskPath));
+            if (pass.Surface)
+                segments.Insert(pass.Code[pass.Code.Count - 1].Cg ? 2 : 0, new SourceSegment { Text = SurfaceShader.Prologue, DiskPath = diskPath, DisplayPath = "(surface shader)" });
             List<PragmaLine> pragmas = compiler.ReadPragmas(segments, ShaderStage.Vertex, DefaultTarget);
-            keywords = new Keywords(pragmas);
             foreach (PragmaLine pragma in pragmas)
             {
                 string[] words = pragma.Text.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
@@ -97,10 +101,21 @@ namespace Host.Shaders
                 {
                     case "vertex": entries[ShaderStage.Vertex] = (argument, pragma.Where); break;
                     case "fragment": entries[ShaderStage.Fragment] = (argument, pragma.Where); break;
+                    case "instancing_options":
+                        string procedural = words.Skip(1).FirstOrDefault(w => w.StartsWith("procedural:", StringComparison.Ordinal));
+                        if (procedural != null)
+                            proceduralFunction = procedural.Substring("procedural:".Length);
+                        break;
+                    case "surface":
+                        if (!pass.Surface)
+                            throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line, "a surface shader must not stand inside of a Pass");
+                        surface = new SurfaceOptions(pragma);
+                        entries[ShaderStage.Vertex] = (SurfaceShader.VertexEntry, pragma.Where);
+                        entries[ShaderStage.Fragment] = (SurfaceShader.FragmentEntry, pragma.Where);
+                        break;
                     case "geometry":
                     case "hull":
                     case "domain":
-                    case "surface":
                         throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line, $"#pragma {words[0]} is not supported by this host; vertex and fragment programs are");
                     case "target":
                         if (float.TryParse(argument, NumberStyles.Float, CultureInfo.InvariantCulture, out float version))
@@ -108,16 +123,21 @@ namespace Host.Shaders
                         break;
                 }
             }
+            if (pass.Surface && surface == null)
+                throw new ShaderCompileException(displayPath, pass.Line, "a program outside of a Pass needs #pragma surface");
+            if (surface != null && !surface.NoInstancing && !pragmas.Any(p => p.Text.StartsWith("multi_compile_instancing", StringComparison.Ordinal)))
+                pragmas.Add(new PragmaLine("multi_compile_instancing", entries[ShaderStage.Vertex].where));
+            keywords = new Keywords(pragmas, proceduralFunction != null);
+            state = surface != null ? pass.State.With(surface.Blend) : pass.State;
         }
 
         public IReadOnlyList<string> Keywords => keywords.All;
 
         // Unity puts these before every CGPROGRAM.
-        static IEnumerable<SourceSegment> ImplicitIncludes(string diskPath, IncludeResolver resolver)
-            => new[] { "HLSLSupport.cginc", "UnityShaderVariables.cginc" }.Where(f => resolver?.Invoke(f) != null)
-                .Select(f => new SourceSegment { Text = $"#include \"{f}\"", DiskPath = diskPath, DisplayPath = f });
+        static IEnumerable<SourceSegment> ImplicitIncludes(string diskPath)
+            => new[] { "HLSLSupport.cginc", "UnityShaderVariables.cginc" }.Select(f => new SourceSegment { Text = $"#include \"{f}\"", DiskPath = diskPath, DisplayPath = f });
 
-        public override DeviceRasterState ResolveState(Func<string, float> property) => pass.State.Resolve(property);
+        public override DeviceRasterState ResolveState(Func<string, float> property) => state.Resolve(property);
 
         public override ShaderProgram Compile(ShaderStage stage, ICollection<string> enabledKeywords) => CompileLinked(stage, enabledKeywords).Program;
 
@@ -141,7 +161,7 @@ namespace Host.Shaders
         {
             // The fragment program's inputs are numbered as the vertex program's outputs, which have a variant of their own.
             Varying[] outputs = stage == ShaderStage.Fragment ? CompileLinked(ShaderStage.Vertex, enabledKeywords).Outputs : Array.Empty<Varying>();
-            string key = stage + " " + string.Join(" ", keywords.Select(stage, enabledKeywords).Select(d => d.Key + "=" + d.Value)) + " " + string.Join(" ", outputs.Select(o => o.Semantic));
+            string key = stage + " " + string.Join(" ", Defines(stage, enabledKeywords).Select(d => d.Key + "=" + d.Value)) + " " + string.Join(" ", outputs.Select(o => o.Semantic));
             return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() =>
             {
                 CompileRequest request = Request(stage, enabledKeywords);
@@ -150,9 +170,20 @@ namespace Host.Shaders
             })).Value;
         }
 
+        List<KeyValuePair<string, string>> Defines(ShaderStage stage, ICollection<string> enabledKeywords)
+        {
+            List<KeyValuePair<string, string>> defines = ShaderCompiler.PlatformDefines(stage, target).Concat(keywords.Select(stage, enabledKeywords)).ToList();
+            if (proceduralFunction != null)
+                defines.Add(KeyValuePair.Create("UNITY_INSTANCING_PROCEDURAL_FUNC", proceduralFunction));
+            if (surface != null && surface.Blend == SurfaceBlend.Premultiplied)
+                defines.Add(KeyValuePair.Create("_ALPHAPREMULTIPLY_ON", "1"));
+            return defines;
+        }
+
         CompileRequest Request(ShaderStage stage, ICollection<string> enabledKeywords)
         {
             (string name, SourceLine where) entry = Entry(stage);
+            List<KeyValuePair<string, string>> defines = Defines(stage, enabledKeywords);
             return new CompileRequest
             {
                 Name = $"{displayPath} ({shaderName}{(Name.Length > 0 ? "/" + Name : "")}, {entry.name})",
@@ -160,9 +191,23 @@ namespace Host.Shaders
                 Target = target,
                 EntryPoint = entry.name,
                 EntryLine = entry.where,
-                Segments = segments,
-                Defines = ShaderCompiler.PlatformDefines(stage, target).Concat(keywords.Select(stage, enabledKeywords)).ToList(),
+                Segments = surface == null ? segments : segments.Append(Generated(defines, entry.where)).ToList(),
+                Defines = defines,
             };
+        }
+
+        // What it looks like depends on the variant: the Input may have members under #if.
+        SourceSegment Generated(List<KeyValuePair<string, string>> defines, SourceLine pragma)
+        {
+            string own = compiler.Preprocess(segments, defines);
+            try
+            {
+                return new SourceSegment { Text = SurfaceShader.Generate(surface, own), DiskPath = segments[segments.Count - 1].DiskPath, DisplayPath = displayPath + " (code around the surface function)" };
+            }
+            catch (ProgramException e)
+            {
+                throw new ShaderCompileException(pragma.File, pragma.Line, e.Message);
+            }
         }
     }
 }

@@ -10,6 +10,8 @@ namespace Host.Shaders
         public int Line;
         public Dictionary<string, string> Tags = new Dictionary<string, string>();
         public RenderState State;
+        /// <summary>The program stands in the SubShader itself: its pass is written by the host.</summary>
+        public bool Surface;
         /// <summary>Include blocks before the pass, then its own program.</summary>
         public List<CodeBlock> Code = new List<CodeBlock>();
     }
@@ -169,14 +171,23 @@ namespace Host.Shaders
                     shader.Notes.Add($"line {reader.Line}: GrabPass is left out");
                     reader.SkipBraces();
                 }
-                else if (reader.IsWord("CGPROGRAM") || reader.IsWord("HLSLPROGRAM"))
-                    throw reader.Error("a program outside of a Pass is a surface shader, which this host does not write out; use a vertex and a fragment program in a Pass");
+                else if (reader.TryTakeCode("PROGRAM", out CodeBlock surface))
+                    ReadSurface(subShader, scope, surface);
                 else if (!TryReadRequirements(scope) && !TryReadCommon(scope))
                     throw reader.Unexpected("Pass, Tags, render state or '}'");
             }
             subShader.Tags = scope.Tags;
             if (scope.Available)
                 shader.SubShaders.Add(subShader);
+        }
+
+        void ReadSurface(ParsedSubShader subShader, Scope scope, CodeBlock program)
+        {
+            var pass = new ParsedPass { Name = "FORWARD", Line = program.FirstLine, State = scope.State.Copy(), Surface = true };
+            pass.Tags["LightMode"] = "ForwardBase";
+            pass.Code.AddRange(scope.Includes.FindAll(i => i.Cg == program.Cg));
+            pass.Code.Add(program);
+            subShader.Passes.Add(pass);
         }
 
         void ReadPass(ParsedSubShader subShader, Scope outer)

@@ -30,7 +30,8 @@ namespace Host.Shaders
         public DirectXLayout(SpirvTypes types) { this.types = types; }
 
         /// <summary>Rewrites the decorations of a block and of all that it contains.</summary>
-        public void Apply(Instruction block, Packing packing)
+        /// <param name="placed">Of a member of the block, the byte that the source puts it at, if any.</param>
+        public void Apply(Instruction block, Packing packing, Func<int, int?> placed = null)
         {
             if (block.Op == Op.TypeArray || block.Op == Op.TypeRuntimeArray)
             {
@@ -47,7 +48,7 @@ namespace Host.Shaders
                 {
                     Instruction type = types[block[m + 1]];
                     bool rowMajor = IsRowMajor(block, m);
-                    end = Align(end, type, rowMajor, packing);
+                    end = placed?.Invoke(m) ?? Align(end, type, rowMajor, packing);
                     Set(types.Decorated(block[0], m, Decoration.Offset), 3, end);
                     Instruction matrix = MatrixOf(type);
                     if (matrix != null)

@@ -94,6 +94,13 @@ namespace Host.Shaders
             return converted;
         }
 
+        // A remainder has the sign of the dividend, of fmod and of integers too; glslang gives it that of the divisor.
+        void FixRemainders()
+        {
+            foreach (Instruction i in code)
+                i.Op = i.Op == Op.SMod ? Op.SRem : i.Op == Op.FMod ? Op.FRem : i.Op;
+        }
+
         // Direct3D counts SV_VertexID and SV_InstanceID from 0, Vulkan from the draw's first vertex and instance.
         void CountFromZero()
         {

@@ -21,6 +21,11 @@ namespace Host.Shaders
                 if (semantic == null)
                     throw new ProgramException($"'{types.Name(variable[1])}' has no semantic");
                 Semantic name = Semantic.Parse(semantic.Text(2));
+                if (FormerSystemValue(name, variable) is uint builtIn)
+                {
+                    (location.Words[1], location.Words[2]) = ((uint)Decoration.BuiltIn, builtIn);
+                    continue;
+                }
                 (int slots, int components) = Slots(types.Pointee(variable));
 
                 if (ClassOf(variable) == StorageClass.Output && stage == ShaderStage.Vertex)
@@ -43,6 +48,17 @@ namespace Host.Shaders
             }
             result.Program.Inputs = inputs.ToArray();
             result.Outputs = outputs.ToArray();
+        }
+
+        // Direct3D 9's POSITION that a vertex program writes, and VPOS that a fragment program reads, are SV_Position.
+        uint? FormerSystemValue(Semantic name, Instruction variable)
+        {
+            const uint position = 0, fragCoord = 15;
+            if (types.Pointee(variable).Op != Op.TypeVector || types.Pointee(variable)[2] != 4 || name.Index != 0)
+                return null;
+            if (stage == ShaderStage.Vertex && ClassOf(variable) == StorageClass.Output && name.Name == "POSITION")
+                return position;
+            return stage == ShaderStage.Fragment && ClassOf(variable) == StorageClass.Input && name.Name == "VPOS" ? fragCoord : (uint?)null;
         }
 
         static int Match(Semantic name, int components, Varying[] vertexOutputs)
@@ -68,31 +84,6 @@ namespace Host.Shaders
                 }
                 default: return (1, 1);
             }
-        }
-
-        /// <summary>A semantic's name in capitals and its index: TEXCOORD is TEXCOORD0.</summary>
-        readonly struct Semantic
-        {
-            public readonly string Name;
-            public readonly int Index;
-
-            public Semantic(string name, int index)
-            {
-                Name = name;
-                Index = index;
-            }
-
-            public static Semantic Parse(string text)
-            {
-                int digits = text.Length;
-                while (digits > 0 && char.IsDigit(text[digits - 1]))
-                    digits--;
-                return new Semantic(text.Substring(0, digits).ToUpperInvariant(), digits < text.Length ? int.Parse(text.Substring(digits)) : 0);
-            }
-
-            public string Full => Name + Index;
-            /// <summary>As one writes it: POSITION, NORMAL, COLOR, but TEXCOORD0.</summary>
-            public string Short => Index == 0 && Name != "TEXCOORD" ? Name : Full;
         }
     }
 }

@@ -10,6 +10,8 @@ namespace Host.Shaders
     {
         public string Semantic;     // with its index, upper case: TEXCOORD0
         public int Location, Components;
+        /// <summary>The component of the location that it starts at: Direct3D packs several into one register.</summary>
+        public int First;
     }
 
     /// <summary>A program with what its successor in the pipeline has to know.</summary>
@@ -18,6 +20,8 @@ namespace Host.Shaders
         public ShaderProgram Program;
         /// <summary>Vertex programs only.</summary>
         public Varying[] Outputs = Array.Empty<Varying>();
+        /// <summary>Where FXC's bytecode was asked for and could not be had: why; otherwise null.</summary>
+        public string WhyGlslang;
     }
 
     /// <summary>A fault found in a compiled module; the compiler adds the file.</summary>
@@ -68,6 +72,7 @@ namespace Host.Shaders
             builder.FixRawBufferSizes();
             builder.FixAtomicTypes();
             builder.FixDepthModes();
+            builder.FixRemainders();
             if (stage == ShaderStage.Vertex)
                 builder.CountFromZero();
             program.Resources = builder.BindResources();
@@ -79,6 +84,7 @@ namespace Host.Shaders
             else
                 builder.AssignLocations(result, vertexOutputs);
             builder.Rebuild();
+            DirectXArithmetic.Apply(builder.module);
             program.Spirv = builder.module.Write();
             return result;
         }
@@ -211,7 +217,8 @@ namespace Host.Shaders
 
         ShaderResource DescribeConstants(string name, Instruction block)
         {
-            layout.Apply(block, Packing.Constant);
+            layout.Apply(block, Packing.Constant, m => declarations.PackOffset(types.MemberName(block[0], m)));
+            int end = Enumerable.Range(0, block.Words.Length - 1).Max(m => (int)types.Decorated(block[0], m, Decoration.Offset)[3] + layout.Size(types[block[m + 1]], layout.IsRowMajor(block, m), Packing.Constant));
             bool globals = name == "$Global";
             return new ShaderResource
             {
@@ -219,7 +226,7 @@ namespace Host.Shaders
                 Kind = ShaderResourceKind.ConstantBuffer,
                 Constants = new ConstantLayout
                 {
-                    Bytes = (layout.Size(block, false, Packing.Constant) + 15) / 16 * 16,
+                    Bytes = (end + 15) / 16 * 16,
                     IsGlobals = globals,
                     Fields = Enumerable.Range(0, block.Words.Length - 1).Where(m => IsSettable(types[block[m + 1]])).Select(m => DescribeField(block, m)).ToArray(),
                 },

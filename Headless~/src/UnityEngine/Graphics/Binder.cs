@@ -8,7 +8,7 @@ namespace UnityEngine.Headless
     internal static class Binder
     {
         static DeviceBinding[] bindings = new DeviceBinding[64];
-        static int bound;
+        static int bound, firstInstance;
         static readonly List<(BufferStorage buffer, string name)> read = new List<(BufferStorage, string)>(), written = new List<(BufferStorage, string)>();
 
         static readonly DeviceSampler defaultSampler = new DeviceSampler { Linear = true, LinearMip = false };
@@ -55,8 +55,10 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>Bindings of the vertex program, then of the fragment program.</summary>
-        public static bool Draw(ProgramLayout vertex, ProgramLayout fragment, PropertyTable block, Material material)
+        /// <param name="instance">Where the arrays of instanced properties begin for this draw.</param>
+        public static bool Draw(ProgramLayout vertex, ProgramLayout fragment, PropertyTable block, Material material, int instance = 0)
         {
+            firstInstance = instance;
             Begin(vertex.Slots.Length + fragment.Slots.Length);
             bool complete = Stage(vertex, block, material);
             return Stage(fragment, block, material) && complete && !Aliased(vertex.Program.Name);
@@ -204,7 +206,12 @@ namespace UnityEngine.Headless
             {
                 ref ProgramLayout.Field field = ref slot.Fields[f];
                 if (TryValue(field.Id, block, material, out PropertyValue value))
-                    value.WriteConverted(bytes, field.Layout);
+                {
+                    if (slot.Instanced)
+                        value.WriteInstances(bytes, field.Layout, firstInstance);
+                    else
+                        value.WriteConverted(bytes, field.Layout);
+                }
                 else if (field.TexelSizeOf >= 0)
                 {
                     Texture texture = TextureFor(field.TexelSizeOf, block, material, DeviceTextureDimension.Tex2D);

@@ -35,6 +35,17 @@ namespace UnityEngine.Headless
             BuiltinVariables.SetViewProjection(view, projection);
         }
 
+        /// <summary>Of the source the part that begins at the offset and is as large as the scale, in its own units.</summary>
+        public static void Blit(Texture source, RenderTexture target, Vector2 scale, Vector2 offset)
+        {
+            Material material = Copy();
+            material.SetTextureScale(mainTex, scale);
+            material.SetTextureOffset(mainTex, offset);
+            Blit(source, target, material, 0);
+            material.SetTextureScale(mainTex, Vector2.one);
+            material.SetTextureOffset(mainTex, Vector2.zero);
+        }
+
         /// <summary>The device goes: what was made on it goes first.</summary>
         public static void Forget()
         {

@@ -28,6 +28,7 @@ namespace UnityEngine.Headless
                 case "Cylinder.fbx": mesh = Cylinder(); break;
                 default: return null;
             }
+            mesh.RecalculateTangents();
             mesh.name = file.Substring(0, file.IndexOf('.'));
             mesh.hideFlags = HideFlags.HideAndDontSave;
             mesh.IsAsset = mesh.IsBuiltIn = true;

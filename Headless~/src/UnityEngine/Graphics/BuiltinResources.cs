@@ -1,13 +1,22 @@
 using System;
+using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
     /// <summary>What Resources.GetBuiltinResource and scene files find by name, and GameObject.CreatePrimitive is made of.</summary>
     internal static class BuiltinResources
     {
-        const string DefaultMaterialName = "Default-Material.mat";
+        const string DefaultMaterialName = "Default-Material.mat", ErrorMaterialName = "Error.mat";
 
-        static Material defaultMaterial;
+        // Material file to shader.
+        static readonly Dictionary<string, string> materialShaders = new Dictionary<string, string>
+        {
+            [DefaultMaterialName] = "Standard", ["Default-Diffuse.mat"] = "Legacy Shaders/Diffuse", ["Default-Skybox.mat"] = "Skybox/Procedural",
+            ["Default-Particle.mat"] = "Legacy Shaders/Particles/Alpha Blended Premultiply", ["Default-ParticleSystem.mat"] = "Particles/Standard Unlit",
+            [ErrorMaterialName] = "Hidden/InternalErrorShader",
+            ["Default-Line.mat"] = "Legacy Shaders/Particles/Alpha Blended", ["Sprites-Default.mat"] = "Sprites/Default",
+        };
+        static readonly Dictionary<string, Material> materials = new Dictionary<string, Material>();
 
         /// <summary>Set by the part that compiles shaders: a shader that comes with the editor, by its name; null when there is none.</summary>
         public static Func<string, Shader> FindShader;
@@ -17,22 +26,28 @@ namespace UnityEngine.Headless
             Object found = null;
             if (type.IsAssignableFrom(typeof(Mesh)) && name.EndsWith(".fbx", StringComparison.Ordinal))
                 found = BuiltinMeshes.Find(name);
-            else if (type.IsAssignableFrom(typeof(Material)) && name == DefaultMaterialName)
-                found = DefaultMaterial;
+            else if (type.IsAssignableFrom(typeof(Material)) && materialShaders.ContainsKey(name))
+                found = MaterialOf(name);
             else if (type.IsAssignableFrom(typeof(Shader)))
                 found = FindShader?.Invoke(name);
             return type.IsInstanceOfType(found) ? found : null;
         }
 
         /// <summary>Null, and nothing is drawn with it, when there is no Standard shader.</summary>
-        public static Material DefaultMaterial
+        public static Material DefaultMaterial => MaterialOf(DefaultMaterialName);
+
+        /// <summary>Magenta, for what a broken shader should have drawn; null when there are no built-in shaders.</summary>
+        public static Material ErrorMaterial => MaterialOf(ErrorMaterialName);
+
+        static Material MaterialOf(string file)
         {
-            get
-            {
-                if (defaultMaterial == null && Shader.Find("Standard") is Shader standard)
-                    defaultMaterial = new Material(standard) { name = "Default-Material", hideFlags = HideFlags.HideAndDontSave, IsAsset = true };
-                return defaultMaterial;
-            }
+            if (materials.TryGetValue(file, out Material material) && material != null)
+                return material;
+            // Its shader is the editor's, even where a project has one of that name.
+            if (!(FindShader?.Invoke(materialShaders[file]) is Shader shader))
+                return null;
+            material = new Material(shader) { name = file.Substring(0, file.Length - ".mat".Length), hideFlags = HideFlags.HideAndDontSave, IsAsset = true };
+            return materials[file] = material;
         }
 
         public static GameObject CreatePrimitive(PrimitiveType type)
@@ -45,9 +60,10 @@ namespace UnityEngine.Headless
 
         public static void Forget()
         {
-            if (defaultMaterial is object)
-                Object.DestroyImmediate(defaultMaterial, true);
-            defaultMaterial = null;
+            foreach (Material material in materials.Values)
+                Object.DestroyImmediate(material, true);
+            materials.Clear();
+            Sky.Forget();
             BuiltinMeshes.Forget();
         }
     }

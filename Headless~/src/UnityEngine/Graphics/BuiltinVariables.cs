@@ -19,7 +19,7 @@ namespace UnityEngine.Headless
             lightPosition = Id("_WorldSpaceLightPos0"), lightColor = Id("_LightColor0"), lightAttenuation = Id("unity_LightAtten"),
             ambientSky = Id("unity_AmbientSky"), ambientEquator = Id("unity_AmbientEquator"), ambientGround = Id("unity_AmbientGround"), ambient = Id("glstate_lightmodel_ambient"),
             shAr = Id("unity_SHAr"), shAg = Id("unity_SHAg"), shAb = Id("unity_SHAb"), shBr = Id("unity_SHBr"), shBg = Id("unity_SHBg"), shBb = Id("unity_SHBb"), shC = Id("unity_SHC"),
-            fogColor = Id("unity_FogColor"), fogParams = Id("unity_FogParams");
+            fogColor = Id("unity_FogColor"), fogParams = Id("unity_FogParams"), baseCommand = Id("unity_BaseCommandID");
 
         static PropertyTable Globals => Shader.Globals;
 
@@ -29,6 +29,9 @@ namespace UnityEngine.Headless
             Globals.SetMatrix(worldToObject, toWorld.inverse);
             Globals.SetVector(worldTransformParams, new Vector4(0, 0, 0, toWorld.determinant < 0 ? -1 : 1));
         }
+
+        /// <summary>Of an indirect draw of several commands.</summary>
+        public static void SetCommand(int index) => Globals.SetInt(baseCommand, index);
 
         public static void SetViewProjection(in Matrix4x4 view, in Matrix4x4 projection)
         {

@@ -175,6 +175,22 @@ namespace UnityEngine
             return new Ray(near, (far - near).normalized);
         }
 
+        /// <summary>Lower left, upper left, upper right, lower right of a cross-section of the view, in the camera's own space with z forward.</summary>
+        public void CalculateFrustumCorners(Rect viewport, float z, MonoOrStereoscopicEye eye, Vector3[] outCorners)
+        {
+            if (outCorners == null)
+                throw new ArgumentNullException(nameof(outCorners));
+            if (outCorners.Length < 4)
+                throw new ArgumentException("outCorners minimum size is 4", nameof(outCorners));
+            Matrix4x4 toCamera = worldToCameraMatrix;
+            Vector2[] places = { new Vector2(viewport.xMin, viewport.yMin), new Vector2(viewport.xMin, viewport.yMax), new Vector2(viewport.xMax, viewport.yMax), new Vector2(viewport.xMax, viewport.yMin) };
+            for (int i = 0; i < 4; i++)
+            {
+                Vector3 corner = toCamera.MultiplyPoint3x4(ViewportToWorldPoint(new Vector3(places[i].x, places[i].y, z)));
+                outCorners[i] = new Vector3(corner.x, corner.y, -corner.z);
+            }
+        }
+
         // ---- drawing
 
         /// <summary>Draws this camera now, enabled or not.</summary>

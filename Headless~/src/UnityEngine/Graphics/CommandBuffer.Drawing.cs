@@ -152,7 +152,7 @@ namespace UnityEngine.Rendering
         public void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, int shaderPass, ComputeBuffer bufferWithArgs) => DrawMeshInstancedIndirect(mesh, submeshIndex, material, shaderPass, bufferWithArgs, 0);
         public void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, int shaderPass, ComputeBuffer bufferWithArgs, int argsOffset) => DrawMeshInstancedIndirect(mesh, submeshIndex, material, shaderPass, bufferWithArgs, argsOffset, null);
         public void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, int shaderPass, ComputeBuffer bufferWithArgs, int argsOffset, MaterialPropertyBlock properties) =>
-            Draw(new DrawCall { Call = "DrawMeshInstancedIndirect", Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedIndirect"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Arguments = NotNull(bufferWithArgs, "bufferWithArgs", "DrawMeshInstancedIndirect").Storage, ArgumentsOffset = argsOffset, Commands = 1 }, properties);
+            Draw(new DrawCall { Call = "DrawMeshInstancedIndirect", Instancing = Instancing.Procedural, Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedIndirect"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Arguments = NotNull(bufferWithArgs, "bufferWithArgs", "DrawMeshInstancedIndirect").Storage, ArgumentsOffset = argsOffset, Commands = 1 }, properties);
 
         public void DrawProceduralIndirect(Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology, GraphicsBuffer bufferWithArgs) => DrawProceduralIndirect(matrix, material, shaderPass, topology, bufferWithArgs, 0);
         public void DrawProceduralIndirect(Matrix4x4 matrix, Material material, int shaderPass, MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset) => DrawProceduralIndirect(matrix, material, shaderPass, topology, bufferWithArgs, argsOffset, null);
@@ -167,7 +167,7 @@ namespace UnityEngine.Rendering
         public void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, int shaderPass, GraphicsBuffer bufferWithArgs) => DrawMeshInstancedIndirect(mesh, submeshIndex, material, shaderPass, bufferWithArgs, 0);
         public void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, int shaderPass, GraphicsBuffer bufferWithArgs, int argsOffset) => DrawMeshInstancedIndirect(mesh, submeshIndex, material, shaderPass, bufferWithArgs, argsOffset, null);
         public void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, int shaderPass, GraphicsBuffer bufferWithArgs, int argsOffset, MaterialPropertyBlock properties) =>
-            Draw(new DrawCall { Call = "DrawMeshInstancedIndirect", Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedIndirect"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Arguments = NotNull(bufferWithArgs, "bufferWithArgs", "DrawMeshInstancedIndirect").Storage, ArgumentsOffset = argsOffset, Commands = 1 }, properties);
+            Draw(new DrawCall { Call = "DrawMeshInstancedIndirect", Instancing = Instancing.Procedural, Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedIndirect"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Arguments = NotNull(bufferWithArgs, "bufferWithArgs", "DrawMeshInstancedIndirect").Storage, ArgumentsOffset = argsOffset, Commands = 1 }, properties);
 
         public void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material) => DrawMesh(mesh, matrix, material, 0);
         public void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int submeshIndex) => DrawMesh(mesh, matrix, material, submeshIndex, -1);
@@ -175,7 +175,6 @@ namespace UnityEngine.Rendering
         public void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int submeshIndex, int shaderPass, MaterialPropertyBlock properties) =>
             Draw(new DrawCall { Call = "DrawMesh", Mesh = NotNull(mesh, "mesh", "DrawMesh"), Submesh = submeshIndex, Matrix = matrix, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Instances = 1 }, properties);
 
-        // Instances of matrices are drawn one by one: the same picture, without instanced properties.
         public void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, int shaderPass, Matrix4x4[] matrices) => DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, NotNull(matrices, "matrices", "DrawMeshInstanced").Length);
         public void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, int shaderPass, Matrix4x4[] matrices, int count) => DrawMeshInstanced(mesh, submeshIndex, material, shaderPass, matrices, count, null);
         public void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, int shaderPass, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties)
@@ -184,12 +183,11 @@ namespace UnityEngine.Rendering
                 throw new InvalidOperationException("Material needs to enable instancing for use with DrawMeshInstanced.");
             if (count < 0 || count > Math.Min(1023, matrices.Length))
                 throw new ArgumentOutOfRangeException(nameof(count), count, $"DrawMeshInstanced takes 0 to {Math.Min(1023, matrices.Length)} of these matrices.");
-            for (int i = 0; i < count; i++)
-                DrawMesh(mesh, matrices[i], material, submeshIndex, shaderPass, properties);
+            Draw(new DrawCall { Call = "DrawMeshInstanced", Mesh = NotNull(mesh, "mesh", "DrawMeshInstanced"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Matrices = matrices.AsSpan(0, count).ToArray(), Instancing = Instancing.Matrices, Instances = count, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex) }, properties);
         }
 
         public void DrawMeshInstancedProcedural(Mesh mesh, int submeshIndex, Material material, int shaderPass, int count, MaterialPropertyBlock properties = null) =>
-            Draw(new DrawCall { Call = "DrawMeshInstancedProcedural", Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedProcedural"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Instances = count }, properties);
+            Draw(new DrawCall { Call = "DrawMeshInstancedProcedural", Instancing = Instancing.Procedural, Mesh = NotNull(mesh, "mesh", "DrawMeshInstancedProcedural"), Submesh = submeshIndex, Matrix = Matrix4x4.identity, Material = material, Pass = shaderPass, Topology = mesh.GetTopology(submeshIndex), Instances = count }, properties);
 
         public void DrawRenderer(Renderer renderer, Material material) => DrawRenderer(renderer, material, 0);
         public void DrawRenderer(Renderer renderer, Material material, int submeshIndex) => DrawRenderer(renderer, material, submeshIndex, -1);

@@ -14,11 +14,11 @@ namespace UnityEngine.Headless
             RenderTexture source = target is object ? target : ScreenTarget.Texture;
             if ((camera.depthTextureMode & (DepthTextureMode.Depth | DepthTextureMode.DepthNormals)) == 0 || source.DepthTexture == null)
                 return;
-            if (texture is object && (texture.width != source.width || texture.height != source.height))
+            if (texture is object && (texture.width != source.width || texture.height != source.height || texture.depthStencilFormat != source.depthStencilFormat))
                 Forget();
             if (texture is null)
             {
-                texture = new RenderTexture(source.width, source.height, GraphicsFormat.None, GraphicsFormat.D32_SFloat) { name = "Camera depth", filterMode = FilterMode.Point, IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave };
+                texture = new RenderTexture(source.width, source.height, GraphicsFormat.None, source.depthStencilFormat) { name = "Camera depth", filterMode = FilterMode.Point, IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave };
                 texture.Create();
             }
             Gpu.Device.CopyTexture(source.DepthTexture, texture.DepthTexture);

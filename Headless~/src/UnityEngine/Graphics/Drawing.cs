@@ -21,6 +21,9 @@ namespace UnityEngine.Headless
         public BufferStorage Arguments;
         public long ArgumentsOffset;
         public int Commands;
+        public Instancing Instancing;
+        /// <summary>One for each instance where the instancing is by matrices; <see cref="Matrix"/> is the identity then.</summary>
+        public Matrix4x4[] Matrices;
         /// <summary>For messages: the call that made this.</summary>
         public string Call;
     }
@@ -52,8 +55,26 @@ namespace UnityEngine.Headless
                     $"Trying to access pass {passIndex}, but material '{material.name}' subshader (0) has only {material.passCount} valid passes.");
                 return;
             }
-            if (!material.Programs(passIndex, out ProgramLayout vertex, out ProgramLayout fragment))
+            if (call.Matrices != null)
+            {
+                Instances.Draw(call, passIndex);
                 return;
+            }
+            Draw(call, passIndex, 0);
+        }
+
+        /// <param name="firstInstance">Of the arrays of instanced properties.</param>
+        internal static void Draw(in DrawCall call, int passIndex, int firstInstance)
+        {
+            Material material = call.Material;
+            if (!material.Programs(passIndex, call.Instancing, out ProgramLayout vertex, out ProgramLayout fragment))
+            {
+                // What has a mesh is drawn in magenta, as Unity does.
+                material = call.Mesh is object ? BuiltinResources.ErrorMaterial : null;
+                passIndex = 0;
+                if (material is null || !material.Programs(passIndex, Instancing.None, out vertex, out fragment))
+                    return;
+            }
 
             stateMaterial = material;
             DeviceRasterState state = material.shader.Source.Passes[passIndex].ResolveState(materialFloat);
@@ -68,20 +89,21 @@ namespace UnityEngine.Headless
                 return;
 
             BuiltinVariables.SetObject(call.Matrix);
-            if (!Binder.Draw(vertex, fragment, call.Block, material))
-                return;
-
-            RenderState.Open();
             DevicePass pass = DeviceObjects.Pass(vertex.Program, fragment.Program);
-            if (call.Arguments == null)
-                Gpu.DrawDevice.Draw(pass, state, Binder.Bindings, draw);
-            else
-                for (int i = 0; i < call.Commands; i++)
+            int commands = call.Arguments == null ? 1 : call.Commands;
+            for (int i = 0; i < commands; i++)
+            {
+                if (call.Arguments != null)
                 {
                     draw.ArgumentsOffset = call.ArgumentsOffset + (long)i * ArgumentBytes(call);
-                    Gpu.DrawDevice.Draw(pass, state, Binder.Bindings, draw);
+                    BuiltinVariables.SetCommand(i);
                 }
-            Binder.MarkWritten();
+                if (!Binder.Draw(vertex, fragment, call.Block, material, firstInstance))
+                    return;
+                RenderState.Open();
+                Gpu.DrawDevice.Draw(pass, state, Binder.Bindings, draw);
+                Binder.MarkWritten();
+            }
         }
 
         public static int ArgumentBytes(in DrawCall call) =>

@@ -158,13 +158,13 @@ namespace UnityEngine.Headless
                 case GraphicsFormat.R32G32_SInt: device = DeviceFormat.RG32_SInt; return true;
                 case GraphicsFormat.R32G32B32A32_SInt: device = DeviceFormat.RGBA32_SInt; return true;
                 case GraphicsFormat.B10G11R11_UFloatPack32: device = DeviceFormat.R11G11B10_Float; return true;
-                // One depth format behind all: more precise than asked for never breaks a depth test, and stencil has no user here.
+                // One depth format behind all: more precise than asked for never breaks a depth test.
                 case GraphicsFormat.D16_UNorm:
-                case GraphicsFormat.D16_UNorm_S8_UInt:
                 case GraphicsFormat.D24_UNorm:
+                case GraphicsFormat.D32_SFloat: device = DeviceFormat.D32_Float; return true;
+                case GraphicsFormat.D16_UNorm_S8_UInt:
                 case GraphicsFormat.D24_UNorm_S8_UInt:
-                case GraphicsFormat.D32_SFloat:
-                case GraphicsFormat.D32_SFloat_S8_UInt: device = DeviceFormat.D32_Float; return true;
+                case GraphicsFormat.D32_SFloat_S8_UInt: device = DeviceFormat.D32_S8; return true;
                 default: device = DeviceFormat.None; return false;
             }
         }

@@ -6,8 +6,7 @@ namespace UnityEngine.Headless
 {
     /// <summary>
     /// Built-in pipeline, forward: cameras by depth; in each the queue's and the renderers' draws by render queue, opaque ones in
-    /// order of submission, transparent ones from back to front. No shadows, no skybox (its colour is the background's), no
-    /// additional lights, no OnRenderObject.
+    /// order of submission, transparent ones from back to front, then what OnRenderObject and OnPostRender draw. No shadows, no additional lights.
     /// </summary>
     internal static class FrameRenderer
     {
@@ -66,17 +65,23 @@ namespace UnityEngine.Headless
             Run(camera, target, CameraEvent.BeforeForwardOpaque);
             Draw(opaque: true);
             DepthTexture.Capture(camera, target);
-            Run(camera, target, CameraEvent.AfterForwardOpaque, CameraEvent.BeforeSkybox, CameraEvent.AfterSkybox,
-                CameraEvent.BeforeImageEffectsOpaque, CameraEvent.AfterImageEffectsOpaque, CameraEvent.BeforeForwardAlpha);
+            Run(camera, target, CameraEvent.AfterForwardOpaque, CameraEvent.BeforeSkybox);
+            if (camera.clearFlags == CameraClearFlags.Skybox)
+                Sky.Draw(camera);
+            Run(camera, target, CameraEvent.AfterSkybox, CameraEvent.BeforeImageEffectsOpaque,
+                CameraEvent.AfterImageEffectsOpaque, CameraEvent.BeforeForwardAlpha);
             Draw(opaque: false);
-            Run(camera, target, CameraEvent.AfterForwardAlpha, CameraEvent.BeforeImageEffects);
+            Run(camera, target, CameraEvent.AfterForwardAlpha);
+            PlayerLoop.RenderObjects.Run();
+            Say(camera, Message.OnPostRender);
+            Camera.onPostRender?.Invoke(camera);
+            Restore(camera, target);
+            Run(camera, target, CameraEvent.BeforeImageEffects);
             ImageEffects.Run(camera, target);
             Run(camera, target, CameraEvent.AfterImageEffects, CameraEvent.AfterEverything);
 
             items.Clear();
             Gpu.ClosePass();
-            Say(camera, Message.OnPostRender);
-            Camera.onPostRender?.Invoke(camera);
             RenderState.SetCameraTarget(null);
             RenderState.SetTarget(previous);
             Camera.current = previousCamera;
@@ -111,6 +116,11 @@ namespace UnityEngine.Headless
                 return;
             foreach (CameraEvent e in events)
                 camera.Execute(e);
+            Restore(camera, target);
+        }
+
+        static void Restore(Camera camera, RenderTexture target)
+        {
             SetTarget(camera, target);
             RenderState.InvertCulling = false;
             BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);

@@ -42,6 +42,7 @@ namespace UnityEngine
             Blitter.Blit(source, dest, mat, pass);
         }
 
+        public static void Blit(Texture source, RenderTexture dest, Vector2 scale, Vector2 offset) => Blitter.Blit(source, dest, scale, offset);
         public static void Blit(Texture source, Material mat) => Blit(source, mat, -1);
         public static void Blit(Texture source, Material mat, int pass) => Blit(source, RenderTexture.active, mat, pass);
 
@@ -111,7 +112,7 @@ namespace UnityEngine
             Queue(rparams, OfMesh("RenderMesh", mesh, submeshIndex, objectToWorld, 1), Culling.Transform(mesh.bounds, objectToWorld));
 
         public static void RenderMeshPrimitives(in RenderParams rparams, Mesh mesh, int submeshIndex, int instanceCount = 1) =>
-            Queue(rparams, OfMesh("RenderMeshPrimitives", mesh, submeshIndex, Matrix4x4.identity, instanceCount), rparams.worldBounds);
+            Queue(rparams, Procedural(OfMesh("RenderMeshPrimitives", mesh, submeshIndex, Matrix4x4.identity, instanceCount)), rparams.worldBounds);
 
         public static void RenderMeshIndirect(in RenderParams rparams, Mesh mesh, GraphicsBuffer commandBuffer, int commandCount = 1, int startCommand = 0)
         {
@@ -119,10 +120,10 @@ namespace UnityEngine
             call.Arguments = Arguments(commandBuffer, "RenderMeshIndirect", commandCount, startCommand, GraphicsBuffer.IndirectDrawIndexedArgs.size);
             call.ArgumentsOffset = (long)startCommand * GraphicsBuffer.IndirectDrawIndexedArgs.size;
             call.Commands = commandCount;
+            call.Instancing = Instancing.Procedural;
             Queue(rparams, call, rparams.worldBounds);
         }
 
-        // Instances of matrices are drawn one by one: the same picture, without instanced properties.
         public static void RenderMeshInstanced<T>(in RenderParams rparams, Mesh mesh, int submeshIndex, T[] instanceData, int instanceCount = -1, int startInstance = 0) where T : unmanaged =>
             Instanced(rparams, mesh, submeshIndex, NotNull(instanceData, "instanceData"), instanceCount < 0 ? instanceData.Length - startInstance : instanceCount, startInstance);
 
@@ -131,12 +132,25 @@ namespace UnityEngine
 
         static void Instanced<T>(in RenderParams rparams, Mesh mesh, int submesh, T[] data, int count, int start) where T : unmanaged
         {
-            if (!(data is Matrix4x4[] matrices))
-                throw new NotSupportedException($"RenderMeshInstanced<{typeof(T).Name}>: the headless host takes Matrix4x4 only.");
             if (!rparams.material.enableInstancing)
                 throw new InvalidOperationException("Material needs to enable instancing for use with RenderMeshInstanced.");
-            for (int i = 0; i < count; i++)
-                RenderMesh(rparams, mesh, submesh, matrices[start + i]);
+            DrawCall call = OfInstances("RenderMeshInstanced", mesh, submesh, Instances.MatricesOf(data, start, count));
+            Queue(rparams, call, InstanceBounds(mesh, call.Matrices));
+        }
+
+        static DrawCall OfInstances(string name, Mesh mesh, int submesh, Matrix4x4[] matrices)
+        {
+            DrawCall call = OfMesh(name, mesh, submesh, Matrix4x4.identity, matrices.Length);
+            (call.Matrices, call.Instancing) = (matrices, Instancing.Matrices);
+            return call;
+        }
+
+        static Bounds InstanceBounds(Mesh mesh, Matrix4x4[] matrices)
+        {
+            Bounds bounds = matrices.Length > 0 ? Culling.Transform(mesh.bounds, matrices[0]) : default;
+            foreach (Matrix4x4 matrix in matrices)
+                bounds.Encapsulate(Culling.Transform(mesh.bounds, matrix));
+            return bounds;
         }
 
         static T NotNull<T>(T value, string parameter) where T : class => value ?? throw new ArgumentNullException(parameter);
@@ -191,11 +205,18 @@ namespace UnityEngine
             call.Arguments = NotNull(arguments, "bufferWithArgs");
             call.ArgumentsOffset = offset;
             call.Commands = 1;
+            call.Instancing = Instancing.Procedural;
             Queue(material, call, bounds, camera, properties, layer);
         }
 
         public static void DrawMeshInstancedProcedural(Mesh mesh, int submeshIndex, Material material, Bounds bounds, int count, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes, LightProbeProxyVolume lightProbeProxyVolume = null) =>
-            Queue(material, OfMesh("DrawMeshInstancedProcedural", mesh, submeshIndex, Matrix4x4.identity, count), bounds, camera, properties, layer);
+            Queue(material, Procedural(OfMesh("DrawMeshInstancedProcedural", mesh, submeshIndex, Matrix4x4.identity, count)), bounds, camera, properties, layer);
+
+        static DrawCall Procedural(DrawCall call)
+        {
+            call.Instancing = Instancing.Procedural;
+            return call;
+        }
 
         public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer) => DrawMesh(mesh, matrix, material, layer, null);
         public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera) => DrawMesh(mesh, matrix, material, layer, camera, 0);
@@ -219,19 +240,25 @@ namespace UnityEngine
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, 0);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, layer, null);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) =>
-            Instances(mesh, submeshIndex, material, matrices, count, properties, layer, camera);
+            QueueInstances(mesh, submeshIndex, material, matrices, count, properties, layer, camera);
 
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, matrices.Length);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray());
 
-        static void Instances(Mesh mesh, int submesh, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, int layer, Camera camera)
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer, camera);
+
+        static void QueueInstances(Mesh mesh, int submesh, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, int layer, Camera camera)
         {
             if (count < 0 || count > Math.Min(1023, matrices.Length))
                 throw new ArgumentOutOfRangeException(nameof(count), count, $"DrawMeshInstanced takes 0 to {Math.Min(1023, matrices.Length)} of these matrices.");
             if (!material.enableInstancing)
                 throw new InvalidOperationException("Material needs to enable instancing for use with DrawMeshInstanced.");
-            for (int i = 0; i < count; i++)
-                DrawMesh(mesh, matrices[i], material, layer, camera, submesh, properties);
+            DrawCall call = OfInstances("DrawMeshInstanced", mesh, submesh, matrices.AsSpan(0, count).ToArray());
+            Queue(material, call, InstanceBounds(mesh, call.Matrices), camera, properties, layer);
         }
 
         // ---- draws at once, into the active target, with the pass of Material.SetPass

@@ -31,6 +31,8 @@ namespace UnityEngine.Headless
             Shader.Globals.Clear();
             GlobalKeywords.Set.Replace(System.Array.Empty<string>());
             RenderState.Reset();
+            // Unity frees what nobody asked for again after some frames: what lies in the pool is no leak.
+            RenderTexture.ForgetTemporaries();
         }
     }
 }

@@ -178,9 +178,12 @@ namespace UnityEngine.Headless
         static readonly HashSet<string> union = new HashSet<string>();
 
         /// <summary>Local and global keywords together; the set is reused by the next call.</summary>
-        public static ICollection<string> Of(KeywordSet local, KeywordSet global)
+        /// <param name="more">One that the draw adds; null for none.</param>
+        public static ICollection<string> Of(KeywordSet local, KeywordSet global, string more = null)
         {
             union.Clear();
+            if (more != null)
+                union.Add(more);
             foreach (string name in local.Enabled)
                 union.Add(name);
             foreach (string name in global.Enabled)

@@ -45,7 +45,7 @@ namespace UnityEngine
             set
             {
                 currentShader = value;
-                programs = value == null ? Array.Empty<Program>() : new Program[value.passCount];
+                programs = value == null ? Array.Empty<Program>() : new Program[value.passCount * Instances.Modes];
                 if (value != null)
                     AddDefaults();
             }
@@ -133,15 +133,15 @@ namespace UnityEngine
         }
 
         /// <summary>The pass's programs for the keywords now enabled; false when they do not compile (reported once).</summary>
-        internal bool Programs(int pass, out ProgramLayout vertex, out ProgramLayout fragment)
+        internal bool Programs(int pass, Instancing instancing, out ProgramLayout vertex, out ProgramLayout fragment)
         {
-            ref Program program = ref programs[pass];
+            ref Program program = ref programs[pass * Instances.Modes + (int)instancing];
             if (!program.Ready || program.KeywordVersion != keywords.Version || program.GlobalVersion != GlobalKeywords.Set.Version)
             {
                 program = new Program { Ready = true, KeywordVersion = keywords.Version, GlobalVersion = GlobalKeywords.Set.Version };
                 try
                 {
-                    ICollection<string> enabled = KeywordUnion.Of(keywords, GlobalKeywords.Set);
+                    ICollection<string> enabled = KeywordUnion.Of(keywords, GlobalKeywords.Set, Instances.Keyword(instancing));
                     program.Vertex = ProgramLayout.Of(currentShader.Source.Passes[pass].Compile(ShaderStage.Vertex, enabled));
                     program.Fragment = ProgramLayout.Of(currentShader.Source.Passes[pass].Compile(ShaderStage.Fragment, enabled));
                 }

@@ -7,7 +7,7 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    public sealed class Mesh : Object
+    public sealed partial class Mesh : Object
     {
         struct Submesh
         {

@@ -23,6 +23,8 @@ namespace UnityEngine.Headless
             /// <summary>For a sampler that takes a texture's own state: that texture's id, otherwise -1.</summary>
             public int SamplerOf;
             public Field[] Fields;
+            /// <summary>A buffer of UNITY_INSTANCING_BUFFER_START: an array has an element for each instance.</summary>
+            public bool Instanced;
             /// <summary>Filled anew for every dispatch or draw; the device copies it.</summary>
             public byte[] Constants;
         }
@@ -50,6 +52,8 @@ namespace UnityEngine.Headless
             if (resource.Constants == null)
                 return slot;
 
+            // The matrices come for the batch at hand, the properties for the whole call.
+            slot.Instanced = resource.Name.StartsWith("UnityInstancing_", StringComparison.Ordinal) && resource.Name != "UnityInstancing_PerDraw0";
             slot.Constants = new byte[Math.Max(16, (resource.Constants.Bytes + 15) / 16 * 16)];
             slot.Fields = new Field[resource.Constants.Fields.Length];
             for (int f = 0; f < slot.Fields.Length; f++)

@@ -50,17 +50,27 @@ namespace UnityEngine.Headless
             Data.AsSpan(0, Math.Min(Length, field.Bytes)).CopyTo(constants.Slice(field.Offset));
 
         /// <summary>By element and type: what materials and globals do. Numbers are converted to the declared type.</summary>
-        public void WriteConverted(Span<byte> constants, in ConstantField field)
+        public void WriteConverted(Span<byte> constants, in ConstantField field) => Write(constants, field, 0, Math.Min(Math.Max(1, field.ArrayLength), Count), 1);
+
+        /// <summary>A value for each instance from one on; a value that is no array is that of all.</summary>
+        public void WriteInstances(Span<byte> constants, in ConstantField field, int first)
+        {
+            int length = Math.Max(1, field.ArrayLength);
+            if (IsArray)
+                Write(constants, field, first, Math.Max(0, Math.Min(length, Count - first)), 1);
+            else if (Count > 0)
+                Write(constants, field, 0, length, 0);
+        }
+
+        void Write(Span<byte> constants, in ConstantField field, int first, int count, int step)
         {
             int stride = field.ArrayLength > 0 ? field.ArrayStride : field.Bytes;
-            int fieldCount = Math.Max(1, field.ArrayLength);
             int size = ElementBytes;
-            int count = Math.Min(fieldCount, Count);
-            int lastBytes = field.Bytes - (fieldCount - 1) * stride;    // an array's last element is not padded
+            int lastBytes = field.Bytes - (Math.Max(1, field.ArrayLength) - 1) * stride;    // an array's last element is not padded
             for (int i = 0; i < count; i++)
             {
                 Span<byte> target = constants.Slice(field.Offset + i * stride, Math.Min(size, lastBytes));
-                Data.AsSpan(i * size, target.Length).CopyTo(target);
+                Data.AsSpan((first + i * step) * size, target.Length).CopyTo(target);
                 Convert(MemoryMarshal.Cast<byte, uint>(target), field.Type);
             }
         }

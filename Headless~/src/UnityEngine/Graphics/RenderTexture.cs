@@ -141,7 +141,8 @@ namespace UnityEngine
         public bool isPowerOfTwo { get => Mathf.IsPowerOfTwo(width) && Mathf.IsPowerOfTwo(height); set { } }
         public RenderBuffer colorBuffer => new RenderBuffer(this, RenderTextureSubElement.Color);
         public RenderBuffer depthBuffer => new RenderBuffer(this, RenderTextureSubElement.Depth);
-        public static bool SupportsStencil(RenderTexture rt) => false;
+        public static bool SupportsStencil(RenderTexture rt) =>
+            rt != null && rt.depthStencilFormat != GraphicsFormat.None && Formats.Device(rt.depthStencilFormat) == DeviceFormat.D32_S8;
 
         internal override int MipCount => !description.useMipMap ? 1
             : description.mipCount > 1 ? description.mipCount : 1 + (int)Math.Floor(Math.Log(Math.Max(width, height), 2));

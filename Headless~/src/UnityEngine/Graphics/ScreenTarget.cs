@@ -16,7 +16,7 @@ namespace UnityEngine.Headless
                 if (texture == null)
                 {
                     GraphicsFormat format = Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm;
-                    texture = new RenderTexture(Player.ScreenWidth, Player.ScreenHeight, format, GraphicsFormat.D32_SFloat) { name = "Screen", IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave };
+                    texture = new RenderTexture(Player.ScreenWidth, Player.ScreenHeight, format, GraphicsFormat.D32_SFloat_S8_UInt) { name = "Screen", IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave };
                     texture.Create();
                 }
                 return texture;

@@ -30,7 +30,7 @@ namespace UnityEngine
         internal string DefaultTextureName(int id) =>
             properties.TryGetValue(id, out ShaderProperty property) && !string.IsNullOrEmpty(property.DefaultTexture) ? property.DefaultTexture : "gray";
 
-        public static Shader Find(string name) => Player.Assets?.FindShader(name);
+        public static Shader Find(string name) => Player.Assets != null ? Player.Assets.FindShader(name) : BuiltinResources.FindShader?.Invoke(name);
         public static int PropertyToID(string name) => PropertyNames.ToId(name);
 
         public bool isSupported => source.Passes.Count > 0;

@@ -156,6 +156,7 @@ namespace UnityEngine.Headless
         public int Mip, Slice;
         public bool ClearColor, ClearDepth;
         public DeviceColor ClearValue;
+        /// <summary>Stencil goes to 0 with it.</summary>
         public float ClearDepthValue;
         /// <summary>In pixels, origin at the target's first row, as Direct3D's viewport: clip y = +1 is row 0.</summary>
         public float ViewportX, ViewportY, ViewportWidth, ViewportHeight;
@@ -166,6 +167,20 @@ namespace UnityEngine.Headless
     internal enum DeviceCompare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always }
     internal enum DeviceBlend { Zero, One, SrcColor, OneMinusSrcColor, DstColor, OneMinusDstColor, SrcAlpha, OneMinusSrcAlpha, DstAlpha, OneMinusDstAlpha, SrcAlphaSaturate }
     internal enum DeviceBlendOp { Add, Sub, RevSub, Min, Max }
+
+    internal enum DeviceStencilOp { Keep, Zero, Replace, IncrementSaturate, DecrementSaturate, Invert, IncrementWrap, DecrementWrap }
+
+    /// <summary>Off while not Enabled; front and back faces alike.</summary>
+    internal struct DeviceStencil : IEquatable<DeviceStencil>
+    {
+        public bool Enabled;
+        public byte Reference, ReadMask, WriteMask;
+        public DeviceCompare Compare;
+        public DeviceStencilOp Pass, Fail, DepthFail;
+        public bool Equals(DeviceStencil o) => Enabled == o.Enabled && Reference == o.Reference && ReadMask == o.ReadMask && WriteMask == o.WriteMask && Compare == o.Compare && Pass == o.Pass && Fail == o.Fail && DepthFail == o.DepthFail;
+        public override bool Equals(object o) => o is DeviceStencil s && Equals(s);
+        public override int GetHashCode() => HashCode.Combine(Enabled, Reference, ReadMask, WriteMask, Compare, Pass, Fail, DepthFail);
+    }
 
     /// <summary>Front faces are clockwise, as in Direct3D.</summary>
     internal struct DeviceRasterState : IEquatable<DeviceRasterState>
@@ -178,11 +193,12 @@ namespace UnityEngine.Headless
         public DeviceBlendOp ColorOp, AlphaOp;
         public int ColorMask;           // bits R 8, G 4, B 2, A 1
         public float DepthBiasFactor, DepthBiasUnits;
-        public bool Equals(DeviceRasterState o) => Topology == o.Topology && Cull == o.Cull && DepthWrite == o.DepthWrite && Blend == o.Blend && DepthTest == o.DepthTest
+        public DeviceStencil Stencil;
+        public bool Equals(DeviceRasterState o) => Stencil.Equals(o.Stencil) && Topology == o.Topology && Cull == o.Cull && DepthWrite == o.DepthWrite && Blend == o.Blend && DepthTest == o.DepthTest
             && SrcColor == o.SrcColor && DstColor == o.DstColor && SrcAlpha == o.SrcAlpha && DstAlpha == o.DstAlpha && ColorOp == o.ColorOp && AlphaOp == o.AlphaOp
             && ColorMask == o.ColorMask && DepthBiasFactor == o.DepthBiasFactor && DepthBiasUnits == o.DepthBiasUnits;
         public override bool Equals(object o) => o is DeviceRasterState s && Equals(s);
-        public override int GetHashCode() => HashCode.Combine(HashCode.Combine(Topology, Cull, DepthWrite, Blend, DepthTest, SrcColor, DstColor, ColorMask), SrcAlpha, DstAlpha, ColorOp, AlphaOp, DepthBiasFactor, DepthBiasUnits);
+        public override int GetHashCode() => HashCode.Combine(HashCode.Combine(Topology, Cull, DepthWrite, Blend, DepthTest, SrcColor, DstColor, ColorMask), SrcAlpha, DstAlpha, ColorOp, AlphaOp, DepthBiasFactor, DepthBiasUnits, Stencil);
     }
 
     internal struct DeviceDraw

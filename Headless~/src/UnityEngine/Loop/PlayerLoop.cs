@@ -17,6 +17,8 @@ namespace UnityEngine.Headless
         static readonly ScriptList fixedUpdates = new ScriptList(Message.FixedUpdate);
         static readonly ScriptList updates = new ScriptList(Message.Update);
         static readonly ScriptList lateUpdates = new ScriptList(Message.LateUpdate);
+        /// <summary>Run by the renderer, once a camera.</summary>
+        internal static readonly ScriptList RenderObjects = new ScriptList(Message.OnRenderObject);
         static readonly List<MonoBehaviour> unstarted = new List<MonoBehaviour>();
 
         public static void Frame(float deltaTime)
@@ -63,6 +65,7 @@ namespace UnityEngine.Headless
             fixedUpdates.Add(script);
             updates.Add(script);
             lateUpdates.Add(script);
+            RenderObjects.Add(script);
         }
 
         public static void Dismiss(MonoBehaviour script)
@@ -71,6 +74,7 @@ namespace UnityEngine.Headless
             fixedUpdates.Remove(script);
             updates.Remove(script);
             lateUpdates.Remove(script);
+            RenderObjects.Remove(script);
         }
 
         static void StartNewScripts()
@@ -105,6 +109,7 @@ namespace UnityEngine.Headless
             fixedUpdates.Clear();
             updates.Clear();
             lateUpdates.Clear();
+            RenderObjects.Clear();
             Time.Clock.Reset();
             Random.InitState(Environment.TickCount);
             Application.ResetState();

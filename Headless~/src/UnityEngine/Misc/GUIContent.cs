@@ -25,7 +25,7 @@ namespace UnityEngine
         public override string ToString() => text ?? tooltip ?? base.ToString();
     }
 
-    public sealed class GUIStyle
+    public sealed partial class GUIStyle
     {
         public GUIStyle() { }
 
@@ -39,6 +39,10 @@ namespace UnityEngine
             fixedHeight = other.fixedHeight;
             fontStyle = other.fontStyle;
             alignment = other.alignment;
+            padding = other.padding;
+            margin = other.margin;
+            border = other.border;
+            normal = other.normal;
         }
 
         public static GUIStyle none { get; } = new GUIStyle();
@@ -116,7 +120,7 @@ namespace UnityEngine
     }
 
     /// <summary>Nothing ever happens here: current stays null.</summary>
-    public sealed class Event
+    public sealed partial class Event
     {
         public Event() { }
         public static Event current { get; set; }

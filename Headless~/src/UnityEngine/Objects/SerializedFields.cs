@@ -35,7 +35,7 @@ namespace UnityEngine.Headless
                 return true;
             // The engine keeps its state in private fields without attributes.
             if (field.DeclaringType.Assembly == typeof(SerializedFields).Assembly)
-                return IsState(field.FieldType);
+                return IsState(field.FieldType) || field.IsDefined(typeof(SerializeField)) && CanStore(field.FieldType);
             return (field.IsPublic || field.IsDefined(typeof(SerializeField))) && CanStore(field.FieldType);
         }
 

@@ -1,0 +1,141 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using Host.UnityApi;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+using Microsoft.CodeAnalysis.CSharp.Syntax;
+using Microsoft.CodeAnalysis.Text;
+
+namespace Host.Check.Api
+{
+    /// <summary>
+    /// What the compiler leaves no trace of: values of enums and constants are written into the code as numbers, arguments that are
+    /// passed by name by their place, and what stands behind an #if that is not met is not compiled at all. So this rule reads the sources.
+    /// </summary>
+    sealed class SourceNamesRule : Rule
+    {
+        static readonly string[] Folders = { "Runtime/", "Editor/", "Tests/" };
+
+        public override string Name => "API: constants, enum values and named arguments exist in every version";
+
+        public override Findings Examine(PackageTree package)
+        {
+            var findings = new Findings();
+            var options = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: new[] { "UNITY_5_3_OR_NEWER", "UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_EDITOR", "UNITY_STANDALONE", "UNITY_INCLUDE_TESTS" });
+            List<SyntaxTree> trees = package.WithExtension(".cs").Where(file => Folders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)))
+                .Select(file => CSharpSyntaxTree.ParseText(SourceText.From(package.Read(file)), options, file)).ToList();
+            if (trees.Count == 0)
+                findings.Fault($"no C# source below {string.Join(", ", Folders)} of {package.Root}");
+            foreach (SyntaxTree tree in trees)
+                Conditions(tree, findings);
+
+            CSharpCompilation compilation = CSharpCompilation.Create("Sources", trees, References(package), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+            HashSet<string> names = ConstantNames(package, findings);
+            var constants = new HashSet<string>();
+            int arguments = 0;
+            foreach (SyntaxTree tree in trees)
+            {
+                SemanticModel model = compilation.GetSemanticModel(tree);
+                foreach (IdentifierNameSyntax name in Candidates(tree.GetCompilationUnitRoot(), names))
+                {
+                    SymbolInfo info = model.GetSymbolInfo(name);
+                    switch (info.Symbol)
+                    {
+                        case null when info.CandidateSymbols.IsEmpty:
+                            findings.Fault($"{Where(name.GetLocation())}: what {name.Parent} names is not to be told: it does not compile here.");
+                            break;
+                        case IParameterSymbol { ContainingSymbol: IMethodSymbol method } when IsUnity(method):
+                            arguments++;
+                            NamedArgument(method.OriginalDefinition, name, findings);
+                            break;
+                        case IFieldSymbol { HasConstantValue: true } field when IsUnity(field):
+                            constants.Add(field.ToString());
+                            var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0, TypeOf((INamedTypeSymbol)field.Type), Array.Empty<ApiTypeName>());
+                            // Nothing but the source names a type of which only a value is used.
+                            Report(findings, name, field.ToString(), unity => ApiLookup.Complaint(unity, member.Owner) ?? ApiLookup.Complaint(unity, member));
+                            break;
+                    }
+                }
+            }
+            findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
+            return findings;
+        }
+
+        // Names of arguments, and those that some type of Unity's has a constant of: to bind all the others would take the compiler's time.
+        static IEnumerable<IdentifierNameSyntax> Candidates(CompilationUnitSyntax root, ISet<string> constants)
+        {
+            bool unqualified = root.Usings.Any(directive => directive.StaticKeyword != default);
+            return root.DescendantNodes().OfType<IdentifierNameSyntax>().Where(name => name.Parent switch
+            {
+                NameColonSyntax colon => colon.Parent is ArgumentSyntax,
+                MemberAccessExpressionSyntax access when access.Name == name => constants.Contains(name.Identifier.ValueText),
+                QualifiedNameSyntax qualified when qualified.Right == name => constants.Contains(name.Identifier.ValueText),
+                _ => unqualified && constants.Contains(name.Identifier.ValueText),
+            });
+        }
+
+        static HashSet<string> ConstantNames(PackageTree package, Findings findings)
+        {
+            var names = new HashSet<string>();
+            foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings))
+                using (assembly)
+                    names.UnionWith(assembly.Metadata.FieldDefinitions.Select(assembly.Metadata.GetFieldDefinition)
+                        .Where(field => (field.Attributes & FieldAttributes.Literal) != 0).Select(field => assembly.Metadata.GetString(field.Name)));
+            return names;
+        }
+
+        // One set of defines is compiled and examined; what another would compile is not.
+        static void Conditions(SyntaxTree tree, Findings findings)
+        {
+            foreach (ConditionalDirectiveTriviaSyntax condition in tree.GetRoot().DescendantTrivia().Select(trivia => trivia.GetStructure()).OfType<ConditionalDirectiveTriviaSyntax>())
+                findings.Fault($"{Where(condition.GetLocation())}: #if {condition.Condition}: only one set of defines is compiled here, so that the other branch would go unexamined. Do without it, or let the API rules compile both.");
+        }
+
+        static IEnumerable<MetadataReference> References(PackageTree package)
+        {
+            foreach (string name in PackageAssemblies.StandIns.Append("nunit.framework"))
+                if (PackageAssemblies.Find(package.Assemblies, name) is { } path)
+                    yield return MetadataReference.CreateFromFile(path);
+            // The tests' NUnit is compiled for the .NET that runs here.
+            foreach (string path in ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")).Split(Path.PathSeparator).Where(path => Path.GetFileName(path) is var file && (file.StartsWith("System.") || file is "netstandard.dll" or "mscorlib.dll")))
+                yield return MetadataReference.CreateFromFile(path);
+        }
+
+        static void NamedArgument(IMethodSymbol method, IdentifierNameSyntax argument, Findings findings)
+        {
+            string parameter = argument.Identifier.ValueText;
+            string name = method.MethodKind == MethodKind.Constructor ? ".ctor" : method.Name;
+            Report(findings, argument, $"{method.ContainingType}.{method.Name}({parameter}:)", unity =>
+            {
+                ApiType type = unity.Find(TypeOf(method.ContainingType).Key);
+                if (type == null)
+                    return "has no such type";
+                List<ApiMember> overloads = unity.Lineage(type).SelectMany(inherited => inherited.Type.Named(name)).Where(listed => listed.Parameters.Count == method.Parameters.Length).ToList();
+                return overloads.Any(listed => listed.Parameters.Any(p => p.Name == parameter)) ? null : $"has no parameter of that name{string.Concat(overloads.Take(2).Select(listed => $" ({listed.Line.Signature})"))}";
+            });
+        }
+
+        static ApiTypeName TypeOf(INamedTypeSymbol type)
+        {
+            var path = new List<string>();
+            for (INamedTypeSymbol part = type; part != null; part = part.ContainingType)
+                path.Insert(0, part.MetadataName);
+            for (INamespaceSymbol space = type.ContainingNamespace; space is { IsGlobalNamespace: false }; space = space.ContainingNamespace)
+                path.Insert(0, space.Name);
+            return ApiTypeName.Named(path);
+        }
+
+        static bool IsUnity(ISymbol symbol) => symbol.ContainingAssembly is { } assembly && UnityMembersRule.IsUnity(assembly.Name);
+
+        static string Where(Location location) => $"{location.SourceTree?.FilePath}:{location.GetLineSpan().StartLinePosition.Line + 1}";
+
+        static void Report(Findings findings, SyntaxNode node, string what, Func<ApiCatalogue, string> complain)
+        {
+            foreach (IGrouping<string, string> same in UnityCatalogues.All.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
+                findings.Fault($"{Where(node.GetLocation())}: {what}: Unity {string.Join(", ", same)} {same.Key}");
+        }
+    }
+}

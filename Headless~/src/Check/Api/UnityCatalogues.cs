@@ -1,0 +1,24 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Host.UnityApi;
+
+namespace Host.Check.Api
+{
+    /// <summary>The lists of every version, read once for all rules.</summary>
+    static class UnityCatalogues
+    {
+        // Comments to a line's end stand inside of these two, on one line with what follows: not to be told from code any more.
+        static readonly string[] Garbled = { "UnityEditor.TerrainTools.TerrainPaintUtilityEditor | static void DrawBrushPreview(", "UnityEngine.TerrainTools.TerrainPaintUtility | static void SetupTerrainToolMaterialProperties(" };
+
+        static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load()));
+
+        public static IReadOnlyList<ApiCatalogue> All => all.Value;
+
+        public static IReadOnlyList<ApiCatalogue> Make(UnityApiLists lists) => lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalogue(lists, version)).ToList();
+
+        /// <summary>Lines that say nothing to the check, but for those known.</summary>
+        public static IEnumerable<string> Unreadable(IEnumerable<ApiCatalogue> catalogues) =>
+            catalogues.SelectMany(catalogue => catalogue.Unreadable).Distinct().Where(line => !Garbled.Any(line.StartsWith));
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Host.Assets;
+
+namespace Host.Scripts.Assemblies
+{
+    /// <summary>
+    /// The symbols with which Unity 2022.3 compiles scripts of a Windows development player: what the host plays is a player (nothing of the
+    /// editor's runs), and it keeps Direct3D 11's conventions, which is why Application.platform says Windows as well.
+    /// </summary>
+    internal static class Defines
+    {
+        /// <summary>As .asmdef files call the platform.</summary>
+        public const string Platform = "WindowsStandalone64";
+        public const string UnityVersion = "2022.3.0";
+
+        static readonly string[] Always =
+        {
+            "UNITY_2022_3_0", "UNITY_2022_3", "UNITY_2022", "UNITY_64", "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "PLATFORM_STANDALONE", "PLATFORM_STANDALONE_WIN",
+            "DEVELOPMENT_BUILD", "UNITY_ASSERTIONS", "ENABLE_PROFILER", "ENABLE_MONO", "NET_STANDARD_2_0", "NET_STANDARD", "NET_STANDARD_2_1", "NETSTANDARD", "NETSTANDARD2_1", "CSHARP_7_OR_LATER", "CSHARP_7_3_OR_NEWER", "TRACE",
+        };
+
+        static readonly Dictionary<int, int> LastMinor = new Dictionary<int, int> { [2017] = 4, [2018] = 4, [2019] = 4, [2020] = 3, [2021] = 3, [2022] = 3 };
+
+        public static List<string> Of(string project)
+        {
+            var all = new List<string>(Always);
+            for (var minor = 3; minor <= 6; minor++) all.Add($"UNITY_5_{minor}_OR_NEWER");
+            foreach (var year in LastMinor)
+                for (var minor = 1; minor <= year.Value; minor++) all.Add($"UNITY_{year.Key}_{minor}_OR_NEWER");
+
+            var file = Path.Combine(project, "ProjectSettings", "ProjectSettings.asset");
+            var settings = File.Exists(file) ? UnityYaml.Load(file, "ProjectSettings/ProjectSettings.asset").Documents[0].Fields : null;
+            // 0 the old input manager, 1 the input system, 2 both.
+            var input = settings?.Int("activeInputHandler") ?? 0;
+            if (input != 1) all.Add("ENABLE_LEGACY_INPUT_MANAGER");
+            if (input >= 1) all.Add("ENABLE_INPUT_SYSTEM");
+            all.AddRange(Symbols(settings));
+            return all.Distinct().ToList();
+        }
+
+        /// <summary>Old files number the platforms (1 is standalone), newer ones name them.</summary>
+        static IEnumerable<string> Symbols(YamlMapping settings)
+        {
+            if (settings?["scriptingDefineSymbols"] is not YamlMapping symbols) return Enumerable.Empty<string>();
+            var text = symbols.Text("Standalone", symbols.Text("1", ""));
+            return text.Split(new[] { ';', ' ', ',' }, StringSplitOptions.RemoveEmptyEntries);
+        }
+
+        /// <summary>Each entry must hold: "NAME", "!NAME", or some of them with "||" between.</summary>
+        public static bool Hold(IEnumerable<string> constraints, ICollection<string> defined) =>
+            constraints.All(c => c.Split("||", StringSplitOptions.TrimEntries).Any(part => part.StartsWith("!", StringComparison.Ordinal) ? !defined.Contains(part.Substring(1).Trim()) : defined.Contains(part)));
+
+        /// <summary>Whether a version lies in a range as version defines write it: "" any, "1.2" at least, "[1.2,2.0)", "[1.2]", "(,2.0]".</summary>
+        /// <exception cref="FormatException">The expression is none of these.</exception>
+        public static bool InRange(string version, string expression)
+        {
+            expression = expression.Replace(" ", "");
+            if (expression.Length == 0) return true;
+            if (char.IsDigit(expression[0])) return Compare(version, expression) >= 0;
+            char first = expression[0], last = expression[expression.Length - 1];
+            if (first != '[' && first != '(' || last != ']' && last != ')' || expression.Length < 3) throw new FormatException($"'{expression}' is no range of versions, as 1.2.0 or [1.2.0,2.0.0) are");
+            var ends = expression.Substring(1, expression.Length - 2).Split(',');
+            if (ends.Length == 1) return Compare(version, ends[0]) == 0;
+            if (ends[0].Length > 0 && Compare(version, ends[0]) is var low && (low < 0 || low == 0 && first == '(')) return false;
+            return ends[1].Length == 0 || Compare(version, ends[1]) is var high && (high < 0 || high == 0 && last == ']');
+        }
+
+        static int Compare(string a, string b)
+        {
+            int[] left = Numbers(a), right = Numbers(b);
+            for (var i = 0; i < 3; i++)
+                if (left[i] != right[i]) return left[i].CompareTo(right[i]);
+            // "1.0.0-preview.3" comes before "1.0.0".
+            var leftPreview = a.Contains('-');
+            return leftPreview == b.Contains('-') ? leftPreview ? string.CompareOrdinal(a.Substring(a.IndexOf('-')), b.Substring(b.IndexOf('-'))) : 0 : leftPreview ? -1 : 1;
+        }
+
+        static int[] Numbers(string version)
+        {
+            var numbers = new int[3];
+            var parts = version.Split('-')[0].Split('.');
+            for (var i = 0; i < Math.Min(3, parts.Length); i++)
+            {
+                // "0f1" of a Unity version counts by its leading number.
+                var digits = new string(parts[i].TakeWhile(char.IsDigit).ToArray());
+                if (!int.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out numbers[i])) throw new FormatException($"'{version}' is no version");
+            }
+            return numbers;
+        }
+    }
+}

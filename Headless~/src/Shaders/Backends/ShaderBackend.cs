@@ -1,0 +1,54 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Host.Shaders
+{
+    /// <summary>The backends, the one in use, and what it has been used for.</summary>
+    static class ShaderBackend
+    {
+        public static readonly IShaderBackend Glslang = new GlslangBackend();
+        public static readonly IShaderBackend Fxc = new FxcBackend(Untranslatable.All);
+        public static readonly IReadOnlyList<IShaderBackend> All = new[] { Glslang, Fxc };
+
+        static readonly SortedDictionary<string, string> asBytecode = new SortedDictionary<string, string>();   // name to why glslang made it; null = it did not
+
+        static readonly SortedDictionary<string, string> exempt = new SortedDictionary<string, string>();     // test to why
+
+        /// <summary>Shader files imported from now on are compiled by it.</summary>
+        public static IShaderBackend Current { get; set; } = Glslang;
+
+        public static void Tally(IShaderBackend backend, CompiledProgram compiled)
+        {
+            if (backend != Fxc)
+                return;
+            lock (asBytecode)
+                asBytecode[compiled.Program.Name] = compiled.WhyGlslang;
+        }
+
+        /// <summary>A test of what glslang makes runs with glslang, whatever is in use.</summary>
+        public static void Exempt(string test, string why)
+        {
+            lock (exempt)
+                exempt[test] = why;
+        }
+
+        /// <summary>Names of the programs that ran as FXC's bytecode.</summary>
+        public static List<string> Bytecode()
+        {
+            lock (asBytecode)
+                return asBytecode.Where(p => p.Value == null).Select(p => p.Key).ToList();
+        }
+
+        /// <summary>What ran as FXC's bytecode, and what did not and why.</summary>
+        public static IEnumerable<string> Report()
+        {
+            yield return $"{Bytecode().Count} programs ran as FXC's bytecode, through vkd3d";
+            lock (asBytecode)
+                foreach (KeyValuePair<string, string> program in asBytecode.Where(p => p.Value != null))
+                    yield return $"compiled by glslang instead: {program.Key}: {program.Value}";
+            lock (exempt)
+                foreach (KeyValuePair<string, string> test in exempt)
+                    yield return $"a test of glslang's programs: {test.Key}: {test.Value}";
+        }
+    }
+}

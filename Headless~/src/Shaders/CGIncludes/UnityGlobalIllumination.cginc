@@ -1,0 +1,32 @@
+// Light that does not come from a lamp: ambient light alone. Written anew for the headless host.
+#ifndef UNITY_GLOBAL_ILLUMINATION_INCLUDED
+#define UNITY_GLOBAL_ILLUMINATION_INCLUDED
+
+#include "UnityCG.cginc"
+#include "UnityLightingCommon.cginc"
+
+inline UnityGI UnityGlobalIllumination(UnityGIInput data, half occlusion, half3 normalWorld)
+{
+    UnityGI gi;
+    gi.light = data.light;
+    gi.light.color *= data.atten;
+    gi.indirect.diffuse = max(0, data.ambient + ShadeSH9(half4(normalWorld, 1.0))) * occlusion;
+    gi.indirect.specular = 0;
+    return gi;
+}
+
+inline void ResetUnityLight(out UnityLight light)
+{
+    light.color = 0;
+    light.dir = half3(0, 1, 0);
+    light.ndotl = 0;
+}
+
+inline void ResetUnityGI(out UnityGI gi)
+{
+    ResetUnityLight(gi.light);
+    gi.indirect.diffuse = 0;
+    gi.indirect.specular = 0;
+}
+
+#endif

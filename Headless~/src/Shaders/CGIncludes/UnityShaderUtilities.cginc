@@ -1,0 +1,2 @@
+// Part of UnityCG.cginc here.
+#include "UnityCG.cginc"
