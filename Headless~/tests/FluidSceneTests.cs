@@ -24,6 +24,11 @@ namespace Host.Tests
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
             ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
             ("three substeps of one iteration", s => s.Settings = WithCounts(s.Settings, substeps: 3, iterations: 1), false, false),
+            ("deep water", WithDeepWater((ref SolverSettings s) => { }), false, false),
+            ("deep water, one iteration", WithDeepWater((ref SolverSettings s) => s.iterations = 1), false, false),
+            ("deep water, three substeps", WithDeepWater((ref SolverSettings s) => s.substeps = 3), false, false),
+            ("deep water and artificial pressure", Both(WithDeepWater((ref SolverSettings s) => { }), WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f)), false, false),
+            ("deep water in a large box", Both(WithDeepWater((ref SolverSettings s) => { }), s => s.Configure(new Vector3(12f, 12f, 12f), 0.1f, 600)), false, false),
             ("particles drawn", s => { }, true, false),
             ("particles and domain drawn", s => { }, true, true),
         };
@@ -64,9 +69,35 @@ namespace Host.Tests
             FluidSimulation simulation = Build("everything off");
             PlayerLoop.Frame(FrameTime);
             List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
-            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Vorticity confinement", "Statistics", "Rendering" }));
+            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Coarse correction", "Vorticity confinement", "Statistics", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
+        }
+
+        [Test]
+        public void Deep_water_takes_buffers_and_kernels_only_while_it_is_on()
+        {
+            FluidSimulation simulation = Build("deep water in a large box");
+            PlayerLoop.Frame(FrameTime);
+            StageDescription stage = simulation.Describe().Single(s => s.Name == "Coarse correction");
+            Assert.That(stage.Kernels.Select(kernel => kernel.kernel), Has.Member("CoarseSolver.compute: SmoothLevel"), "a box with levels above the tail");
+
+            SolverSettings settings = simulation.Settings;
+            settings.deepWater = DeepWater.Off;
+            simulation.Settings = settings;
+            PlayerLoop.Frame(FrameTime);
+            Assert.That(BufferStorage.Live.Select(buffer => buffer.Name), Has.None.Contains("Coarse"));
+            GpuWork.Log = new List<string>();
+            PlayerLoop.Frame(FrameTime);
+            List<string> asked = GpuWork.Log;
+            GpuWork.Log = null;
+            Assert.That(asked, Is.Not.Empty.And.None.Contains("Coarse").And.None.Contains("Deep"));
+
+            settings.deepWater = DeepWater.On;
+            simulation.Settings = settings;
+            for (int i = 0; i < 3; i++)
+                PlayerLoop.Frame(FrameTime);
+            Assert.That(BufferStorage.Live.Count(buffer => buffer.Name.Contains("Rill.Coarse")), Is.EqualTo(stage.Buffers.Count));
         }
 
         [Test]
@@ -161,6 +192,18 @@ namespace Host.Tests
             change(ref material);
             simulation.Material = material;
         };
+
+        delegate void SettingsChange(ref SolverSettings settings);
+
+        static Action<FluidSimulation> WithDeepWater(SettingsChange change) => simulation =>
+        {
+            SolverSettings settings = simulation.Settings;
+            settings.deepWater = DeepWater.On;
+            change(ref settings);
+            simulation.Settings = settings;
+        };
+
+        static Action<FluidSimulation> Both(Action<FluidSimulation> first, Action<FluidSimulation> second) => first + second;
 
         static SolverSettings WithCounts(SolverSettings settings, int substeps, int iterations)
         {

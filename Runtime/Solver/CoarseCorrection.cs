@@ -68,6 +68,10 @@ namespace Rill
         /// <summary>float [capacity], signed C of the first multipliers; the density constraint writes it.</summary>
         public GraphicsBuffer DensityErrors { get; private set; }
 
+        /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
+        public (GraphicsBuffer bins, GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
+            => (bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential);
+
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>
         public static bool IsNeeded(DeepWater mode, float layers) => mode == DeepWater.On || mode == DeepWater.Automatic && layers > MostShallowLayers;

@@ -96,8 +96,11 @@ namespace Rill
                 emission.Append(particles, Layout.Capacity, scaledPositions, scaledVelocities);
                 foreach (float4 position in scaledPositions)
                 {
-                    lowestAdded = math.min(lowestAdded, position.xyz);
-                    highestAdded = math.max(highestAdded, position.xyz);
+                    if (!math.all(math.isfinite(position.xyz)))
+                        continue;       // the first step culls it
+                    float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
+                    lowestAdded = math.min(lowestAdded, inside);
+                    highestAdded = math.max(highestAdded, inside);
                 }
             }
             emission.Trim();

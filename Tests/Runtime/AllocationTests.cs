@@ -76,6 +76,9 @@ namespace Rill.Tests
             material.vorticity = 0.1f;
             material.artificialPressure = 0.1f;
             simulation.Material = material;
+            SolverSettings settings = simulation.Settings;
+            settings.deepWater = DeepWater.On;
+            simulation.Settings = settings;
             fluid.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.4f, 0.5f);
             fluid.AddComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
             fluid.AddComponent<DomainRenderer>();

@@ -127,6 +127,47 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_deep_and_a_shallow_simulation_in_a_scene_do_not_disturb_each_other()
+        {
+            FluidSimulation deep = Tank(), shallow = Dam();
+            yield return Frames(10);
+            Assert.That(Buffers(deep), Has.Member("Rill.Coarse.Bins"));
+            Assert.That(Buffers(shallow), Has.No.Member("Rill.Coarse.Bins"));
+            ParticleState deepBeside = State(deep), shallowBeside = State(shallow);
+            deep.gameObject.SetActive(false);
+            shallow.gameObject.SetActive(false);
+
+            FluidSimulation deepAlone = Tank();
+            yield return Frames(10);
+            TestFluid.AssertSame(deepBeside, State(deepAlone));
+            deepAlone.gameObject.SetActive(false);
+
+            FluidSimulation shallowAlone = Dam();
+            yield return Frames(10);
+            TestFluid.AssertSame(shallowBeside, State(shallowAlone));
+        }
+
+        [UnityTest]
+        public IEnumerator A_restart_with_other_volumes_decides_anew_whether_the_water_is_deep()
+        {
+            FluidSimulation fluid = Tank();
+            yield return Frames(2);
+            Assert.That(Buffers(fluid), Has.Member("Rill.Coarse.Bins"), "20 layers");
+
+            var volume = fluid.GetComponentInChildren<FluidVolume>();
+            volume.Size = new Vector3(0.5f, 0.4f, 0.5f);
+            fluid.Restart();
+            yield return Frames(2);
+            Assert.That(Buffers(fluid), Has.No.Member("Rill.Coarse.Bins"), "8 layers");
+
+            fluid.transform.rotation = Quaternion.Euler(0f, 0f, 90f);
+            volume.Size = new Vector3(0.8f, 0.4f, 0.5f);
+            fluid.Restart();
+            yield return Frames(2);
+            Assert.That(Buffers(fluid), Has.Member("Rill.Coarse.Bins"), "16 layers along what is down in the turned box");
+        }
+
+        [UnityTest]
         public IEnumerator Statistics_come_late_and_say_what_they_are_of()
         {
             FluidSimulation fluid = Dam(f => f.StatisticsInterval = 5);
@@ -561,6 +602,8 @@ namespace Rill.Tests
         }
 
         FluidSimulation Dam(Action<FluidSimulation> setUp = null) => Fluid("Dam", Box, Spacing, 1000, new Vector3(0.5f, 0.4f, 0.5f), setUp);
+
+        FluidSimulation Tank() => Fluid("Tank", new Vector3(1f, 1.2f, 0.5f), Spacing, 2000, new Vector3(0.5f, 1f, 0.4f));
 
         // A simulation that starts after 'setUp'; the water stands in the domain's lowest corner.
         FluidSimulation Fluid(string name, Vector3 box, float spacing, int capacity, Vector3 water, Action<FluidSimulation> setUp = null)

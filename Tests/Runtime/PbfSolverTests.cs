@@ -35,6 +35,8 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             settings.substeps = substeps;
             settings.iterations = iterations;
+            // Pairs of particles push each other alike; what the coarse grid adds in deep water balances only on the whole.
+            settings.deepWater = DeepWater.Off;
             using (var fluid = new TestFluid(new float3(2f, 4f, 2f), 0.05f, 1000, settings).AddBlock(new float3(0.7f, 2.5f, 0.7f), 0.5f, new float3(0.2f, 0f, 0.1f), jitter: 0.2f))
             {
                 FluidStatistics before = fluid.Measure();

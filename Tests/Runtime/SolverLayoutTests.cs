@@ -59,8 +59,8 @@ namespace Rill.Tests
         [Test]
         public void More_than_two_list_buffers_are_refused_with_what_would_fit()
         {
-            // A buffer of 3,200 bytes holds the lists of 32 particles with 25 entries.
-            AssertRefused(() => new SolverLayout(Box, 0.05f, 65, 25, 1f, largestBinding: 3200), "Capacity 65", "3,200 bytes", "Lower the capacity to 64");
+            // A buffer of 3,584 bytes holds the lists of 32 particles with 25 entries in whole blocks: 28.
+            AssertRefused(() => new SolverLayout(Box, 0.05f, 65, 25, 1f, largestBinding: 3584), "Capacity 65", "3,584 bytes", "Lower the capacity to 64");
         }
 
         [TestCase(1, 32, false)]
@@ -69,11 +69,11 @@ namespace Rill.Tests
         [TestCase(64, 32, true)]
         public void Particles_beyond_one_list_buffer_go_to_a_second(int capacity, int mostInFirst, bool twoLists)
         {
-            var layout = new SolverLayout(Box, 0.05f, capacity, 25, 1f, largestBinding: 3200);
+            var layout = new SolverLayout(Box, 0.05f, capacity, 25, 1f, largestBinding: 3584);
             Assert.That(layout.TwoLists, Is.EqualTo(twoLists));
             Assert.That(layout.FirstListParticles, Is.EqualTo(Math.Min(capacity, mostInFirst)));
-            Assert.That(layout.FirstListEntries * sizeof(uint), Is.LessThanOrEqualTo(3200));
-            Assert.That(layout.SecondListEntries * sizeof(uint), Is.LessThanOrEqualTo(3200));
+            Assert.That(layout.FirstListEntries * sizeof(uint), Is.LessThanOrEqualTo(3584));
+            Assert.That(layout.SecondListEntries * sizeof(uint), Is.LessThanOrEqualTo(3584));
             Assert.That(layout.SecondListEntries > 0, Is.EqualTo(twoLists));
         }
 

@@ -62,9 +62,10 @@ namespace Rill.Tests
         }
 
         /// <param name="iterations">0: the list and the first multipliers only.</param>
-        public SolverStages Constrain(int iterations)
+        /// <param name="coarse">Adds its density correction; null for none.</param>
+        public SolverStages Constrain(int iterations, CoarseCorrection coarse = null)
         {
-            GpuTest.Run(cmd => Constraint.Record(cmd, Constants, Particles, Search, iterations, Input.material.artificialPressure > 0f, null));
+            GpuTest.Run(cmd => Constraint.Record(cmd, Constants, Particles, Search, iterations, Input.material.artificialPressure > 0f, coarse));
             return this;
         }
 

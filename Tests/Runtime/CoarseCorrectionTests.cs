@@ -1,0 +1,430 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Rill.Tests.Reference;
+using Unity.Mathematics;
+
+namespace Rill.Tests
+{
+    /// <summary>
+    /// What lies between particles and the potential of the coarse grid, pass by pass: each is judged from what the device
+    /// made of the pass before.
+    /// </summary>
+    public class CoarseCorrectionTests
+    {
+        const float Inactive = 1e30f;               // kInactive in CoarseGrid.hlsl
+        const double FlowRounding = 2e-4;           // d: binned in steps of 1/4096, and single precision of 100
+        const double ErrorRounding = 1e-5;          // binned in steps of 1/65536
+
+        static readonly float3 Gravity = new float3(0f, -9.81f, 0f);
+
+        // Particles; the box, d. From one cell to counts that no thread group or tile divides.
+        static readonly (int count, float3 box)[] Scenes =
+        {
+            (1, new float3(2f, 2f, 2f)),
+            (40, new float3(4f, 4f, 4f)),
+            (127, new float3(9f, 5f, 6f)),
+            (997, new float3(11f, 17f, 13f)),
+            (10007, new float3(28f, 43f, 22f)),
+            (20011, new float3(49f, 35f, 29f)),
+        };
+
+        static IEnumerable<int> SceneNumbers => Enumerable.Range(0, Scenes.Length);
+
+        [TestCaseSource(nameof(SceneNumbers))]
+        public void Fill_activity_and_mean_flow_are_those_of_the_particles_in_a_cell(int scene)
+        {
+            ParticleState state = Cloud(scene);
+            using (var stages = new CoarseStages(state, Gravity).Project())
+            {
+                CoarseCells cells = stages.Cells;
+                AssertFill(stages.Fill, cells);
+                double3 gravityStep = (double3)Gravity / SolverStages.Spacing * CoarseStages.TimeStep * CoarseStages.TimeStep;
+                double3[] mean = cells.Mean(Compare.Points(state.positions), i => (double3)state.velocities[i].xyz * CoarseStages.TimeStep);
+                float4[] flow = stages.Flow;
+                int[] active = Active(cells);
+                if (scene >= 3)
+                    Assert.That(active.Length, Is.InRange(1, cells.Total - 1), "the scene has cells of one kind only");
+                Compare.Vectors("flow", active.Length, k => flow[active[k]].xyz, k => mean[active[k]] + gravityStep, k => 2.0 * FlowRounding);
+                Assert.That(stages.Bins.All(word => word == 0u), "bins are left empty");
+            }
+        }
+
+        [TestCaseSource(nameof(SceneNumbers))]
+        public void The_projections_equation_has_the_divergence_and_the_free_surface_in_it(int scene)
+        {
+            using (var stages = new CoarseStages(Cloud(scene), Gravity).Project())
+            {
+                CoarseCells cells = stages.Cells;
+                double3[] flow = Compare.Points(stages.Flow);
+                float[] source = stages.Source;
+                AssertInactive(stages, cells, stages.FlowPotential);
+                int[] active = Active(cells);
+                Compare.Scalars("source", active.Length, k => source[active[k]], k => -cells.Divergence(active[k], flow), k => 1e-5);
+                AssertDiagonal(stages, cells);
+            }
+        }
+
+        [TestCaseSource(nameof(SceneNumbers))]
+        public void Displacements_of_the_projection_follow_from_its_potential(int scene)
+        {
+            using (var stages = new CoarseStages(Cloud(scene), Gravity).Project())
+                AssertDisplacements(stages, stages.FlowPotential, Compare.Points(stages.Flow));
+        }
+
+        [TestCaseSource(nameof(SceneNumbers))]
+        public void Velocities_take_the_displacement_at_their_particles_place(int scene)
+        {
+            ParticleState state = Cloud(scene);
+            using (var stages = new CoarseStages(state, Gravity).Project())
+                AssertVelocities(stages, state);
+        }
+
+        [Test]
+        public void A_displacement_of_the_projection_is_at_most_40_spacings()
+        {
+            ParticleState state = Block(24).With(p => new float3(p.x < 16f ? 5000f : -5000f, 0f, 0f));
+            using (var stages = new CoarseStages(state).Project())
+            {
+                AssertVelocities(stages, state);
+                float longest = stages.Velocities.Zip(state.velocities, (after, before) => math.length(after.xyz - before.xyz)).Max() * CoarseStages.TimeStep;
+                Assert.That(longest, Is.EqualTo(40f).Within(0.01f), "nothing was so fast that it had to be clamped");
+            }
+        }
+
+        [Test]
+        public void Particles_beyond_the_outermost_centres_take_those_cells_displacement()
+        {
+            ParticleState state = Block(24, box: 24f).With(p => 60f * math.sin(p.yzx));
+            using (var stages = new CoarseStages(state, Gravity).Project())
+            {
+                Assert.That(state.positions.Count(p => math.all(p.xyz < 2f) || math.all(p.xyz > 22f)), Is.GreaterThan(4), "no particle is in a corner");
+                AssertVelocities(stages, state);
+            }
+        }
+
+        [Test]
+        public void Displacements_longer_than_100_spacings_are_binned_as_100()
+        {
+            ParticleState state = Block(8, box: 8f).With(p => new float3(1e5f, -1e5f, 1e30f));
+            using (var stages = new CoarseStages(state).Project())
+            {
+                float4[] flow = stages.Flow;
+                Compare.Vectors("flow", flow.Length, i => flow[i].xyz, i => new double3(100.0, -100.0, 100.0), i => FlowRounding);
+            }
+        }
+
+        [Test]
+        public void Ten_thousand_particles_in_one_cell_overflow_no_sum()
+        {
+            var random = new Unity.Mathematics.Random(31);
+            ParticleState state = new ParticleState(12f, Enumerable.Range(0, 10000).Select(_ => random.NextFloat3(4.1f, 7.9f)).ToArray())
+                .With(p => new float3(5900f, -5900f, 60f * p.x));
+            using (var stages = new CoarseStages(state).Project())
+            {
+                const int crowded = 13;     // the middle of 3 x 3 x 3
+                Assert.That(stages.Fill[crowded], Is.EqualTo(10000f / 64f).Within(1e-3f));
+                double3 mean = default;
+                foreach (float4 velocity in state.velocities)
+                    mean += (double3)velocity.xyz * CoarseStages.TimeStep / 10000.0;
+                Assert.That(math.length(stages.Flow[crowded].xyz - mean), Is.LessThan(FlowRounding));
+
+                float[] errors = Enumerable.Range(0, 10000).Select(i => i % 50 == 0 ? 8f : -0.1f).ToArray();
+                stages.CorrectDensity(errors);
+                Assert.That(stages.Source[crowded], Is.EqualTo(errors.Average(e => (double)e)).Within(ErrorRounding));
+            }
+        }
+
+        [TestCase(2)]
+        [TestCase(3)]
+        public void Sums_do_not_depend_on_the_order_of_the_particles(int seed)
+        {
+            ParticleState state = Cloud(4);
+            float[] errors = Errors(state);
+            ParticleState shuffled = state.Shuffled(seed);
+            using (CoarseStages one = new CoarseStages(state, Gravity).Project(), other = new CoarseStages(shuffled, Gravity).Project())
+            {
+                Compare.Same("displacements of the projection", other.Displacements, one.Displacements);
+                one.CorrectDensity(errors);
+                other.CorrectDensity(shuffled.ids.Select(id => errors[id]).ToArray());
+                Compare.Same("displacements of the density correction", other.Displacements, one.Displacements);
+                Compare.Same("errors", other.LastErrors.Select(math.asuint).ToArray(), one.LastErrors.Select(math.asuint).ToArray());
+            }
+        }
+
+        [TestCase(float.NaN)]
+        [TestCase(float.PositiveInfinity)]
+        [TestCase(float.NegativeInfinity)]
+        public void Particles_that_are_not_finite_are_in_no_cell_and_get_nothing(float bad)
+        {
+            ParticleState state = Cloud(3);
+            for (int i = 0; i < state.Count; i += 7)
+            {
+                if (i % 2 == 0)
+                    state.positions[i].y = bad;
+                else
+                    state.velocities[i].z = bad;
+            }
+            using (var stages = new CoarseStages(state, Gravity).Project())
+            {
+                AssertFill(stages.Fill, stages.Cells);
+                Assert.That(stages.Displacements.All(d => math.all(math.isfinite(d.xyz))));
+                float4[] after = stages.Velocities;
+                for (int i = 0; i < state.Count; i++)
+                    Assert.That(math.all(math.isfinite(after[i].xyz)), Is.EqualTo(math.all(math.isfinite(state.velocities[i].xyz))), $"particle {i}");
+                for (int i = 0; i < state.Count; i += 14)
+                    Assert.That(after[i].xyz, Is.EqualTo(state.velocities[i].xyz), $"particle {i} is nowhere");
+            }
+        }
+
+        [TestCaseSource(nameof(SceneNumbers))]
+        public void The_density_corrections_equation_has_the_mean_error_in_it(int scene)
+        {
+            ParticleState state = Cloud(scene);
+            float[] errors = Errors(state);
+            using (var stages = new CoarseStages(state, Gravity).CorrectDensity(errors))
+            {
+                CoarseCells cells = stages.Cells;
+                AssertFill(stages.Fill, cells);
+                AssertInactive(stages, cells, stages.ErrorPotential);
+                double[] mean = cells.Mean(Compare.Points(state.positions), i => Math.Min(Math.Max(errors[i], -0.1), 8.0)).Select(m => Math.Min(m.x, 0.3)).ToArray();
+                int[] active = Active(cells);
+                float[] source = stages.Source, kept = stages.LastErrors;
+                if (scene == 5)
+                {
+                    Assert.That(active.Any(cell => mean[cell] == 0.3), "no cell was clamped");
+                    Assert.That(active.Any(cell => mean[cell] < 0.0), "no cell is too dilute");
+                }
+                Compare.Scalars("source", active.Length, k => source[active[k]], k => mean[active[k]], k => ErrorRounding);
+                Compare.Scalars("errors kept for the next projection", cells.Total, i => kept[i], i => cells.active[i] ? mean[i] : 0.0, i => ErrorRounding);
+                AssertDiagonal(stages, cells);
+                AssertDisplacements(stages, stages.ErrorPotential, null);
+                Assert.That(stages.Bins.All(word => word == 0u), "bins are left empty");
+            }
+        }
+
+        [Test]
+        public void Spray_counts_as_a_tenth_too_dilute_and_a_crowd_as_eight_times_too_dense()
+        {
+            ParticleState state = Block(4, box: 4f);
+            using (var spray = new CoarseStages(state).CorrectDensity(Enumerable.Repeat(-0.9f, 64).ToArray()))
+                Assert.That(spray.Source[0], Is.EqualTo(-0.1f).Within(1e-5f));
+            // 1 of 64 far too dense, the others a little too dilute: the mean shows the upper clamp.
+            using (var crowd = new CoarseStages(state).CorrectDensity(Enumerable.Range(0, 64).Select(i => i == 5 ? 1000f : -0.05f).ToArray()))
+                Assert.That(crowd.Source[0], Is.EqualTo((8f - 63 * 0.05f) / 64f).Within(1e-5f));
+        }
+
+        [Test]
+        public void The_projection_takes_up_a_share_of_the_last_errors_below_zero_and_none_above()
+        {
+            ParticleState state = Cloud(4);
+            float[] errors = state.positions.Select(p => p.x < 14f ? -0.08f : 0.2f).ToArray();
+            using (CoarseStages plain = new CoarseStages(state, Gravity).Project(), after = new CoarseStages(state, Gravity).CorrectDensity(errors).Project())
+            {
+                float[] without = plain.Source, with = after.Source, last = after.LastErrors;
+                CoarseCells cells = plain.Cells;
+                int[] active = Active(cells);
+                Assert.That(active.Count(cell => last[cell] < -0.05f), Is.GreaterThan(5));
+                Assert.That(active.Count(cell => last[cell] > 0.05f), Is.GreaterThan(5));
+                Compare.Scalars("source", active.Length, k => with[active[k]] - without[active[k]], k => 0.3 * Math.Min(last[active[k]], 0.0), k => 1e-6);
+            }
+        }
+
+        [Test]
+        public void A_new_start_forgets_errors_and_potentials()
+        {
+            ParticleState state = Cloud(3);
+            using (CoarseStages fresh = new CoarseStages(state).CorrectDensity(Errors(state)), used = new CoarseStages(state, Gravity))
+            {
+                for (int i = 0; i < 3; i++)
+                    used.Project().CorrectDensity(Errors(state));
+                used.Correction.Forget();
+                Assert.That(used.LastErrors.Concat(used.FlowPotential).Concat(used.ErrorPotential).All(value => value == 0f));
+                used.CorrectDensity(Errors(state));
+                Compare.Same("displacements", used.Displacements, fresh.Displacements);
+            }
+        }
+
+        [Test]
+        public void Flow_of_a_whole_full_box_is_stopped()
+        {
+            // It would move by (-0.5, 0.25, 0) d; as it cannot, the displacement is the opposite.
+            ParticleState state = Block(32, box: 32f).With(p => new float3(-30f, 15f, 0f));
+            using (var stages = new CoarseStages(state))
+            {
+                for (int i = 0; i < 12; i++)
+                    stages.Project();       // from the velocities of the last: what is left shrinks
+                float rest = stages.Velocities.Average(v => math.length(v.xyz)) * CoarseStages.TimeStep;
+                TestContext.Out.WriteLine($"{rest:0.000} d are left of 0.559");
+                Assert.That(rest, Is.LessThan(0.05f));
+            }
+        }
+
+        [Test]
+        public void No_particles_leave_every_cell_without_a_displacement()
+        {
+            using (var stages = new CoarseStages(new ParticleState(20f, new float3[0]), Gravity).Project())
+            {
+                Assert.That(stages.Displacements.All(d => math.all(d == 0f)));
+                Assert.That(stages.Source.All(source => source == Inactive));
+                stages.CorrectDensity(new float[0]);
+                Assert.That(stages.Displacements.All(d => math.all(d == 0f)));
+            }
+        }
+
+        [Test]
+        public void Errors_handed_to_the_grid_are_those_of_the_constraint()
+        {
+            ParticleState state = ParticleState.Random(997, seed: 5);
+            using (var stages = new SolverStages(state, SolverStages.Still()).Sort())
+            using (var coarse = new CoarseCorrection(stages.Layout, 4f))
+            {
+                GpuTest.FillWithGarbage(coarse.DensityErrors);
+                stages.Constrain(0, coarse);
+                double3[] points = Compare.Points(stages.Multipliers);
+                var reference = new Constraint(state.box, points, Neighbors.BruteForce(points, Kernels.H));
+                float[] errors = GpuTest.Read<float>(coarse.DensityErrors, 997);
+                Compare.Scalars("errors", 997, i => errors[i], i => reference.Density(i) - 1.0, i => 1e-5 * reference.Density(i));
+                Assert.That(errors.Count(e => e < 0f), Is.GreaterThan(50), "errors have a sign");
+                Assert.That(GpuTest.Read<float>(coarse.DensityErrors, 1002).Skip(997).All(e => float.IsNaN(e)), "places past the particles are left alone");
+            }
+        }
+
+        [TestCase(0f)]
+        [TestCase(0.1f)]
+        public void The_first_pass_adds_the_grids_displacement_to_its_own(float artificialPressure)
+        {
+            // A beam between four walls, a fifth too close: its ends are pushed out by more than the 2 d of the limit.
+            ParticleState state = ParticleState.Lattice(new float3(48f, 8f, 8f), 0f, new int3(32, 10, 10), jitter: 0.02f);
+            for (int i = 0; i < state.Count; i++)
+                state.positions[i] = new float4(new float3(8f, 0.4f, 0.4f) + 0.8f * math.max(state.positions[i].xyz, 0f), 0f);
+            FluidMaterial material = FluidMaterial.Water;
+            material.artificialPressure = artificialPressure;
+            material.artificialPressureDistance = 0.25f;
+            SolverSettings settings = SolverSettings.Default;
+            settings.neighborCapacity = 256;
+            settings.relaxation = 0.8f;
+            using (var stages = new SolverStages(state, SolverStages.Still(settings, material)).Sort())
+            using (var coarse = new CoarseCorrection(stages.Layout, 4f))
+            {
+                for (int i = 0; i < 4; i++)         // the same particles again: the potential converges
+                    stages.Constrain(0, coarse);
+                stages.Sort().Constrain(1, coarse);
+                float4[] before = stages.Multipliers, after = stages.Predicted;
+                double3[] points = Compare.Points(before);
+                double[] multipliers = before.Select(p => (double)p.w).ToArray();
+                var reference = new Constraint(state.box, points, Neighbors.ByCells(points, Kernels.H))
+                {
+                    relaxation = 0.8f,
+                    artificialPressure = artificialPressure,
+                    artificialPressureDistance = 0.25f,
+                };
+                CoarseCells cells = new CoarseCells(state.box, coarse.Grid.Counts).Fill(points);
+                double3[] displacements = Compare.Points(GpuTest.Read<float4>(coarse.Displacements, coarse.Grid.Total));
+                Assert.That(displacements.Max(d => math.length(d)), Is.GreaterThan(2.2), "nothing had to be clamped");
+                Compare.Vectors("corrected positions", state.Count, i => after[i].xyz, i =>
+                {
+                    double3 own = reference.Correction(i, multipliers, out double size);
+                    double3 moved = points[i] + own + cells.LookUp(displacements, points[i], 2.0);
+                    return math.clamp(moved, new double3(0.5), (double3)state.box - 0.5);
+                }, i => 1e-4);
+            }
+        }
+
+        [Test]
+        public void A_wrong_weight_of_the_free_surface_is_noticed()
+        {
+            using (var stages = new CoarseStages(Cloud(4), Gravity).Project())
+            {
+                CoarseCells cells = stages.Cells;
+                AssertDiagonal(stages, cells);
+                cells.fill[Active(cells).First(cell => HasSurface(cells, cell))] -= 0.05;
+                Assert.That(() => AssertDiagonal(stages, cells), Throws.InstanceOf<AssertionException>());
+            }
+
+            bool HasSurface(CoarseCells cells, int cell)
+            {
+                int above = cells.Beside(cell, 1, true);
+                return above >= 0 && !cells.active[above] && cells.fill[cell] + cells.fill[above] < 1.9 && cells.fill[cell] + cells.fill[above] > 0.9 && cells.fill[cell] < 1.0;
+            }
+        }
+
+        static int[] Active(CoarseCells cells) => Enumerable.Range(0, cells.Total).Where(cell => cells.active[cell]).ToArray();
+
+        static void AssertFill(float[] fill, CoarseCells cells)
+        {
+            Compare.Scalars("fill", cells.Total, i => fill[i], i => cells.active[i] ? cells.fill[i] : -cells.fill[i], i => 1e-6 * Math.Max(cells.fill[i], 1e-3));
+        }
+
+        static void AssertInactive(CoarseStages stages, CoarseCells cells, float[] potential)
+        {
+            float[] source = stages.Source, diagonal = stages.Diagonal;
+            for (int cell = 0; cell < cells.Total; cell++)
+            {
+                if (cells.active[cell])
+                    Assert.That(potential[cell], Is.GreaterThanOrEqualTo(0f), $"cell {cell}");
+                else
+                    Assert.That(new[] { potential[cell], source[cell], diagonal[cell] }, Is.EqualTo(new[] { 0f, Inactive, 1f }), $"cell {cell}");
+            }
+        }
+
+        static void AssertDiagonal(CoarseStages stages, CoarseCells cells)
+        {
+            float[] diagonal = stages.Diagonal;
+            int[] active = Active(cells);
+            Compare.Scalars("diagonal", active.Length, k => diagonal[active[k]], k => cells.Diagonal(active[k]), k => 1e-5 * cells.Diagonal(active[k]));
+        }
+
+        static void AssertDisplacements(CoarseStages stages, float[] potential, double3[] flow)
+        {
+            CoarseCells cells = stages.Cells;
+            double3[] expected = cells.Displacements(potential.Select(p => (double)p).ToArray(), flow);
+            float4[] actual = stages.Displacements;
+            double largest = potential.Max() / math.cmin(cells.size);
+            Compare.Vectors("displacements", cells.Total, i => actual[i].xyz, i => expected[i], i => 1e-5 + 1e-5 * largest);
+        }
+
+        static void AssertVelocities(CoarseStages stages, ParticleState state)
+        {
+            CoarseCells cells = stages.Cells;
+            double3[] displacements = Compare.Points(stages.Displacements);
+            float4[] after = stages.Velocities;
+            Compare.Vectors("velocities", state.Count, i => after[i].xyz,
+                i => state.velocities[i].xyz + cells.LookUp(displacements, state.positions[i].xyz, 40.0) / CoarseStages.TimeStep,
+                i => 1e-3 + 1e-5 * math.length(state.velocities[i].xyz));
+        }
+
+        // Errors on both sides of all limits, dense in one corner.
+        static float[] Errors(ParticleState state)
+        {
+            return state.positions.Select((p, i) => i % 97 == 3 ? 30f : i % 31 == 4 ? -0.7f : 0.4f * (1f - 2f * p.x / state.box.x) + 0.02f * (i % 5)).ToArray();
+        }
+
+        // Water about half the box deep, in heaps, with empty places within, spray above and a velocity that varies.
+        static ParticleState Cloud(int scene)
+        {
+            (int count, float3 box) = Scenes[scene];
+            var random = new Unity.Mathematics.Random((uint)(count * 31 + 7));
+            float3 cell = box / (float3)new CoarseGrid(box, 4f).Counts;
+            var places = new List<float3>();
+            while (places.Count < count)
+            {
+                float3 p = random.NextFloat3(0.5f, box - 0.5f);
+                bool spray = places.Count % 50 == 0;
+                float surface = box.y * (0.55f + 0.2f * math.sin(0.3f * p.x) * math.cos(0.2f * p.z));
+                // Not so near to a cell's side that rounding decides which it is in.
+                float3 inCell = math.frac(p / cell);
+                if ((spray || p.y < surface || scene < 2) && math.all(inCell > 1e-4f) && math.all(inCell < 1f - 1e-4f))
+                    places.Add(p);
+            }
+            return new ParticleState(box, places.ToArray()).With(p => 40f * new float3(math.sin(0.4f * p.y), math.cos(0.3f * p.x) - 0.5f, math.sin(0.5f * p.x + 0.2f * p.z)));
+        }
+
+        // Somewhat off a lattice, in the middle of a cube.
+        static ParticleState Block(int side, float box = 32f)
+        {
+            return ParticleState.Lattice(box, 0.5f * (box - side) + 0.5f, side, jitter: 0.02f);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Rill.Tests
+{
+    public class CoarseGridTests
+    {
+        static readonly float3[] Domains =
+        {
+            new float3(2f, 2f, 2f), new float3(4f, 4f, 4f), new float3(5.9f, 6.1f, 9.9f), new float3(50f, 100f, 40f), new float3(200f, 200f, 100f),
+            new float3(11f, 13f, 17f), new float3(24f, 720f, 24f), new float3(240f, 240f, 240f), new float3(432f, 432f, 216f), new float3(8192f, 2f, 2f), new float3(8192f, 200f, 2f),
+        };
+
+        [Test]
+        public void Cells_are_whole_fill_the_domain_and_are_as_near_the_wanted_size_as_they_come(
+            [ValueSource(nameof(Domains))] float3 domain, [Values(4f, 8f)] float wanted)
+        {
+            var grid = new CoarseGrid(domain, wanted);
+            Assert.That(grid.WantedSize, Is.EqualTo(wanted));
+            Assert.That(grid.Total, Is.EqualTo(grid.Counts.x * grid.Counts.y * grid.Counts.z));
+            for (int axis = 0; axis < 3; axis++)
+            {
+                Assert.That(grid.Counts[axis] * (double)grid.CellSize[axis], Is.EqualTo((double)domain[axis]).Within(1e-6 * domain[axis]));
+                double cells = domain[axis] / wanted;
+                Assert.That(grid.Counts[axis], Is.GreaterThanOrEqualTo(1));
+                if (cells >= 0.5)
+                    Assert.That(Math.Abs(grid.Counts[axis] - cells), Is.LessThanOrEqualTo(0.5 + 1e-6), $"axis {axis}");
+            }
+        }
+
+        [TestCaseSource(nameof(Domains))]
+        public void Every_level_halves_the_one_before_and_lies_behind_it(float3 domain)
+        {
+            var grid = new CoarseGrid(domain, 4f);
+            Assert.That(grid.Level(0), Is.EqualTo(new uint4((uint3)grid.Counts, 0)));
+            Assert.That(grid.LevelCount, Is.InRange(1, CoarseGrid.MaxLevels - 1));
+            int first = 0;
+            for (int level = 1; level <= grid.LevelCount; level++)
+            {
+                Assert.That(grid.Level(level).xyz, Is.EqualTo((grid.Level(level - 1).xyz + 1u) / 2u), $"level {level}");
+                Assert.That(grid.Level(level).w, Is.EqualTo(first), $"level {level}");
+                Assert.That(grid.Cells(level), Is.EqualTo((int)(grid.Level(level).x * grid.Level(level).y * grid.Level(level).z)));
+                first += grid.Cells(level);
+            }
+            Assert.That(grid.LevelCells, Is.EqualTo(first));
+            Assert.That(grid.Cells(grid.LevelCount), Is.LessThanOrEqualTo(64));
+            Assert.That(grid.Level(CoarseGrid.MaxLevels), Is.EqualTo(grid.Level(grid.LevelCount)), "beyond the last");
+        }
+
+        [TestCaseSource(nameof(Domains))]
+        public void The_tail_holds_as_many_levels_as_fit_one_thread_group(float3 domain)
+        {
+            var grid = new CoarseGrid(domain, 4f);
+            Assert.That(grid.FirstTailLevel, Is.InRange(1, grid.LevelCount));
+            Assert.That(From(grid.FirstTailLevel), Is.LessThanOrEqualTo(CoarseGrid.TailCells));
+            if (grid.FirstTailLevel > 1)
+                Assert.That(From(grid.FirstTailLevel - 1), Is.GreaterThan(CoarseGrid.TailCells), "one more level would fit");
+
+            int From(int level) => Enumerable.Range(level, grid.LevelCount + 1 - level).Sum(grid.Cells);
+        }
+
+        [Test]
+        public void The_smallest_domain_is_one_cell_with_one_level_below()
+        {
+            var grid = new CoarseGrid(2f, 4f);
+            Assert.That(grid.Counts, Is.EqualTo(new int3(1)));
+            Assert.That(grid.CellSize, Is.EqualTo(new float3(2f)));
+            Assert.That(grid.LevelCount, Is.EqualTo(1));
+            Assert.That(grid.FirstTailLevel, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Small_grids_keep_all_their_levels_in_the_tail_and_large_ones_do_not()
+        {
+            Assert.That(new CoarseGrid(4f * new float3(20f, 20f, 20f), 4f).FirstTailLevel, Is.EqualTo(1));
+            Assert.That(new CoarseGrid(4f * new float3(60f, 60f, 60f), 4f).FirstTailLevel, Is.EqualTo(3));
+        }
+
+        [Test]
+        public void Too_many_levels_are_refused_with_limit_and_remedy()
+        {
+            var refused = Assert.Throws<ArgumentException>(() => new CoarseGrid(new float3(8192f, 8192f, 2f), 4f));
+            Assert.That(refused.Message, Does.Contain("2048").And.Contain("9 levels").And.Contain("more than 8").And.Contain("Shrink the domain"));
+        }
+
+        [TestCase(0f, 4f)]
+        [TestCase(0.27f, 4f)]       // 1 m of a million particles, 60 steps a second
+        [TestCase(0.3f, 4f)]
+        [TestCase(0.31f, 8f)]
+        [TestCase(0.6f, 8f)]        // the same of ten millions
+        public void Cells_grow_with_how_far_gravity_carries_in_a_step(float gravityStep, float cellSize)
+        {
+            Assert.That(CoarseGrid.CellSizeFor(gravityStep), Is.EqualTo(cellSize));
+        }
+    }
+}

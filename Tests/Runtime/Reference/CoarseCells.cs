@@ -1,0 +1,195 @@
+using System;
+using System.Linq;
+using Unity.Mathematics;
+
+namespace Rill.Tests.Reference
+{
+    /// <summary>
+    /// The coarse grid of the two-level correction in double precision: what lies in its cells, the equation for the
+    /// potential on them and what its gradient does. Lengths in d.
+    /// </summary>
+    sealed class CoarseCells
+    {
+        public const double Screening = 1.0 / (100.0 * 100.0);
+
+        public readonly int3 counts;
+        public readonly double3 size;
+        /// <summary>Particles per volume relative to rest; a cell that is less than 0.6 full is not active.</summary>
+        public readonly double[] fill;
+        public readonly bool[] active;
+
+        public CoarseCells(double3 box, int3 counts)
+        {
+            this.counts = counts;
+            size = box / counts;
+            fill = new double[Total];
+            active = new bool[Total];
+        }
+
+        public int Total => counts.x * counts.y * counts.z;
+
+        public int3 Place(int cell) => new int3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
+
+        public int Index(int3 place) => (place.z * counts.y + place.y) * counts.x + place.x;
+
+        public int CellOf(double3 p)
+        {
+            int3 place = default;
+            for (int axis = 0; axis < 3; axis++)
+                place[axis] = Math.Min(Math.Max((int)Math.Floor(p[axis] / size[axis]), 0), counts[axis] - 1);
+            return Index(place);
+        }
+
+        /// <summary>The next cell along an axis, up or down; -1 at a wall.</summary>
+        public int Beside(int cell, int axis, bool up)
+        {
+            int3 place = Place(cell);
+            place[axis] += up ? 1 : -1;
+            return place[axis] < 0 || place[axis] >= counts[axis] ? -1 : Index(place);
+        }
+
+        /// <summary>Fill and activity from where the particles are.</summary>
+        public CoarseCells Fill(double3[] points)
+        {
+            Array.Clear(fill, 0, Total);
+            double volume = size.x * size.y * size.z;
+            foreach (double3 p in points)
+                fill[CellOf(p)] += 1.0 / volume;
+            for (int cell = 0; cell < Total; cell++)
+                active[cell] = fill[cell] >= 0.6 - 1e-9;
+            return this;
+        }
+
+        /// <summary>Mean of a value of the particles in each cell; 0 where there are none.</summary>
+        public double3[] Mean(double3[] points, Func<int, double3> value)
+        {
+            var sums = new double3[Total];
+            var numbers = new int[Total];
+            for (int i = 0; i < points.Length; i++)
+            {
+                int cell = CellOf(points[i]);
+                sums[cell] += value(i);
+                numbers[cell]++;
+            }
+            return sums.Select((sum, cell) => sum / Math.Max(numbers[cell], 1)).ToArray();
+        }
+
+        /// <summary>
+        /// Of a face between an active cell and its neighbor: 1, or what the free surface's distance of θ cells makes of it.
+        /// </summary>
+        public double FaceWeight(int cell, int beyond)
+        {
+            if (active[beyond])
+                return 1.0;
+            double theta = Math.Min(fill[cell], 1.0) - 0.5 + Math.Min(fill[beyond], 1.0);
+            return 1.0 / Math.Min(Math.Max(theta, 0.25), 1.5);
+        }
+
+        /// <summary>The equation's diagonal in an active cell: walls let nothing through.</summary>
+        public double Diagonal(int cell)
+        {
+            double sum = Screening;
+            for (int axis = 0; axis < 3; axis++)
+                foreach (bool up in new[] { false, true })
+                {
+                    int beyond = Beside(cell, axis, up);
+                    if (beyond >= 0)
+                        sum += FaceWeight(cell, beyond) / (size[axis] * size[axis]);
+                }
+            return sum;
+        }
+
+        /// <summary>Of the flow in an active cell: two active cells share a face, an inactive one leaves it to the other, a wall is 0.</summary>
+        public double Divergence(int cell, double3[] flow)
+        {
+            double sum = 0.0;
+            for (int axis = 0; axis < 3; axis++)
+                sum += (Face(axis, true) - Face(axis, false)) / size[axis];
+            return sum;
+
+            double Face(int axis, bool up)
+            {
+                int beyond = Beside(cell, axis, up);
+                if (beyond < 0)
+                    return 0.0;
+                return active[beyond] ? 0.5 * (flow[cell][axis] + flow[beyond][axis]) : flow[cell][axis];
+            }
+        }
+
+        /// <summary>−∇φ at the centre of an active cell: half the sum of its faces on each axis.</summary>
+        /// <param name="flow">What a wall has to cancel of it; null where walls only let nothing through.</param>
+        public double3 Displacement(int cell, double[] potential, double3[] flow)
+        {
+            double3 result = default;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double sum = 0.0;
+                foreach (bool up in new[] { false, true })
+                {
+                    int beyond = Beside(cell, axis, up);
+                    double outward = up ? 1.0 : -1.0;
+                    if (beyond >= 0)
+                        sum -= outward * (potential[beyond] - potential[cell]) / size[axis] * FaceWeight(cell, beyond);
+                    else if (flow != null && outward * flow[cell][axis] > 0.0)
+                        sum -= flow[cell][axis];
+                }
+                result[axis] = 0.5 * sum;
+            }
+            return result;
+        }
+
+        /// <summary>Displacements of all cells: active ones, and two layers around them as means of those before.</summary>
+        public double3[] Displacements(double[] potential, double3[] flow)
+        {
+            var result = new double3[Total];
+            var layer = new int[Total];
+            for (int cell = 0; cell < Total; cell++)
+                if (active[cell])
+                    (result[cell], layer[cell]) = (Displacement(cell, potential, flow), 1);
+            for (int next = 2; next <= 3; next++)
+                for (int cell = 0; cell < Total; cell++)
+                    if (layer[cell] == 0)
+                        Extend(cell, next);
+            return result;
+
+            void Extend(int cell, int next)
+            {
+                double3 sum = default;
+                int found = 0;
+                for (int axis = 0; axis < 3; axis++)
+                    foreach (bool up in new[] { false, true })
+                    {
+                        int beyond = Beside(cell, axis, up);
+                        if (beyond < 0 || layer[beyond] != next - 1)
+                            continue;
+                        sum += result[beyond];
+                        found++;
+                    }
+                if (found > 0)
+                    (result[cell], layer[cell]) = (sum / found, next);
+            }
+        }
+
+        /// <summary>Trilinear between the centres, the outermost ones' values beyond them, at most so long.</summary>
+        public double3 LookUp(double3[] displacements, double3 p, double longest)
+        {
+            double3 place = p / size - 0.5;
+            double3 sum = default;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double weight = 1.0;
+                int3 at = default;
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    bool upper = (corner >> axis & 1) != 0;
+                    double lower = Math.Floor(place[axis]);
+                    weight *= upper ? place[axis] - lower : 1.0 - (place[axis] - lower);
+                    at[axis] = (int)Math.Min(Math.Max(lower + (upper ? 1.0 : 0.0), 0.0), counts[axis] - 1.0);
+                }
+                sum += weight * displacements[Index(at)];
+            }
+            double length = math.length(sum);
+            return length > longest ? sum * (longest / length) : sum;
+        }
+    }
+}
