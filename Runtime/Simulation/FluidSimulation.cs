@@ -280,7 +280,7 @@ namespace Rill
                 needsDensity = NeedsDensity,
             };
             NeedsDensity = false;
-            input.settings.relaxation = solver.StableRelaxation;
+            input.settings.relaxation = solver.StableRelaxation(pbf.IsDeep(input));
         }
 
         void ValidateSettings()

@@ -16,7 +16,7 @@ namespace Rill
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 
-        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, 1 with 2, 1.2 from 3, 1.3 from 8). Above 0.8 the fluid gets noisier.")]
+        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8). Above 0.8 the fluid gets noisier.")]
         [Range(0f, LargestRelaxation)] public float relaxation;
 
         [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do.")]
@@ -45,17 +45,21 @@ namespace Rill
         /// Largest relaxation at which no scene of the stability study gained energy; see Documentation~/solver.md.
         /// </summary>
         /// <param name="iterations">Of a substep.</param>
-        public static float MaxRelaxation(int iterations)
+        /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water: then one iteration stands more.</param>
+        public static float MaxRelaxation(int iterations, bool deepWater = false)
         {
             if (iterations >= 8)
                 return 1.3f;
             if (iterations >= 3)
                 return 1.2f;
-            return iterations == 2 ? 1f : 0.3f;
+            if (iterations == 2)
+                return 1f;
+            return deepWater ? 0.8f : 0.3f;
         }
 
         /// <summary>The relaxation that a simulation uses: the one asked for, or the largest stable one.</summary>
-        public float StableRelaxation => Math.Min(relaxation, MaxRelaxation(iterations));
+        /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water.</param>
+        public float StableRelaxation(bool deepWater) => Math.Min(relaxation, MaxRelaxation(iterations, deepWater));
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>

@@ -134,6 +134,9 @@ namespace Rill
             statistics.Record(cmd, constants, particles, neighborSearch);
         }
 
+        /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
+        public bool IsDeep(in StepInput input) => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity));
+
         /// <summary>Starts the readback of what was measured last; at most one is under way.</summary>
         public void RequestStatistics() => statistics.Request();
 
@@ -201,7 +204,7 @@ namespace Rill
         // Made when first needed, and anew for another size of its cells; null where the scene does without.
         CoarseCorrection CoarseFor(in StepInput input)
         {
-            if (!CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity)))
+            if (!IsDeep(input))
             {
                 ReleaseCoarse();
                 return null;

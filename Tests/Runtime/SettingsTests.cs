@@ -40,20 +40,22 @@ namespace Rill.Tests
             Assert.That(settings.relaxation, Is.EqualTo(expected));
         }
 
-        [TestCase(1, 0.3f)]
-        [TestCase(2, 1f)]
-        [TestCase(3, 1.2f)]
-        [TestCase(7, 1.2f)]
-        [TestCase(8, 1.3f)]
-        [TestCase(50, 1.3f)]
-        public void No_more_relaxation_is_used_than_stays_stable_with_the_iterations(int iterations, float largest)
+        [TestCase(1, false, 0.3f)]
+        [TestCase(1, true, 0.8f)]
+        [TestCase(2, false, 1f)]
+        [TestCase(2, true, 1f)]
+        [TestCase(3, false, 1.2f)]
+        [TestCase(7, true, 1.2f)]
+        [TestCase(8, false, 1.3f)]
+        [TestCase(50, true, 1.3f)]
+        public void No_more_relaxation_is_used_than_stays_stable_with_the_iterations(int iterations, bool deepWater, float largest)
         {
             SolverSettings settings = SolverSettings.Default;
             settings.iterations = iterations;
             settings.relaxation = 2f;
-            Assert.That(settings.StableRelaxation, Is.EqualTo(largest));
+            Assert.That(settings.StableRelaxation(deepWater), Is.EqualTo(largest));
             settings.relaxation = 0.2f;
-            Assert.That(settings.StableRelaxation, Is.EqualTo(0.2f));
+            Assert.That(settings.StableRelaxation(deepWater), Is.EqualTo(0.2f));
         }
 
         [TestCase(0, 1)]
