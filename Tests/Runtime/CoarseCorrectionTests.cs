@@ -183,8 +183,10 @@ namespace Rill.Tests
         {
             ParticleState state = Cloud(scene);
             float[] errors = Errors(state);
-            using (var stages = new CoarseStages(state, Gravity).CorrectDensity(errors))
+            using (var stages = new CoarseStages(state, Gravity))
             {
+                GpuTest.FillWithGarbage(stages.Correction.Cells.lastErrors);
+                stages.CorrectDensity(errors);
                 CoarseCells cells = stages.Cells;
                 AssertFill(stages.Fill, cells);
                 AssertInactive(stages, cells, stages.ErrorPotential);
