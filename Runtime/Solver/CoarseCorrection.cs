@@ -74,10 +74,15 @@ namespace Rill
 
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>
-        public static bool IsNeeded(DeepWater mode, float layers) => mode == DeepWater.On || mode == DeepWater.Automatic && layers > MostShallowLayers;
+        /// <param name="present">Whether a correction runs already: it stays a while, since a new one starts without a past.</param>
+        public static bool IsNeeded(DeepWater mode, float layers, bool present) =>
+            mode == DeepWater.On || mode == DeepWater.Automatic && layers > (present ? StaysAboveLayers : MostShallowLayers);
 
         /// <summary>Layers of particles up to which plain iterations hold the water; see Documentation~/solver.md.</summary>
         public const float MostShallowLayers = 10f;
+
+        /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
+        public const float StaysAboveLayers = 8f;
 
         /// <summary>The next substep starts without a past.</summary>
         public void Forget()
@@ -146,10 +151,10 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         public static StageDescription Describe(CoarseCorrection stage, in StepInput input, float layers)
         {
-            bool needed = IsNeeded(input.settings.deepWater, layers);
+            bool needed = IsNeeded(input.settings.deepWater, layers, stage != null);
             string depth = $"water {layers:0} layers deep";
             string reason = input.settings.deepWater != DeepWater.Automatic ? $"deep water is set to {input.settings.deepWater}"
-                : needed ? $"{depth}, more than {MostShallowLayers:0}" : $"{depth}, at most {MostShallowLayers:0}";
+                : needed ? $"{depth}, more than {MostShallowLayers:0} (and stays above {StaysAboveLayers:0})" : $"{depth}, at most {MostShallowLayers:0}";
             var description = new StageDescription("Coarse correction", needed, reason);
             if (!needed || stage == null)
                 return description;

@@ -15,7 +15,11 @@ namespace Rill
         /// <summary>Cells of all levels that one thread group holds; kTailCells in CoarseSolver.compute.</summary>
         public const int TailCells = 2048;
 
+        /// <summary>Most cells: a larger domain gets larger ones.</summary>
+        public const int MaxCells = 1 << 22;
+
         const int EnoughCells = 64;         // of the coarsest level
+        const float Fine = 4f, Coarse = 8f; // sides of cells, d
 
         readonly List<uint4> levels = new List<uint4>();
 
@@ -35,9 +39,7 @@ namespace Rill
                 levels.Add(new uint4((uint3)counts, first));
                 first += (uint)Cells(levels.Count - 1);
             }
-            while (Cells(levels.Count - 1) > EnoughCells);
-            if (levels.Count > MaxLevels)
-                throw new ArgumentException($"A coarse grid of {Counts} cells needs {levels.Count} levels, more than {MaxLevels}. Shrink the domain or raise the particle spacing.");
+            while (Cells(levels.Count - 1) > EnoughCells && levels.Count < MaxLevels);
             LevelCells = (int)first;
             FirstTailLevel = 1;
             while (LevelCells - levels[FirstTailLevel].w > TailCells)
@@ -72,9 +74,17 @@ namespace Rill
 
         /// <summary>
         /// Side of a coarse cell, d, at which the correction is calm: it has to grow with how far gravity carries a particle
-        /// in a step.
+        /// in a step. A grid that is there changes late, since with its potentials it loses where to start from.
         /// </summary>
         /// <param name="gravityStep">|g| Δt², d.</param>
-        public static float CellSizeFor(float gravityStep) => gravityStep > 0.3f ? 8f : 4f;
+        /// <param name="present">Side of the present grid's cells, d; 0 without one.</param>
+        public static float CellSizeFor(float3 domainSize, float gravityStep, float present)
+        {
+            float limit = present >= Coarse ? 0.2f : present > 0f ? 0.36f : 0.3f;
+            float size = gravityStep > limit ? Coarse : Fine;
+            while (math.csum(math.log2(math.max(math.round(domainSize / size), 1f))) > math.log2((float)MaxCells))
+                size *= 2f;
+            return size;
+        }
     }
 }

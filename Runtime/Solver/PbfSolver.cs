@@ -135,7 +135,7 @@ namespace Rill
         }
 
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
-        public bool IsDeep(in StepInput input) => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity));
+        public bool IsDeep(in StepInput input) => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), coarseCorrection != null);
 
         /// <summary>Starts the readback of what was measured last; at most one is under way.</summary>
         public void RequestStatistics() => statistics.Request();
@@ -210,7 +210,7 @@ namespace Rill
                 return null;
             }
             float substep = input.timeStep / input.settings.substeps;
-            float cellSize = CoarseGrid.CellSizeFor(math.length(input.gravity) / Layout.Spacing * substep * substep);
+            float cellSize = CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep, coarseCorrection?.Grid.WantedSize ?? 0f);
             if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
                 ReleaseCoarse();
             return coarseCorrection ??= new CoarseCorrection(Layout, cellSize);

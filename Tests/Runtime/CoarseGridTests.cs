@@ -79,10 +79,23 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Too_many_levels_are_refused_with_limit_and_remedy()
+        public void A_domain_too_large_for_cells_of_four_spacings_gets_larger_ones()
         {
-            var refused = Assert.Throws<ArgumentException>(() => new CoarseGrid(new float3(8192f, 8192f, 2f), 4f));
-            Assert.That(refused.Message, Does.Contain("2048").And.Contain("9 levels").And.Contain("more than 8").And.Contain("Shrink the domain"));
+            var domain = new float3(8192f, 8192f, 100f);
+            float size = CoarseGrid.CellSizeFor(domain, 0.1f, 0f);
+            var grid = new CoarseGrid(domain, size);
+            Assert.That(size, Is.GreaterThan(8f));
+            Assert.That(grid.Total, Is.LessThanOrEqualTo(CoarseGrid.MaxCells));
+            Assert.That(grid.LevelCount, Is.LessThan(CoarseGrid.MaxLevels));
+        }
+
+        [TestCase(0.35f, 4f, 4f)]
+        [TestCase(0.37f, 4f, 8f)]
+        [TestCase(0.21f, 8f, 8f)]
+        [TestCase(0.19f, 8f, 4f)]
+        public void A_grid_that_is_there_changes_late(float gravityStep, float present, float cellSize)
+        {
+            Assert.That(CoarseGrid.CellSizeFor(100f, gravityStep, present), Is.EqualTo(cellSize));
         }
 
         [TestCase(0f, 4f)]
@@ -92,7 +105,7 @@ namespace Rill.Tests
         [TestCase(0.6f, 8f)]        // the same of ten millions
         public void Cells_grow_with_how_far_gravity_carries_in_a_step(float gravityStep, float cellSize)
         {
-            Assert.That(CoarseGrid.CellSizeFor(gravityStep), Is.EqualTo(cellSize));
+            Assert.That(CoarseGrid.CellSizeFor(100f, gravityStep, 0f), Is.EqualTo(cellSize));
         }
     }
 }
