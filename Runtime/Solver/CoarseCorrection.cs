@@ -54,7 +54,10 @@ namespace Rill
             Constants = GpuBuffer.Constants<CoarseConstants>("Rill.Coarse.Constants");
             Constants.SetData(new[] { CoarseConstants.For(Grid) });
             bins.SetData(new uint[Grid.Total * BinStride]);
-            Forget();
+            var none = new float[Grid.Total];       // the first substep has no past
+            lastErrors.SetData(none);
+            flowPotential.SetData(none);
+            errorPotential.SetData(none);
         }
 
         public CoarseGrid Grid { get; }
@@ -83,15 +86,6 @@ namespace Rill
 
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
         public const float StaysAboveLayers = 8f;
-
-        /// <summary>The next substep starts without a past.</summary>
-        public void Forget()
-        {
-            var zeros = new float[Grid.Total];
-            lastErrors.SetData(zeros);
-            flowPotential.SetData(zeros);
-            errorPotential.SetData(zeros);
-        }
 
         /// <summary>Records the projection: the velocities become those that the prediction shall use.</summary>
         public void RecordProjection(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)

@@ -75,7 +75,7 @@ namespace Rill
         {
             stepIndex = 0;
             statistics?.Forget();
-            coarseCorrection?.Forget();
+            ReleaseCoarse();        // whether the next water is deep is decided anew
             lowestAdded = float.MaxValue;
             highestAdded = float.MinValue;
             using (var cmd = new CommandBuffer { name = "Rill.Clear" })

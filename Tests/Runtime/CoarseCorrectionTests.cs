@@ -234,21 +234,6 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_new_start_forgets_errors_and_potentials()
-        {
-            ParticleState state = Cloud(3);
-            using (CoarseStages fresh = new CoarseStages(state).CorrectDensity(Errors(state)), used = new CoarseStages(state, Gravity))
-            {
-                for (int i = 0; i < 3; i++)
-                    used.Project().CorrectDensity(Errors(state));
-                used.Correction.Forget();
-                Assert.That(used.LastErrors.Concat(used.FlowPotential).Concat(used.ErrorPotential).All(value => value == 0f));
-                used.CorrectDensity(Errors(state));
-                Compare.Same("displacements", used.Displacements, fresh.Displacements);
-            }
-        }
-
-        [Test]
         public void Flow_of_a_whole_full_box_is_stopped()
         {
             // It would move by (-0.5, 0.25, 0) d; as it cannot, the displacement is the opposite.

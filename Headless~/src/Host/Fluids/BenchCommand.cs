@@ -31,13 +31,14 @@ namespace Host.Fluids
             var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.", DefaultValueFactory = _ => SolverSettings.Default.relaxation };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var viscosity = new Option<float>("--viscosity") { Description = "XSPH viscosity.", DefaultValueFactory = _ => FluidMaterial.Water.viscosity };
+            var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
             var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {LeastSteps}.", DefaultValueFactory = _ => LeastSteps };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, window, steps, json, shaders };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, deepWater, window, steps, json, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -45,6 +46,7 @@ namespace Host.Fluids
                 settings.iterations = parsed.GetValue(iterations);
                 settings.substeps = parsed.GetValue(substeps);
                 settings.relaxation = parsed.GetValue(relaxation);
+                settings.deepWater = parsed.GetValue(deepWater);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 FluidMaterial material = FluidMaterial.Water;
                 material.viscosity = parsed.GetValue(viscosity);
@@ -58,17 +60,17 @@ namespace Host.Fluids
                 if (windows.Count == 0)
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", Windows.Select(w => w.Name))} or all.");
 
-                var scene = new BenchScene(parsed.GetValue(particles));
+                var scene = ExperimentScene.Dam(parsed.GetValue(particles));
                 var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = material };
                 return Execute(scene, input, windows, parsed.GetValue(steps), parsed.GetValue(json), System.Console.Out);
             });
             return command;
         }
 
-        static int Execute(BenchScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
+        static int Execute(ExperimentScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Lattice.x} x {scene.Lattice.y} x {scene.Lattice.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.viscosity}, {input.settings.neighborCapacity} list entries");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.viscosity}, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
@@ -90,7 +92,7 @@ namespace Host.Fluids
             return 0;
         }
 
-        static Dictionary<string, Spread> Measure(PbfSolver solver, BenchScene scene, in StepInput input, int first, int last, int steps)
+        static Dictionary<string, Spread> Measure(PbfSolver solver, ExperimentScene scene, in StepInput input, int first, int last, int steps)
         {
             IGraphicsDevice device = Player.Device;
             var times = new Dictionary<string, List<double>>();
@@ -139,7 +141,7 @@ namespace Host.Fluids
             output.WriteLine();
         }
 
-        static string Json(Session session, BenchScene scene, in StepInput input, Dictionary<string, Dictionary<string, Spread>> results, long bytes)
+        static string Json(Session session, ExperimentScene scene, in StepInput input, Dictionary<string, Dictionary<string, Spread>> results, long bytes)
         {
             return JsonSerializer.Serialize(new
             {
@@ -148,12 +150,13 @@ namespace Host.Fluids
                 api = session.Info.Api,
                 software = session.Info.IsSoftware,
                 particles = scene.Particles,
-                lattice = new[] { scene.Lattice.x, scene.Lattice.y, scene.Lattice.z },
+                lattice = new[] { scene.Blocks[0].counts.x, scene.Blocks[0].counts.y, scene.Blocks[0].counts.z },
                 spacing_m = scene.Spacing,
                 substeps = input.settings.substeps,
                 iterations = input.settings.iterations,
                 relaxation = input.settings.relaxation,
                 viscosity = input.material.viscosity,
+                deep_water = input.settings.deepWater.ToString(),
                 neighbor_capacity = input.settings.neighborCapacity,
                 bytes,
                 milliseconds = results.ToDictionary(window => window.Key, window => window.Value.ToDictionary(stage => stage.Key, stage => new { median = stage.Value.Median, p10 = stage.Value.Low, p90 = stage.Value.High, steps = stage.Value.Count })),

@@ -47,6 +47,11 @@ namespace Host.Fluids
             return new ExperimentScene("dam", 1f / lattice.y, new float3(2 * lattice.x, 2 * lattice.y, lattice.z)).Add(0f, lattice);
         }
 
+        /// <summary>A block in the lowest corner of a box.</summary>
+        /// <param name="box">d.</param>
+        /// <param name="spacing">m.</param>
+        public static ExperimentScene Block(string name, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(0f, counts);
+
         /// <summary>Still water that fills a box of 24 x 24 spacings, in a box three times as tall.</summary>
         /// <param name="spacing">m.</param>
         public static ExperimentScene Column(int layers, float spacing) => new ExperimentScene("column", spacing, new float3(24, 3 * layers, 24)).Add(0f, new int3(24, layers, 24));

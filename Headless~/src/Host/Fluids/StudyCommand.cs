@@ -60,12 +60,13 @@ namespace Host.Fluids
         static string Run(string name, int3 block, int3 box, int iterations, float relaxation, float seconds)
         {
             SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.Off;      // the limits of plain iterations
             settings.iterations = iterations;
             settings.relaxation = relaxation;       // not validated: what lies beyond the clamp is the question
             var input = new StepInput { timeStep = Step, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
 
-            var scene = new BenchScene(block, Spacing);
-            using var solver = new PbfSolver(new SolverLayout((float3)box * Spacing, Spacing, scene.Particles, settings.neighborCapacity, settings.listMargin));
+            ExperimentScene scene = ExperimentScene.Block(name, block, box, Spacing);
+            using var solver = new PbfSolver(new SolverLayout(scene.Domain, Spacing, scene.Particles, settings.neighborCapacity, settings.listMargin));
             scene.Fill(solver);
             var samples = new List<FluidStatistics>();
             using var cmd = new CommandBuffer { name = "study" };
