@@ -24,7 +24,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly int binFlow, findDivergence, displaceFlow, applyFlow;
-        readonly int binErrors, findErrors, displaceErrors;
+        readonly int binErrors, findErrors, displaceErrors, extendDisplacements;
         readonly CoarseSolver solver;
         GraphicsBuffer bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
@@ -38,6 +38,7 @@ namespace Rill
             binErrors = shader.FindKernel("BinErrors");
             findErrors = shader.FindKernel("FindErrors");
             displaceErrors = shader.FindKernel("DisplaceErrors");
+            extendDisplacements = shader.FindKernel("ExtendDisplacements");
 
             Grid = new CoarseGrid(layout.DomainSize, cellSize);
             solver = new CoarseSolver(Grid);
@@ -155,6 +156,7 @@ namespace Rill
             int substeps = input.settings.substeps;
             foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "ApplyFlow", "BinErrors", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel, substeps);
+            description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
             stage.solver.Describe(description, 2 * substeps);
             description.Buffer("Rill.Coarse.Bins", stage.bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
@@ -206,6 +208,8 @@ namespace Rill
             BindCells(cmd, kernel, potential);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
             Dispatch(cmd, kernel);
+            cmd.SetComputeBufferParam(shader, extendDisplacements, Ids.CellDisplacements, Displacements);
+            Dispatch(cmd, extendDisplacements);
         }
 
         void Dispatch(CommandBuffer cmd, int kernel) => CoarseGrid.Dispatch(cmd, shader, kernel, Grid.Total);
