@@ -13,7 +13,7 @@ namespace Host.Commands
     static class TestCommand
     {
         // A suite that shrinks, or that no longer reaches the device, must not look well.
-        const int LeastMethods = 500, LeastDispatchingMethods = 150;
+        const int LeastMethods = 800, LeastDispatchingMethods = 250;
 
         public static Command Create()
         {
