@@ -28,7 +28,7 @@ namespace Rill
         readonly CoarseSolver solver;
         GraphicsBuffer bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
-        /// <param name="capacity">Particles.</param>
+        /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize)
         {
             binFlow = shader.FindKernel("BinFlow");
