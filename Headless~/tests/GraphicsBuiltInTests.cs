@@ -61,7 +61,7 @@ namespace Host.Tests
         [TestCase(10755, "Unlit/Color")]
         public void Shaders_are_found_by_their_file_ids(long id, string name) => Assert.That(BuiltInAssets.Load(id, typeof(Shader)).name, Is.EqualTo(name));
 
-        static Camera NewCamera()
+        new static Camera NewCamera()
         {
             var camera = new GameObject("Camera").AddComponent<Camera>();
             camera.transform.position = new Vector3(0, 0, -5);

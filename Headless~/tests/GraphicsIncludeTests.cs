@@ -43,7 +43,7 @@ namespace Host.Tests
                 Assert.That(Assert.Throws<ShaderCompileException>(() => files.Compute("Test.compute").Compile(0, new string[0])).Message, Does.StartWith("Test.compute(2): error: Couldn't open include file 'UnityNope.cginc'"));
         }
 
-        static Camera NewCamera()
+        new static Camera NewCamera()
         {
             var camera = new GameObject("Camera").AddComponent<Camera>();
             camera.transform.position = new Vector3(1, 2, 3);

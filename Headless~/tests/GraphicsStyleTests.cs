@@ -11,17 +11,6 @@ namespace Host.Tests
     {
         static readonly Color32 clear = new Color32(0, 0, 255, 255);
 
-        static Camera NewCamera()
-        {
-            var camera = new GameObject("Camera").AddComponent<Camera>();
-            camera.orthographic = true;
-            camera.orthographicSize = 8;
-            camera.transform.position = new Vector3(0, 0, -5);
-            camera.clearFlags = CameraClearFlags.SolidColor;
-            camera.backgroundColor = Color.blue;
-            return camera;
-        }
-
         const string PointsShader = @"Shader ""Test/Points"" { SubShader { Pass {
 CGPROGRAM
 #pragma target 5.0

@@ -27,17 +27,6 @@ void surf (Input IN, inout {output} o) {{ {body} }}
 ENDCG
 }} FallBack ""Diffuse"" }}");
 
-        static Camera NewCamera()
-        {
-            var camera = new GameObject("Camera").AddComponent<Camera>();
-            camera.orthographic = true;
-            camera.orthographicSize = 8;
-            camera.transform.position = new Vector3(0, 0, -5);
-            camera.clearFlags = CameraClearFlags.SolidColor;
-            camera.backgroundColor = Color.blue;
-            return camera;
-        }
-
         static Light NewLight(Vector3 towards, float intensity = 1)
         {
             var light = new GameObject("Light").AddComponent<Light>();

@@ -12,6 +12,18 @@ namespace Host.Tests
         static readonly Dictionary<string, ShaderSource> shaders = new Dictionary<string, ShaderSource>();
         static readonly Dictionary<string, ComputeShaderSource> kernels = new Dictionary<string, ComputeShaderSource>();
 
+        /// <summary>Sees 16 units in height around the origin, on blue.</summary>
+        protected static Camera NewCamera()
+        {
+            var camera = new GameObject("Camera").AddComponent<Camera>();
+            camera.orthographic = true;
+            camera.orthographicSize = 8;
+            camera.transform.position = new Vector3(0, 0, -5);
+            camera.clearFlags = CameraClearFlags.SolidColor;
+            camera.backgroundColor = Color.blue;
+            return camera;
+        }
+
         protected static Shader ShaderOf(string text)
         {
             if (!shaders.TryGetValue(text, out ShaderSource source))

@@ -147,14 +147,7 @@ namespace Rill.Tests
         {
             using (TestFluid deep = Dam(DeepWater.On), shallow = Shallow(), deepAlone = Dam(DeepWater.On), shallowAlone = Shallow())
             {
-                for (int i = 0; i < 12; i++)
-                    GpuTest.Run(cmd =>
-                    {
-                        deep.Solver.Step(cmd, deep.Input);
-                        shallow.Solver.Step(cmd, shallow.Input);
-                    });
-                TestFluid.AssertSame(deep.Read(), deepAlone.Step(12).Read());
-                TestFluid.AssertSame(shallow.Read(), shallowAlone.Step(12).Read());
+                AssertUndisturbed(deep, deepAlone, shallow, shallowAlone);
             }
 
             TestFluid Shallow() => new TestFluid(new float3(0.8f, 0.8f, 0.8f), 0.04f, 1000).AddBlock(0.1f, new float3(0.4f, 0.36f, 0.4f));
@@ -165,17 +158,23 @@ namespace Rill.Tests
         {
             using (TestFluid dam = Dam(DeepWater.On), tall = Tall(), damAlone = Dam(DeepWater.On), tallAlone = Tall())
             {
-                for (int i = 0; i < 12; i++)
-                    GpuTest.Run(cmd =>
-                    {
-                        dam.Solver.Step(cmd, dam.Input);
-                        tall.Solver.Step(cmd, tall.Input);
-                    });
-                TestFluid.AssertSame(dam.Read(), damAlone.Step(12).Read());
-                TestFluid.AssertSame(tall.Read(), tallAlone.Step(12).Read());
+                AssertUndisturbed(dam, damAlone, tall, tallAlone);
             }
 
             TestFluid Tall() => new TestFluid(new float3(0.3f, 3f, 0.3f), Spacing, 1000, TwoIterations(DeepWater.On)).AddBlock(0f, new float3(0.3f, 1f, 0.3f));
+        }
+
+        // Two fluids whose steps share command buffers end as they do alone.
+        static void AssertUndisturbed(TestFluid first, TestFluid firstAlone, TestFluid second, TestFluid secondAlone)
+        {
+            for (int i = 0; i < 12; i++)
+                GpuTest.Run(cmd =>
+                {
+                    first.Solver.Step(cmd, first.Input);
+                    second.Solver.Step(cmd, second.Input);
+                });
+            TestFluid.AssertSame(first.Read(), firstAlone.Step(12).Read());
+            TestFluid.AssertSame(second.Read(), secondAlone.Step(12).Read());
         }
 
         [Test]

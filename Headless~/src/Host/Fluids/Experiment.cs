@@ -43,7 +43,8 @@ namespace Host.Fluids
         public double Time(FluidStatistics sample) => sample.step * (double)Input.timeStep;
         public double End => Time(Samples[^1]);
 
-        public double Settled(Func<FluidStatistics, double> value) => Samples.Where(s => Time(s) > End - SettledSeconds - 1e-6).Average(value);
+        public IEnumerable<FluidStatistics> SettledSamples => Samples.Where(s => Time(s) > End - SettledSeconds - 1e-6);
+        public double Settled(Func<FluidStatistics, double> value) => SettledSamples.Average(value);
         public double Moving(Func<FluidStatistics, double> value) => Samples.Where(s => Time(s) >= MovingFrom - 1e-6 && Time(s) <= MovingTo + 1e-6).Select(value).DefaultIfEmpty(double.NaN).Average();
 
         /// <summary>Median; NaN where nothing was timed.</summary>

@@ -65,32 +65,9 @@ namespace Host.Fluids
             settings.relaxation = relaxation;       // not validated: what lies beyond the clamp is the question
             var input = new StepInput { timeStep = Step, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
 
-            ExperimentScene scene = ExperimentScene.Block(name, block, box, Spacing);
-            using var solver = new PbfSolver(new SolverLayout(scene.Domain, Spacing, scene.Particles, settings.neighborCapacity, settings.listMargin));
-            scene.Fill(solver);
-            var samples = new List<FluidStatistics>();
-            using var cmd = new CommandBuffer { name = "study" };
-            int steps = (int)Math.Round(seconds / Step);
-            for (int step = 0; step <= steps; step++)
-            {
-                cmd.Clear();
-                if (step > 0)
-                    solver.Step(cmd, input);
-                bool measures = step % 10 == 0;
-                if (measures)
-                    solver.RecordStatistics(cmd, input);
-                Graphics.ExecuteCommandBuffer(cmd);
-                if (!measures)
-                    continue;
-                solver.RequestStatistics();
-                AsyncGPUReadback.WaitAllRequests();
-                solver.TryGetStatistics(input, out FluidStatistics statistics);
-                samples.Add(statistics);
-            }
-
-            var settled = samples.Where(sample => sample.time >= seconds - 2f).ToList();
-            double start = samples[0].Energy;
-            return string.Create(CultureInfo.InvariantCulture, $"{name},{scene.Particles},{iterations},{relaxation},{settled.Average(s => s.densityError):0.00000},{settled.Average(s => s.volumeRatio):0.0000},{settled.Average(s => s.speed):0.0000},{settled.Average(s => s.jitter):0.0000},{samples.Max(s => s.Energy) / start:0.0000},{settled.Max(s => s.coincident)}");
+            Experiment run = Experiment.Run(ExperimentScene.Block(name, block, box, Spacing), input, seconds, sampleEvery: 10);
+            double start = run.Samples[0].Energy;
+            return string.Create(CultureInfo.InvariantCulture, $"{name},{run.Scene.Particles},{iterations},{relaxation},{run.Settled(s => s.densityError):0.00000},{run.Settled(s => s.volumeRatio):0.0000},{run.Settled(s => s.speed):0.0000},{run.Settled(s => s.jitter):0.0000},{run.Samples.Max(s => s.Energy) / start:0.0000},{run.SettledSamples.Max(s => s.coincident)}");
         }
     }
 }

@@ -76,8 +76,7 @@ namespace Host.Shaders
             if (stage == ShaderStage.Vertex)
                 builder.CountFromZero();
             program.Resources = builder.BindResources();
-            program.UavCount = program.Resources.Count(r => r.Kind == ShaderResourceKind.RWStructuredBuffer || r.Kind == ShaderResourceKind.RWRawBuffer
-                || r.Kind == ShaderResourceKind.RWTypedBuffer || r.Kind == ShaderResourceKind.RWTexture);
+            program.UavCount = program.Resources.Count(r => r.IsUnorderedAccess());
             builder.FreeImageFormats();
             if (stage == ShaderStage.Compute)
                 builder.DescribeGroup(program);

@@ -44,7 +44,7 @@ namespace Host.Shaders
             var program = new ShaderProgram { Name = name, Stage = stage, EntryPoint = builder.module.Instructions.First(i => i.Op == Op.EntryPoint).Text(2) };
             var result = new CompiledProgram { Program = program };
             program.Resources = builder.BindResources(declarations);
-            program.UavCount = program.Resources.Count(r => r.Kind is ShaderResourceKind.RWStructuredBuffer or ShaderResourceKind.RWRawBuffer or ShaderResourceKind.RWTypedBuffer or ShaderResourceKind.RWTexture);
+            program.UavCount = program.Resources.Count(r => r.IsUnorderedAccess());
             if (stage == ShaderStage.Compute)
                 builder.DescribeGroup(program);
             else

@@ -37,6 +37,8 @@ namespace UnityEngine.Headless
     {
         public string Name;
         public ShaderResourceKind Kind;
+        /// <summary>An unordered access view; a counter goes with its buffer's.</summary>
+        internal bool IsUnorderedAccess() => Kind is ShaderResourceKind.RWStructuredBuffer or ShaderResourceKind.RWRawBuffer or ShaderResourceKind.RWTypedBuffer or ShaderResourceKind.RWTexture;
         public int Binding;
         /// <summary>Structured: bytes of an element as Direct3D packs it. Raw: 4. Otherwise 0.</summary>
         public int Stride;
