@@ -7,6 +7,7 @@ using System.Reflection;
 using Host.Assets;
 using Host.Commands;
 using Host.Fluids;
+using Host.Report;
 using Host.Scripts;
 using Host.Vulkan;
 using UnityEngine.Headless;
@@ -27,6 +28,7 @@ namespace Host
                 BenchCommand.Create(),
                 StudyCommand.Create(),
                 MeasureCommand.Create(),
+                ReportCommand.Create(),
                 CheckCommand.Create(),
             };
             ParseResult parsed = root.Parse(arguments);

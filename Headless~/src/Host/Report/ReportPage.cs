@@ -1,0 +1,64 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Host.Output;
+
+namespace Host.Report
+{
+    /// <summary>A page of Markdown with plots beside it, written from the report's tables.</summary>
+    sealed class ReportPage
+    {
+        readonly string dataFolder, imageFolder, imageLink;
+        readonly StringBuilder text = new();
+
+        /// <param name="imageLink">From the page to the folder of images.</param>
+        public ReportPage(string dataFolder, string imageFolder, string imageLink)
+        {
+            this.dataFolder = dataFolder;
+            this.imageFolder = imageFolder;
+            this.imageLink = imageLink;
+            Directory.CreateDirectory(imageFolder);
+        }
+
+        public override string ToString() => text.ToString();
+
+        public ReportTable Load(string name) => ReportTable.Load(DataFile(name));
+
+        /// <summary>Path of a table's CSV file, for plots.</summary>
+        public string DataFile(string name) => Path.GetFullPath(Path.Combine(dataFolder, name + ".csv"));
+
+        public void Line(string line = "") => text.Append(line).Append('\n');
+
+        public void Table(IEnumerable<string> columns, IEnumerable<IEnumerable<string>> rows)
+        {
+            string[] names = columns.ToArray();
+            Line("| " + string.Join(" | ", names) + " |");
+            Line("|" + string.Concat(names.Select(_ => " --- |")));
+            foreach (IEnumerable<string> row in rows)
+                Line("| " + string.Join(" | ", row) + " |");
+            Line();
+        }
+
+        /// <summary>Draws by gnuplot and shows the picture.</summary>
+        /// <param name="name">Of the file.</param>
+        /// <param name="alt">What can be seen.</param>
+        /// <param name="script">After terminal, output, separator, grid and colours (line styles 1 to 8) are set.</param>
+        public void Plot(string name, string alt, string script, int width = 900, int height = 420)
+        {
+            string file = name + ".png";
+            var all = new StringBuilder();
+            all.AppendLine($"set terminal pngcairo size {width},{height} font 'DejaVu Sans,10'");
+            all.AppendLine($"set output '{Path.Combine(imageFolder, file)}'");
+            all.AppendLine("set datafile separator ','\nset datafile commentschars '#'\nset datafile missing ''\nset encoding utf8");
+            all.AppendLine("set grid lc rgb '#d8d8d8'\nset border 3 lc rgb '#606060'\nset tics nomirror\nset key outside right top noenhanced");
+            string[] colors = { "#1f6fb4", "#d1602b", "#3a9a4b", "#8a55a3", "#5c5c5c", "#c2a52a", "#2aa9a9", "#b23a5b" };
+            for (int i = 0; i < colors.Length; i++)
+                all.AppendLine($"set style line {i + 1} lc rgb '{colors[i]}' lw 1.6 pt {new[] { 7, 5, 9, 11, 13, 4, 6, 8 }[i]} ps 0.9");
+            all.Append(script);
+            Tool.Run("gnuplot", "gnuplot-nox", Enumerable.Empty<string>(), all.ToString());
+            Line($"![{alt}]({imageLink}/{file})");
+            Line();
+        }
+    }
+}

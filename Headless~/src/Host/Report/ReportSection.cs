@@ -1,0 +1,19 @@
+namespace Host.Report
+{
+    /// <summary>A part of the report: it measures into tables and, from those alone, writes its part of the page.</summary>
+    abstract class ReportSection
+    {
+        /// <summary>A word for the command line and for file names.</summary>
+        public abstract string Name { get; }
+        public abstract string Title { get; }
+
+        /// <summary>Whether it runs only when it is named: what takes long.</summary>
+        public virtual bool OnlyByName => false;
+
+        /// <summary>Runs the simulations; saves tables by <see cref="ReportRun.Save"/>.</summary>
+        public abstract void Measure(ReportRun run);
+
+        /// <summary>Text, tables and plots from what <see cref="Measure"/> saved, maybe on another machine and another day.</summary>
+        public abstract void Write(ReportPage page);
+    }
+}

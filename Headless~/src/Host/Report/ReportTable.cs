@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+
+namespace Host.Report
+{
+    /// <summary>A table of measured figures that lives as a CSV file; its first line says what it was measured on.</summary>
+    sealed class ReportTable
+    {
+        readonly List<string[]> rows = new();
+
+        public ReportTable(params string[] columns)
+        {
+            Columns = columns;
+        }
+
+        public string[] Columns { get; }
+        /// <summary>Device and settings that hold for all rows.</summary>
+        public string MeasuredOn { get; set; } = "";
+        public IEnumerable<Row> Rows => rows.Select(row => new Row(this, row));
+
+        /// <param name="values">One for each column; NaN is written as nothing.</param>
+        public void Add(params object[] values)
+        {
+            if (values.Length != Columns.Length)
+                throw new ArgumentException($"{values.Length} values for {Columns.Length} columns: {string.Join(", ", Columns)}.");
+            rows.Add(values.Select(Text).ToArray());
+        }
+
+        public void Save(string path)
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            File.WriteAllLines(path, rows.Select(row => string.Join(",", row)).Prepend(string.Join(",", Columns)).Prepend("# " + MeasuredOn));
+        }
+
+        /// <exception cref="HostException">There is no such file.</exception>
+        public static ReportTable Load(string path)
+        {
+            if (!File.Exists(path))
+                throw new HostException($"{path} is not there; \"rill report\" without --write-only measures it.");
+            string[] lines = File.ReadAllLines(path);
+            string[] said = lines.Where(line => line.StartsWith('#')).ToArray();
+            string[] table = lines.Where(line => line.Length > 0 && !line.StartsWith('#')).ToArray();
+            var loaded = new ReportTable(table[0].Split(',')) { MeasuredOn = string.Join(" ", said.Select(line => line[1..].Trim())) };
+            loaded.rows.AddRange(table.Skip(1).Select(line => line.Split(',')));
+            return loaded;
+        }
+
+        static string Text(object value)
+        {
+            string text = value switch
+            {
+                double number => double.IsNaN(number) ? "" : number.ToString("G6", CultureInfo.InvariantCulture),
+                float number => float.IsNaN(number) ? "" : number.ToString("G6", CultureInfo.InvariantCulture),
+                IFormattable other => other.ToString(null, CultureInfo.InvariantCulture),
+                _ => value?.ToString() ?? "",
+            };
+            return text.Contains(',') ? throw new ArgumentException($"\"{text}\" holds a comma.") : text;
+        }
+
+        public readonly struct Row
+        {
+            readonly ReportTable table;
+            readonly string[] values;
+
+            public Row(ReportTable table, string[] values)
+            {
+                this.table = table;
+                this.values = values;
+            }
+
+            public string this[string column]
+            {
+                get
+                {
+                    int index = Array.IndexOf(table.Columns, column);
+                    return index >= 0 ? values[index] : throw new ArgumentException($"No column \"{column}\" among {string.Join(", ", table.Columns)}.");
+                }
+            }
+
+            /// <summary>NaN where there is none.</summary>
+            public double Number(string column) => this[column].Length == 0 ? double.NaN : double.Parse(this[column], CultureInfo.InvariantCulture);
+        }
+    }
+}
