@@ -15,6 +15,9 @@ namespace Rill
         /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the coarse grid.</summary>
         const float LargestGravityStep = 0.6f;
 
+        /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills too.</summary>
+        const float EasyGravityStep = 0.3f;
+
         [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than about ten layers of particles deep collapses.")]
         public DeepWater deepWater;
 
@@ -70,7 +73,7 @@ namespace Rill
         /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
         public int StableSubsteps(float gravityStep)
         {
-            float needed = (float)Math.Ceiling(Math.Sqrt(gravityStep / LargestGravityStep));
+            double needed = gravityStep > LargestGravityStep ? Math.Ceiling(Math.Sqrt(gravityStep / EasyGravityStep)) : 1.0;
             return (int)Math.Max(substeps, Math.Min(needed, MaxSubsteps));
         }
 

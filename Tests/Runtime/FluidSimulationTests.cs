@@ -239,7 +239,7 @@ namespace Rill.Tests
             fluid.Gravity = new Vector3(0f, -981f, 0f);     // 5.45 spacings in a step
             yield return Frames(30);
             fluid.TryGetStatistics(out statistics);
-            Assert.That(statistics.substeps, Is.EqualTo(4));
+            Assert.That(statistics.substeps, Is.EqualTo(5));
             Assert.That(fluid.Settings.substeps, Is.EqualTo(1), "what was asked for is kept");
             Assert.That(statistics.densityError, Is.LessThan(0.1f));
         }

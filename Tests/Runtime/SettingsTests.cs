@@ -46,6 +46,7 @@ namespace Rill.Tests
         [TestCase(0.61f, 1, 2)]
         [TestCase(0.61f, 3, 3)]
         [TestCase(2.5f, 1, 3)]
+        [TestCase(5.45f, 1, 5)]
         [TestCase(1e6f, 2, 16)]
         [TestCase(float.PositiveInfinity, 1, 16)]
         public void As_many_substeps_are_taken_as_keep_gravitys_way_in_one_short(float gravityStep, int asked, int taken)
