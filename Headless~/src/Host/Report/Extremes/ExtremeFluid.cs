@@ -14,6 +14,8 @@ namespace Host.Report.Extremes
     /// <summary>A solver to maltreat, measured as it goes. Places in spacings d, everything else in SI units.</summary>
     sealed class ExtremeFluid : IDisposable
     {
+        const int StepsAtOnce = 20;
+
         public readonly PbfSolver Solver;
         public StepInput Input;
         public readonly List<FluidStatistics> Samples = new();
@@ -72,10 +74,14 @@ namespace Host.Report.Extremes
                 Measure();
             for (int step = 1; step <= steps; step++)
             {
-                commands.Clear();
                 Solver.Step(commands, Stable());
-                Graphics.ExecuteCommandBuffer(commands);
-                if (step % every == 0 || step == steps)
+                bool measure = step % every == 0 || step == steps;
+                if (measure || step % StepsAtOnce == 0)
+                {
+                    Graphics.ExecuteCommandBuffer(commands);
+                    commands.Clear();
+                }
+                if (measure)
                     Measure();
             }
             return this;
@@ -134,9 +140,9 @@ namespace Host.Report.Extremes
 
         void Measure()
         {
-            commands.Clear();
             Solver.RecordStatistics(commands, Input);
             Graphics.ExecuteCommandBuffer(commands);
+            commands.Clear();
             Solver.RequestStatistics();
             AsyncGPUReadback.WaitAllRequests();
             if (!Solver.TryGetStatistics(Input, out FluidStatistics statistics))
