@@ -47,6 +47,12 @@ namespace Host.Report
             }
         }
 
+        static string Where(List<ReportTable.Row> rows, string column)
+        {
+            string[] cases = rows.Where(row => row.Number(column) > 0).Select(row => $"{row["case"]} ({row["setting"]})").ToArray();
+            return cases.Length == 0 ? "in none" : $"in {string.Join(" and in ", cases)}";
+        }
+
         // Figures of the others are this project's own measurements of them.
         static void WriteCounts(ReportPage page, List<ReportTable.Row> rows)
         {
@@ -56,7 +62,7 @@ namespace Host.Report
             {
                 new[] { "not a number", "the first at frame 1009, then all", $"{rows.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum("not_finite"):0} particles that were given as such culled and counted" },
                 new[] { "particles outside", "258,533", $"{Sum("outside"):0}" },
-                new[] { "coincident particles at the end", "601 pairs", $"{Sum("coincident"):0} particles closer than 0.05 d to another, in {rows.Count(row => row.Number("coincident") > 0)} runs" },
+                new[] { "coincident particles at the end", "601 pairs", $"particles closer than 0.05 d to another: {string.Join(", ", rows.GroupBy(row => row["setting"]).Select(setting => $"{setting.Sum(row => row.Number("coincident")):0} with {setting.Key}"))}; {Where(rows, "coincident")}" },
                 new[] { "beyond a cell's or list's capacity", "lost in silence", $"{missing:0} lost; at most {rows.Max(row => row.Number("overflow")):0} particles with full lists, reported" },
             });
         }

@@ -1,0 +1,64 @@
+using System.Linq;
+using Host.Report.Extremes;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Host.Tests
+{
+    /// <summary>What the report's extreme cases are judged by: that it notices.</summary>
+    public class ExtremesTests
+    {
+        [TestCase(0.9, true)]
+        [TestCase(1.0, true)]
+        [TestCase(1.01, false)]
+        [TestCase(double.NaN, false)]
+        [TestCase(double.PositiveInfinity, false)]
+        public void A_value_over_its_bar_or_none_at_all_is_named(double value, bool holds)
+        {
+            var check = new ExtremeCheck();
+            check.AtMost("speed", value, 1.0, "m/s");
+            check.Note("volume", 3);
+            Assert.That(check.Holds, Is.EqualTo(holds));
+            Assert.That(check.Broken, Is.EqualTo(holds ? "" : "speed"));
+            Assert.That(check.Bar, Is.EqualTo("speed at most 1 m/s"));
+            Assert.That(check.Seen, Does.EndWith("m/s; volume 3"));
+        }
+
+        [TestCase(-1.0)]
+        [TestCase(2.0)]
+        [TestCase(double.NaN)]
+        public void A_value_beside_its_range_is_named(double value)
+        {
+            var check = new ExtremeCheck();
+            check.Between("volume", value, 0.0, 1.0);
+            check.Exactly("pairs", value, 0.0);
+            check.AtLeast("overflow", value, 5.0);
+            Assert.That(check.Broken, Is.EqualTo("volume; pairs; overflow"));
+        }
+
+        [Test]
+        public void A_particle_that_is_missing_or_outside_or_has_no_speed_is_named()
+        {
+            var whole = new ExtremeCounts(Added: 100, Alive: 90, Refused: 7, NonFinite: 3, Escaped: 0, Coincident: 5, Overflow: 50, SpeedMax: 1f);
+            Assert.That(whole.Broken(), Is.Empty);
+            Assert.That((whole with { Alive = 88 }).Broken(), Is.EqualTo(new[] { "2 particles lost uncounted" }));
+            Assert.That((whole with { Escaped = 1 }).Broken(), Is.EqualTo(new[] { "1 particles outside" }));
+            Assert.That((whole with { SpeedMax = float.NaN }).Broken(), Is.EqualTo(new[] { "a speed is not finite" }));
+        }
+
+        [TestCase(0.05f)]
+        [TestCase(0.25f)]
+        [TestCase(1f)]
+        public void Close_pairs_are_those_of_comparing_all_with_all(float distance)
+        {
+            var random = new Random(5);
+            float3[] places = Enumerable.Range(0, 600).Select(_ => random.NextFloat3(-1f, 1f)).ToArray();
+            int expected = 0;
+            for (int i = 0; i < places.Length; i++)
+                for (int j = 0; j < i; j++)
+                    expected += math.distance(places[i], places[j]) < distance ? 1 : 0;
+            Assert.That(expected, Is.GreaterThan(0));
+            Assert.That(ClosePairs.Count(places, distance), Is.EqualTo(expected));
+        }
+    }
+}
