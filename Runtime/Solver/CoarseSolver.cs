@@ -9,6 +9,7 @@ namespace Rill
     sealed class CoarseSolver : IDisposable
     {
         const int Tile = 8;                 // kTile in CoarseSolver.compute
+        const int Children = 8;             // threads that restrict to a cell
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
@@ -42,14 +43,14 @@ namespace Rill
             RecordSmooth(cmd, smooth, source, diagonal, potential, smoothed);
             BindGrid(cmd, restrictGrid, source, diagonal, smoothed);
             BindLevels(cmd, restrictGrid);
-            CoarseGrid.Dispatch(cmd, shader, restrictGrid, grid.Cells(1));
+            CoarseGrid.Dispatch(cmd, shader, restrictGrid, Children * grid.Cells(1));
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
                 RecordSmoothLevel(cmd, smoothLevel, level);
                 cmd.SetComputeIntParam(shader, Ids.Level, level + 1);
                 BindLevels(cmd, restrictLevel);
-                CoarseGrid.Dispatch(cmd, shader, restrictLevel, grid.Cells(level + 1));
+                CoarseGrid.Dispatch(cmd, shader, restrictLevel, Children * grid.Cells(level + 1));
             }
             BindLevels(cmd, solveTail);
             cmd.DispatchCompute(shader, solveTail, 1, 1, 1);
