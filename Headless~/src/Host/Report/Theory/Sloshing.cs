@@ -22,6 +22,15 @@ namespace Host.Report
             return 2 * Math.PI / Math.Sqrt(FluidRun.Gravity * k * Math.Tanh(k * depth));
         }
 
+        /// <summary>Of the box, m.</summary>
+        public const double Middle = Length / 2;
+
+        /// <summary>How far from the middle the centre of mass lies under a surface that is level to leaning gravity, m.</summary>
+        public static double Offset(double depth, double lean) => Length * Length * Math.Tan(lean) / (12 * depth);
+
+        /// <summary>Height of the wave at the wall, from its middle, m.</summary>
+        public static double Wave(double lean) => Length / 2 * Math.Tan(lean);
+
         /// <summary>Layers of water that come nearest to a depth, which is a whole number of them.</summary>
         public static double NearestDepth(int particlesAlong, double depth) => Math.Round(depth * particlesAlong) / particlesAlong * Length;
 
