@@ -52,6 +52,10 @@ namespace Host.Fluids
         /// <param name="spacing">m.</param>
         public static ExperimentScene Block(string name, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(0f, counts);
 
+        /// <summary>A block anywhere in a box.</summary>
+        /// <param name="corner">Its lowest, d.</param>
+        public static ExperimentScene Block(string name, int3 corner, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(corner, counts);
+
         /// <summary>Still water that fills a box of 24 x 24 spacings, in a box three times as tall.</summary>
         /// <param name="spacing">m.</param>
         public static ExperimentScene Column(int layers, float spacing) => new ExperimentScene("column", spacing, new float3(24, 3 * layers, 24)).Add(0f, new int3(24, layers, 24));

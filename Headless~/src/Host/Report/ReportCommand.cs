@@ -12,6 +12,7 @@ namespace Host.Report
         static readonly ReportSection[] Sections =
         {
             new ExtremesSection(),
+            new TheorySection(),
         };
 
         public static Command Create()
