@@ -11,6 +11,7 @@ namespace Host.Report
     {
         readonly string dataFolder, imageFolder, imageLink;
         readonly StringBuilder text = new();
+        readonly List<string> tables = new();
 
         /// <param name="imageLink">From the page to the folder of images.</param>
         public ReportPage(string dataFolder, string imageFolder, string imageLink)
@@ -23,10 +24,30 @@ namespace Host.Report
 
         public override string ToString() => text.ToString();
 
+        /// <summary>Names of all tables that were asked for.</summary>
+        public IEnumerable<string> Tables => tables.Distinct();
+
         public ReportTable Load(string name) => ReportTable.Load(DataFile(name));
 
         /// <summary>Path of a table's CSV file, for plots.</summary>
-        public string DataFile(string name) => Path.GetFullPath(Path.Combine(dataFolder, name + ".csv"));
+        public string DataFile(string name)
+        {
+            tables.Add(name);
+            return Path.GetFullPath(Path.Combine(dataFolder, name + ".csv"));
+        }
+
+        /// <summary>A section under its heading, with links to its tables.</summary>
+        public void Section(ReportSection section)
+        {
+            Line();
+            Line("## " + section.Title);
+            Line();
+            int before = tables.Count;
+            section.Write(this);
+            string[] used = tables.Skip(before).Distinct().ToArray();
+            if (used.Length > 0)
+                Line("Tables: " + string.Join(", ", used.Select(name => $"[{name}.csv]({ReportFolders.DataLink}/{name}.csv)")) + ".");
+        }
 
         public void Line(string line = "") => text.Append(line).Append('\n');
 

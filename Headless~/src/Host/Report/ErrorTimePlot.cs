@@ -1,0 +1,31 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Host.Report
+{
+    /// <summary>Two panels over milliseconds: C+ with its front, and unrest with its own.</summary>
+    static class ErrorTimePlot
+    {
+        public static string Script(List<SweepResult> scene, List<SweepResult> front, string unrest) =>
+            "set multiplot layout 1,2\n" +
+            Panel(scene, front, "C+, worse window (%)", r => r.Error * 100) +
+            Panel(scene, Pareto.Front(scene.Where(r => r.Holds), r => r.Milliseconds, r => r.Unrest), unrest + ", last 2 s (m/s)", r => r.Unrest) +
+            "unset multiplot\n";
+
+        static string Panel(List<SweepResult> scene, List<SweepResult> front, string label, Func<SweepResult, double> value)
+        {
+            object[] Point(SweepResult r) => new object[] { r.Milliseconds, value(r) };
+            // A logarithmic axis has no place for zero.
+            IEnumerable<object[]> Points(Func<SweepResult, bool> which) => scene.Where(r => which(r) && value(r) > 0).Select(Point);
+            return new PlotData()
+                .Add("using 1:2 with lines lc rgb '#303030' dt 2 lw 1.2 title 'Pareto front'", front.Where(r => value(r) > 0).Select(Point))
+                .Add("using 1:2 with points ls 2 title 'plain'", Points(r => r.Holds && !r.Setting.Deep))
+                .Add("using 1:2 with points ls 1 title 'two-level'", Points(r => r.Holds && r.Setting.Deep))
+                .Add("using 1:2 with points pt 5 ps 0.6 lc rgb '#e6b8a0' title 'plain, does not hold'", Points(r => !r.Holds && !r.Setting.Deep))
+                .Add("using 1:2 with points pt 7 ps 0.6 lc rgb '#a9c9e2' title 'two-level, does not hold'", Points(r => !r.Holds && r.Setting.Deep))
+                .Add("using 1:2:3 with labels font ',8' left offset 0.6,0.5 notitle", front.Where(r => value(r) > 0).Select(r => new object[] { r.Milliseconds, value(r), $"{r.Setting.Substeps}x{r.Setting.Iterations}" }))
+                .Script($"set autoscale\nset logscale xy\nset xlabel 'ms a step, dearer window'\nset ylabel '{label}'\nset key at screen 0.5,0.99 center top maxrows 1 horizontal noenhanced\nset tmargin 3\nset format '%g'\nset offsets graph 0.02, graph 0.1, graph 0.05, graph 0.05\n");
+        }
+    }
+}
