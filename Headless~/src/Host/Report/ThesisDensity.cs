@@ -81,7 +81,7 @@ namespace Host.Report
             var plot = new PlotData();
             for (int i = 0; i < series.Count; i++)
                 plot.Add(Text($"using 1:2 with linespoints ls {i + 1} title 'ω {series[i].Relaxation}'"), series[i].Rows.Select(row => new object[] { row.Number("iterations"), value(row) }));
-            return plot.Script($"set logscale xy\nset xlabel 'iterations'\nset ylabel '{label}'\nset format '%g'\n{key}\n");
+            return plot.Script(LogAxis.Script("x", series.SelectMany(s => s.Rows).Select(row => row.Number("iterations"))) + LogAxis.Script("y", series.SelectMany(s => s.Rows).Select(value)) + $"set xlabel 'iterations'\nset ylabel '{label}'\nset format '%g'\n{key}\n");
         }
 
         static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
