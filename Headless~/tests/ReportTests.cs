@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text.RegularExpressions;
 using Host.Fluids;
 using Host.Report;
+using Host.Report.ErrorTime;
 using NUnit.Framework;
 
 namespace Host.Tests
@@ -119,6 +120,25 @@ namespace Host.Tests
             Assert.That(Assert.Throws<HostException>(() => Chosen(false)).Message, Does.Contain(data).And.Contain("--write-only"));
             Measure(Three[2]);
             Assert.That(Chosen(false), Is.EqualTo(new[] { "long" }));
+        }
+
+        [Test]
+        public void A_plot_is_drawn_of_series_that_have_points_and_says_so_where_none_has()
+        {
+            var page = new ReportPage(folder, folder, "images");
+            var values = new[] { 0.02, 5 };
+            page.Plot("some", "Two points", new PlotData().Add("using 1:2 with points title 'none'", new object[0][]).Add("using 1:2 with lines title 'it''s'", values.Select(v => new object[] { v, v }))
+                .Script(LogAxis.Script("x", values) + LogAxis.Script("y", values)));
+            page.Plot("none", "Nothing", new PlotData().Script(LogAxis.Script("x", new double[0])));
+            foreach (string name in new[] { "some", "none" })
+                Assert.That(new FileInfo(Path.Combine(folder, name + ".png")).Length, Is.GreaterThan(1000), name);
+        }
+
+        [Test]
+        public void A_logarithmic_axis_is_labelled_between_its_ends()
+        {
+            Assert.That(LogAxis.Script("y", new[] { 0.3, 4, 0, double.NaN }), Does.Contain("set ytics (0.5, 1, 2, 5)").And.Contain("set logscale y"));
+            Assert.That(LogAxis.Script("x", new[] { 1e-6, 10 }), Does.Contain("(1E-06, 1E-05, 0.0001, 0.001, 0.01, 0.1, 1, 10)"));
         }
 
         [Test]

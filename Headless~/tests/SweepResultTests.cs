@@ -2,6 +2,8 @@ using System.Collections.Generic;
 using System.Linq;
 using Host.Fluids;
 using Host.Report;
+using Host.Report.ErrorTime;
+using Host.Report.Thesis;
 using NUnit.Framework;
 
 namespace Host.Tests

@@ -4,6 +4,8 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Host.Report.ErrorTime;
+using Host.Report.Thesis;
 
 namespace Host.Report
 {

@@ -1,6 +1,6 @@
 using Host.Fluids;
 
-namespace Host.Report
+namespace Host.Report.Thesis
 {
     /// <summary>One of the thesis's figures, or several that show the same data.</summary>
     abstract class ThesisFigure

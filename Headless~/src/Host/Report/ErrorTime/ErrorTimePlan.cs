@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Host.Fluids;
 
-namespace Host.Report
+namespace Host.Report.ErrorTime
 {
     /// <summary>A scene and the settings that it is run with.</summary>
     sealed record ErrorTimePlan(ExperimentScene Scene, double Seconds, IReadOnlyList<SweepSetting> Settings)
@@ -29,8 +29,8 @@ namespace Host.Report
         /// <summary>For a GPU.</summary>
         public static readonly ErrorTimePlan[] Full =
         {
-            new(ExperimentScene.Dam(100_000), 10, Plain.Concat(TwoLevel).ToArray()),
-            new(ExperimentScene.Dam(1_000_000), 10, TwoLevel.Where(s => s.Substeps * s.Iterations <= 4).Append(new(false, 4, 4)).ToArray()),
+            new(ExperimentScene.Dam(100_000), 8, Plain.Concat(TwoLevel).ToArray()),
+            new(ExperimentScene.Dam(1_000_000), 8, TwoLevel.Where(s => s.Substeps * s.Iterations <= 4).Append(new(false, 4, 4)).ToArray()),
             new(ExperimentScene.Dam(1_000_000), 3, new SweepSetting[] { new(false, 1, 4) }),
             new(ExperimentScene.Column(120, 0.05f), 8, PlainInDeepWater.Concat(TwoLevel).ToArray()),
             new(ExperimentScene.Drop(2f), 6, Plain.Concat(TwoLevel).ToArray()),

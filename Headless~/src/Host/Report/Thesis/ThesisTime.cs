@@ -2,9 +2,10 @@ using System;
 using System.Globalization;
 using System.Linq;
 using Host.Fluids;
+using Host.Report.ErrorTime;
 using Rill;
 
-namespace Host.Report
+namespace Host.Report.Thesis
 {
     /// <summary>Figure 5.4: density over ten seconds.</summary>
     sealed class ThesisTime : ThesisFigure

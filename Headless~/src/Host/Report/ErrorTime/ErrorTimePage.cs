@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 
-namespace Host.Report
+namespace Host.Report.ErrorTime
 {
     /// <summary>The page's part on error against GPU time.</summary>
     static class ErrorTimePage
@@ -37,12 +37,12 @@ namespace Host.Report
 
         static void Summarize(ReportPage page, List<List<SweepResult>> scenes)
         {
-            page.Line("The cheapest setting of each method that holds, by the C+ (worse window) that it may leave; ms a step, substeps x iterations:");
+            page.Line("The cheapest setting of each method that holds, by the C+ (worse window) that it may leave; ms a step, substeps x iterations, ω where it is not " + Format($"{SweepSetting.UsualRelaxation}") + ":");
             page.Line();
             page.Table(new[] { "scene", "method" }.Concat(Targets.Select(target => Format($"C+ ≤ {target * 100:0.#} %"))),
                 from scene in scenes
                 from deep in new[] { false, true }
-                select new[] { Title(scene[0]), deep ? "two-level" : "plain" }.Concat(Targets.Select(target => Cheapest(scene, deep, target) is { } best ? Format($"{best.Milliseconds:0.00#} ({Counts(best.Setting)})") : "–")));
+                select new[] { Title(scene[0]), SweepSetting.Method(deep) }.Concat(Targets.Select(target => Cheapest(scene, deep, target) is { } best ? Format($"{best.Milliseconds:0.000} ({Counts(best.Setting)}{(best.Setting.Relaxation == SweepSetting.UsualRelaxation ? "" : Format($", ω {best.Setting.Relaxation}"))})") : "–")));
         }
 
         static void WriteScene(ReportPage page, List<SweepResult> scene, bool inSoftware)
@@ -61,7 +61,7 @@ namespace Host.Report
             page.Table(new[] { "method", "substeps x iterations", "ω", "ms moving / settled", "C+ moving / settled", "p99.9", UnrestName(first) + " m/s", "volume", "coincident" },
                 front.Select(r => new[]
                 {
-                    r.Setting.Deep ? "two-level" : "plain", Counts(r.Setting), Format($"{r.Setting.Relaxation:0.##}"), Format($"{r.MillisecondsMoving:0.00#} / {r.MillisecondsSettled:0.00#}"),
+                    SweepSetting.Method(r.Setting.Deep), Counts(r.Setting), Format($"{r.Setting.Relaxation:0.##}"), Format($"{r.MillisecondsMoving:0.000} / {r.MillisecondsSettled:0.000}"),
                     Format($"{r.ErrorMoving * 100:0.00} / {r.ErrorSettled * 100:0.00} %"), Format($"{r.Error999:0.000}"), Format($"{r.Unrest:0.000}"), Format($"{r.Volume:0.000}"), Format($"{r.Coincident:0}"),
                 }));
             if (!inSoftware)
@@ -74,13 +74,16 @@ namespace Host.Report
         // "24 settings of 34 hold; of the plain ones 8 collapse (...)."
         static string Held(List<SweepResult> scene)
         {
-            string text = $"{scene.Count(r => r.Holds)} of {scene.Count} settings hold: {string.Join(" and ", new[] { false, true }.Select(deep => $"{scene.Count(r => r.Holds && r.Setting.Deep == deep)} of {scene.Count(r => r.Setting.Deep == deep)} {(deep ? "two-level" : "plain")}"))}.";
+            string text = $"{scene.Count(r => r.Holds)} of {scene.Count} settings hold: {string.Join(" and ", new[] { false, true }.Select(deep => $"{scene.Count(r => r.Holds && r.Setting.Deep == deep)} of {scene.Count(r => r.Setting.Deep == deep)} {SweepSetting.Method(deep)}"))}.";
             foreach (IGrouping<string, SweepResult> fault in scene.Where(r => !r.Holds).GroupBy(r => r.Fault))
                 text += $" What {fault.Key}: {string.Join("; ", fault.Select(r => r.Setting.ToString()))}.";
             SweepResult cut = scene.Find(r => r.Seconds < scene.Max(other => other.Seconds) - 0.1);
             if (cut != null)
                 text += Format($" ({cut.Setting} was run for {cut.Seconds:0.#} s only: its steps take {cut.Milliseconds:0.0} ms.)");
-            return text;
+            List<SweepResult> overflowed = scene.Where(r => r.Overflow > 0).ToList();
+            if (overflowed.Count > 0)
+                text += Format($" Neighbor lists overflowed in {overflowed.Count} runs, for up to {overflowed.Max(r => r.Overflow):N0} particles ({overflowed.MaxBy(r => r.Overflow).Setting}).");
+            return text + $" Memory: {string.Join(" and ", scene.GroupBy(r => r.Setting.Deep).Select(method => Format($"{method.Max(r => r.Bytes):0} bytes a particle {SweepSetting.Method(method.Key)}")))}.";
         }
 
         static string Winner(List<SweepResult> scene, List<SweepResult> front)
@@ -88,10 +91,20 @@ namespace Host.Report
             int deep = front.Count(r => r.Setting.Deep);
             string text = deep == front.Count ? "Two-level wins at every time" : deep == 0 ? "Plain wins at every time" : $"{deep} of the front's {front.Count} settings are two-level";
             SweepResult best = front[^1];
-            text += Format($": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.00#} ms ({front[0].Setting}) to {best.Error * 100:0.00} % at {best.Milliseconds:0.00#} ms ({best.Setting}).");
+            text += Format($": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.000} ms ({front[0].Setting}) to {best.Error * 100:0.00} % at {best.Milliseconds:0.000} ms ({best.Setting}).");
+            if (deep > 0 && deep < front.Count)
+                text += string.Concat(new[] { false, true }.Select(method => CheaperAt(scene, method)));
             SweepResult other = Pareto.Front(scene.Where(r => r.Holds && r.Setting.Deep != best.Setting.Deep), r => r.Milliseconds, r => r.Error).LastOrDefault();
-            string name = best.Setting.Deep ? "plain" : "two-level";
-            return text + (other == null ? $" No {name} setting holds this scene." : Format($" The least that {name} reaches is {other.Error * 100:0.00} % at {other.Milliseconds:0.00#} ms ({other.Setting})."));
+            string name = SweepSetting.Method(!best.Setting.Deep);
+            return text + (other == null ? $" No {name} setting holds this scene." : Format($" The least that {name} reaches is {other.Error * 100:0.00} % at {other.Milliseconds:0.000} ms ({other.Setting})."));
+        }
+
+        // " Plain is the cheaper one for C+ ≤ 3, 1 %."
+        static string CheaperAt(List<SweepResult> scene, bool deep)
+        {
+            double Cost(bool method, double target) => Cheapest(scene, method, target)?.Milliseconds ?? double.PositiveInfinity;
+            string[] targets = Targets.Where(target => Cost(deep, target) < Cost(!deep, target)).Select(target => Format($"{target * 100:0.#}")).ToArray();
+            return targets.Length == 0 ? "" : $" For C+ ≤ {string.Join(", ", targets)} % {SweepSetting.Method(deep)} is cheaper.";
         }
 
         static SweepResult Cheapest(List<SweepResult> scene, bool deep, double target) => scene.Where(r => r.Holds && r.Setting.Deep == deep && r.Error <= target).MinBy(r => r.Milliseconds);

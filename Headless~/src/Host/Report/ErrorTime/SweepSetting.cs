@@ -1,12 +1,14 @@
 using System.Globalization;
 using Rill;
 
-namespace Host.Report
+namespace Host.Report.ErrorTime
 {
     /// <summary>One setting of a sweep.</summary>
     /// <param name="Deep">Whether with the two-level correction.</param>
-    readonly record struct SweepSetting(bool Deep, int Substeps, int Iterations, float Relaxation = 0.8f)
+    readonly record struct SweepSetting(bool Deep, int Substeps, int Iterations, float Relaxation = SweepSetting.UsualRelaxation)
     {
+        public const float UsualRelaxation = 0.8f;
+
         public SolverSettings Settings
         {
             get
@@ -20,6 +22,8 @@ namespace Host.Report
             }
         }
 
-        public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{(Deep ? "two-level" : "plain")} {Substeps} x {Iterations}, ω {Relaxation}");
+        public static string Method(bool deep) => deep ? "two-level" : "plain";
+
+        public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Method(Deep)} {Substeps} x {Iterations}, ω {Relaxation}");
     }
 }

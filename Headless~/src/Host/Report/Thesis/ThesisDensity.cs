@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Host.Fluids;
+using Host.Report.ErrorTime;
 
-namespace Host.Report
+namespace Host.Report.Thesis
 {
     /// <summary>Figures 5.3, 5.5 and 5.6: density against iterations and relaxation.</summary>
     sealed class ThesisDensity : ThesisFigure

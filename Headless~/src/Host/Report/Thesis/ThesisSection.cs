@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Host.Report
+namespace Host.Report.Thesis
 {
     /// <summary>The figures of Svensson's thesis made anew with plain iterations: a part for each measuring that they rest on.</summary>
     sealed class ThesisSection : ReportSection

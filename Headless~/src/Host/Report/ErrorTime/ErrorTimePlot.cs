@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 
-namespace Host.Report
+namespace Host.Report.ErrorTime
 {
     /// <summary>Two panels over milliseconds: C+ with its front, and unrest with its own.</summary>
     static class ErrorTimePlot

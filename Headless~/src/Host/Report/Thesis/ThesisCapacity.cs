@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Host.Fluids;
+using Host.Report.ErrorTime;
 
-namespace Host.Report
+namespace Host.Report.Thesis
 {
     /// <summary>Figure 5.2: particles at 60 frames a second against iterations.</summary>
     sealed class ThesisCapacity : ThesisFigure

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Host.Fluids;
+using Host.Report.ErrorTime;
 
-namespace Host.Report
+namespace Host.Report.Thesis
 {
     /// <summary>Figure 5.1: the share of each kernel in a step.</summary>
     sealed class ThesisKernels : ThesisFigure

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Host.Fluids;
 
-namespace Host.Report
+namespace Host.Report.ErrorTime
 {
     /// <summary>Error against GPU time: method, iterations, relaxation and substeps over fixed scenes, with the front of what is worth its time.</summary>
     sealed class ErrorTimeSection : ReportSection

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Host.Report
+namespace Host.Report.ErrorTime
 {
     /// <summary>A row of a sweep, and whether the setting held the scene.</summary>
     sealed class SweepResult
