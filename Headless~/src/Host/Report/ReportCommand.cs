@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using System.Linq;
+using Host.Report.Methods;
 
 namespace Host.Report
 {
@@ -11,6 +12,7 @@ namespace Host.Report
     {
         static readonly ReportSection[] Sections =
         {
+            new MethodsSection(),
         };
 
         public static Command Create()
