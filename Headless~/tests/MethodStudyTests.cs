@@ -115,17 +115,45 @@ namespace Host.Tests
         [TestCase(true, 3)]
         public void Gauss_Seidel_does_what_one_thread_would_do_colour_by_colour(bool byConstraint, int stride)
         {
-            StepInput input = Still(relaxation: 0.9f);
-            float4[] positions = Cloud(300);
-            float4[] moved = Play(input, new GaussSeidel(byConstraint), positions, steps: 1);
-            float3[] expected = SerialSweep.Of(positions, Layout(input), input, byConstraint, stride);
-            float furthest = 0f;
-            for (int i = 0; i < positions.Length; i++)
+            AssertCloud(new GaussSeidel(byConstraint), 1, (constraint, p) => constraint.Sweep(p, byConstraint, stride));
+        }
+
+        [Test]
+        public void Chebyshev_follows_its_recurrence()
+        {
+            const double radius = 0.9;
+            AssertCloud(new ChebyshevJacobi(radius, 2), 5, (constraint, start) =>
             {
-                Assert.That(math.distance(moved[i].xyz, expected[i]), Is.LessThan(2e-3f), $"particle {i}");
-                furthest = math.max(furthest, math.distance(moved[i].xyz, positions[i].xyz));
-            }
-            Assert.That(furthest, Is.GreaterThan(0.1f), "nothing moved");
+                float3[] before = start, now = start;
+                double weight = 1;
+                for (int k = 0; k < 5; k++)
+                {
+                    weight = k < 2 ? 1 : k == 2 ? 2 / (2 - radius * radius) : 4 / (4 - radius * radius * weight);
+                    float3[] last = before;
+                    float3[] next = constraint.Jacobi(now).Select((hat, i) => (float)weight * (hat - last[i]) + last[i]).ToArray();
+                    (before, now) = (now, next);
+                }
+                return now;
+            });
+        }
+
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Nesterov_follows_its_recurrence(bool restart)
+        {
+            AssertCloud(new NesterovJacobi(restart), 5, (constraint, start) =>
+            {
+                float3[] x = start, y = start;
+                double t = 1;
+                for (int k = 0; k < 5; k++)
+                {
+                    double following = (1 + Math.Sqrt(1 + 4 * t * t)) / 2;
+                    float3[] from = y, last = x, made = constraint.Jacobi(y);
+                    y = made.Select((p, i) => restart && math.dot(from[i] - p, p - last[i]) > 0f ? p : p + (float)((t - 1) / following) * (p - last[i])).ToArray();
+                    (x, t) = (made, following);
+                }
+                return x;
+            });
         }
 
         [TestCase(2, 1)]
@@ -134,12 +162,11 @@ namespace Host.Tests
         {
             float4[] positions = Cloud(1000);
             SolverLayout layout = Layout(Still(1f));
-            int side = GaussSeidel.BlockCells(layout);
             int pairs = 0;
             for (int i = 0; i < positions.Length; i++)
                 for (int j = 0; j < i; j++)
                 {
-                    int3 a = SerialSweep.Block(positions[i].xyz, layout, side), b = SerialSweep.Block(positions[j].xyz, layout, side);
+                    int3 a = SerialConstraint.Block(positions[i].xyz, layout), b = SerialConstraint.Block(positions[j].xyz, layout);
                     if (math.all(a == b) || !math.all(a % stride == b % stride))
                         continue;
                     pairs++;
@@ -167,10 +194,22 @@ namespace Host.Tests
         static StepInput Input(DeepWater deep, int substeps, int iterations) =>
             new MethodVariant { TwoLevel = deep == DeepWater.On, Substeps = substeps, Iterations = iterations }.Input();
 
-        // One iteration without gravity or viscosity: positions are what the pass made of them.
-        static StepInput Still(float relaxation)
+        // A cloud after one step, against what a serial twin makes of it.
+        static void AssertCloud(ConstraintMethod method, int iterations, Func<SerialConstraint, float3[], float3[]> twin)
         {
-            StepInput input = new MethodVariant { Iterations = 1, Relaxation = relaxation, Viscosity = 0f, NeighborCapacity = 256 }.Input();
+            StepInput input = Still(relaxation: 0.9f, iterations);
+            float3[] start = Cloud(300).Select(p => p.xyz).ToArray();
+            float4[] moved = Play(input, method, Cloud(300), steps: 1);
+            float3[] expected = twin(new SerialConstraint(start, Layout(input), input), start);
+            for (int i = 0; i < start.Length; i++)
+                Assert.That(math.distance(moved[i].xyz, expected[i]), Is.LessThan(2e-3f), $"particle {i}");
+            Assert.That(start.Zip(expected, (a, b) => math.distance(a, b)).Max(), Is.GreaterThan(0.1f), "nothing moved");
+        }
+
+        // Without gravity or viscosity: positions are what the passes made of them.
+        static StepInput Still(float relaxation, int iterations = 1)
+        {
+            StepInput input = new MethodVariant { Iterations = iterations, Relaxation = relaxation, Viscosity = 0f, NeighborCapacity = 256 }.Input();
             input.gravity = 0f;
             return input;
         }

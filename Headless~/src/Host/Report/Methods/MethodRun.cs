@@ -11,7 +11,7 @@ namespace Host.Report.Methods
         const double LargestRise = 0.05;
 
         /// <summary>A run is broken off where it is lost beyond doubt: the energy, or the volume, that says so.</summary>
-        const double LostEnergy = 1.5, LostVolume = 0.5;
+        const double LostEnergy = 1.2, LostVolume = 0.75;
 
         /// <summary>Water at less than this share of its volume is collapsed; still water at more than that has boiled.</summary>
         const double LowestVolume = 0.9, HighestVolume = 1.1;

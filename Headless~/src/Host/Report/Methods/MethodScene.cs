@@ -18,7 +18,7 @@ namespace Host.Report.Methods
                 };
             return new[]
             {
-                new MethodScene("dam", "dam, 50 layers", ExperimentScene.Dam(100_000), 3, false),
+                new MethodScene("dam", "dam, 50 layers", ExperimentScene.Dam(100_000), 2, false),
                 new MethodScene("column", "column, 120 layers", ExperimentScene.Column(120, 0.05f), 4, true),
                 new MethodScene("tank", "tank, 12 layers", ExperimentScene.Column(12, 0.05f), 4, true),
             };
