@@ -11,6 +11,8 @@ namespace Host.Report.Methods
         /// <param name="restart">Particles that a pass turns around start anew.</param>
         public NesterovJacobi(bool restart) => kernel = restart ? "NesterovWithRestart" : "Nesterov";
 
+        public override bool EndsInPackagePass => true;
+
         protected override void AfterPass(CommandBuffer cmd, StudySolver solver, int pass, int passes)
         {
             if (pass == passes - 1)

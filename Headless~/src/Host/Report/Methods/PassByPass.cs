@@ -39,6 +39,7 @@ namespace Host.Report.Methods
             ParticleBuffers particles = solver.Particles;
             solver.BindConstants(cmd, shader, relaxation);
             Dispatch(cmd, solver, solveLambda, particles.Predicted, particles.Current);
+            cmd.SetComputeBufferParam(shader, displace, Ids.StartPositions, particles.Start);
             Dispatch(cmd, solver, displace, particles.Current, particles.Predicted);
         }
 
@@ -53,6 +54,7 @@ namespace Host.Report.Methods
         static class Ids
         {
             public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
         }
     }

@@ -25,6 +25,8 @@ namespace Host.Report.Methods
             return Enumerable.Range(0, passes).Select(i => (float)(i % 2 == 0 ? weights[passes - 1 - i / 2] : weights[i / 2])).ToArray();
         }
 
+        public override bool EndsInPackagePass => true;
+
         protected override float Relaxation(int pass, in SolverSettings settings) => schedule[pass % schedule.Length];
     }
 }

@@ -22,6 +22,7 @@ namespace Host.Report.Methods
         readonly VelocityUpdate velocityUpdate = new();
         readonly Emission emission = new();
         readonly StatisticsPass statistics;
+        readonly ComputeShader ways = StudyShader.Load("Ways");
         readonly GraphicsBuffer constants;
         readonly Dictionary<float, GraphicsBuffer> constantsByRelaxation = new();
         uint stepIndex;
@@ -72,8 +73,10 @@ namespace Host.Report.Methods
                 if (Coarse != null)
                     variation.RecordStart(cmd, Coarse);
                 Coarse?.RecordProjection(cmd, constants, Particles);
-                Search.RecordSort(cmd, constants, Particles);
+                Search.RecordSort(cmd, constants, Particles, Coarse);
                 method.Record(cmd, this, input);
+                if (!method.EndsInPackagePass)
+                    RecordWays(cmd);
                 velocityUpdate.Record(cmd, constants, Particles, Lists, input);
                 Particles.Advance();
             }
@@ -94,6 +97,16 @@ namespace Host.Report.Methods
         {
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, Particles.Counters);
             cmd.DispatchCompute(shader, kernel, Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        // What the package's last pass leaves for the viscosity.
+        void RecordWays(CommandBuffer cmd)
+        {
+            int kernel = ways.FindKernel("PackWays");
+            BindConstants(cmd, ways);
+            cmd.SetComputeBufferParam(ways, kernel, "_StartPositions", Particles.Start);
+            cmd.SetComputeBufferParam(ways, kernel, "_Corrected", Particles.Predicted);
+            DispatchParticles(cmd, ways, kernel);
         }
 
         public void RecordStatistics(CommandBuffer cmd)
