@@ -17,6 +17,24 @@ namespace Host.Tests
         const float Spacing = 0.0625f;
         static readonly float3 Box = 12f;       // d
 
+        [TestCase(false)]
+        [TestCase(true)]
+        public void Every_point_of_every_curve_has_a_place_of_its_own_and_words_that_a_table_takes(bool quick)
+        {
+            MethodStudy[] studies = MethodStudies.All(quick).ToArray();
+            Assert.That(studies.Select(study => study.Name), Is.Unique);
+            foreach (MethodStudy study in studies)
+            {
+                Assert.That(study.Variants.Select(variant => (variant.Series, variant.Value)), Is.Unique, study.Name);
+                foreach (MethodVariant variant in study.Variants)
+                {
+                    Assert.That((study.Name + variant.Label).Contains(','), Is.False, variant.ToString());
+                    Assert.That(variant.Iterations * variant.Substeps, Is.InRange(1, 16), variant.ToString());
+                    Assert.That(variant.Value, Is.GreaterThan(0).Or.EqualTo(study.Logarithmic ? 1 : 0), variant.ToString());
+                }
+            }
+        }
+
         [TestCase(DeepWater.Off, 1, 3)]
         [TestCase(DeepWater.Off, 2, 1)]
         [TestCase(DeepWater.On, 1, 2)]

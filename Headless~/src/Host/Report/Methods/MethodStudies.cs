@@ -77,7 +77,7 @@ namespace Host.Report.Methods
             if (!quick)
                 yield return new MethodVariant
                 {
-                    Series = "SRJ of Yang and Mittal, k 16", Value = 0.01, Label = "P = 2, N = 16", Iterations = 16,
+                    Series = "SRJ of Yang and Mittal, k 16", Value = 0.01, Label = "P 2 N 16", Iterations = 16,
                     Method = () => new ScheduledJacobi(ScheduledJacobi.YangMittal16()),
                 };
 

@@ -43,5 +43,7 @@ namespace Host.Report.Methods
     }
 
     /// <summary>A question with its curves.</summary>
-    sealed record MethodStudy(string Name, string Title, string Axis, MethodVariant[] Variants, bool Logarithmic = false);
+    /// <param name="Logarithmic">The axis of the values.</param>
+    /// <param name="Alike">Figures so near each other that only a linear axis shows their differences.</param>
+    sealed record MethodStudy(string Name, string Title, string Axis, MethodVariant[] Variants, bool Logarithmic = false, bool Alike = false);
 }

@@ -71,7 +71,7 @@ namespace Host.Report.Methods
                 for (int panel = 0; panel < 3; panel++)
                 {
                     script.AppendLine($"set title {Quote($"{scenes[scene]}: {new[] { "C+ (%)", "noise (m/s)", timed ? "ms a step" : "passes" }[panel]}")} noenhanced");
-                    script.AppendLine("set logscale y");
+                    script.AppendLine(study.Alike ? "set yrange [0:*]" : "set logscale y");
                     script.AppendLine(panel == 0 ? "set key" : "unset key");
                     int column = 2 + panel;
                     script.AppendLine("plot " + string.Join(", ", series.SelectMany((name, s) => new[]
