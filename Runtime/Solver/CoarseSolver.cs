@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>A V-cycle for the potential of a <see cref="CoarseGrid"/>: smooths, corrects from coarser levels, smooths.</summary>
+    /// <summary>V-cycles for the potential of a <see cref="CoarseGrid"/>: each smooths, corrects from coarser levels, smooths.</summary>
     sealed class CoarseSolver : IDisposable
     {
         const int Tile = 8;                 // kTile in CoarseSolver.compute
@@ -33,13 +33,22 @@ namespace Rill
             corrections = GpuBuffer.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
         }
 
-        /// <summary>Records one V-cycle, from the potential's present values.</summary>
+        /// <summary>V-cycles a solve, at least 1: with a warm start one is enough.</summary>
+        public int Cycles { get; set; } = 1;
+
+        /// <summary>Records a solve, from the potential's present values.</summary>
         /// <param name="source">float [cells], right-hand side; kInactive where there is no potential.</param>
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
+            for (int cycle = 0; cycle < Cycles; cycle++)
+                RecordCycle(cmd, source, diagonal, potential);
+        }
+
+        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
+        {
             RecordSmooth(cmd, smooth, source, diagonal, potential, smoothed);
             BindGrid(cmd, restrictGrid, source, diagonal, smoothed);
             BindLevels(cmd, restrictGrid);
@@ -64,6 +73,7 @@ namespace Rill
         public void Describe(StageDescription stage, int perStep)
         {
             int levels = grid.FirstTailLevel - 1;
+            perStep *= Cycles;
             stage.Kernel("CoarseSolver", "Smooth", perStep);
             stage.Kernel("CoarseSolver", "RestrictGrid", perStep);
             if (levels > 0)

@@ -111,8 +111,14 @@ namespace Host.Fluids
             }
         }
 
+        /// <summary>What a solver of these settings needs for the scene.</summary>
+        public SolverLayout LayoutFor(in SolverSettings settings) => new SolverLayout(Domain, Spacing, Particles, settings.neighborCapacity, settings.listMargin);
+
         /// <summary>Fills a solver that was just cleared.</summary>
-        public void Fill(PbfSolver solver)
+        public void Fill(PbfSolver solver) => Fill(solver.Add);
+
+        /// <param name="add">Takes positions, m, and velocities, m/s.</param>
+        public void Fill(Action<NativeArray<float4>, NativeArray<float4>> add)
         {
             using var positions = new NativeArray<float4>(Particles, Allocator.Persistent);
             using var velocities = new NativeArray<float4>(Particles, Allocator.Persistent);
@@ -127,7 +133,7 @@ namespace Host.Fluids
                             to[i] = new float4((corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * Spacing, 0f);
                             speeds[i++] = new float4(velocity, 0f);
                         }
-            solver.Add(positions, velocities);
+            add(positions, velocities);
         }
 
         ExperimentScene Add(float3 corner, int3 counts, float3 velocity = default)

@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using Host.Report.ErrorTime;
 using Host.Report.Thesis;
+using Host.Report.Methods;
 
 namespace Host.Report
 {
@@ -18,6 +19,7 @@ namespace Host.Report
             new ThesisSection(),
             new TheorySection(),
             new ExtremesSection(),
+            new MethodsSection(),
         };
 
         public static Command Create()
