@@ -71,6 +71,9 @@ namespace Rill
         /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
         public GraphicsBuffer DrawArguments => particles.AliveArguments;
 
+        /// <summary>What carries the pressure of deep water; null while no step has needed it.</summary>
+        public CoarseCorrection Coarse => coarseCorrection;
+
         /// <summary>Removes all particles and resets the counters, at once.</summary>
         public void Clear()
         {

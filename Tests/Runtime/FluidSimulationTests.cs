@@ -603,11 +603,11 @@ namespace Rill.Tests
             Assert.That(State(fluid).Count, Is.EqualTo(100));
 
             SolverSettings settings = fluid.Settings;
-            settings.neighborCapacity = 64;
+            settings.neighborCapacity = 96;
             fluid.Settings = settings;
             yield return Frames(2);
             Assert.That(fluid.StepCount, Is.EqualTo(2));
-            Assert.That(fluid.Solver.Layout.NeighborCapacity, Is.EqualTo(64));
+            Assert.That(fluid.Solver.Layout.NeighborCapacity, Is.EqualTo(96));
         }
 
         [UnityTest]
