@@ -132,7 +132,7 @@ namespace Rill
             if (pbf == null || !pbf.TryGetStatistics(input, out statistics))
                 return false;
             statistics.relaxation = input.settings.relaxation;
-            statistics.relaxationClamped = input.settings.relaxation < solver.relaxation;
+            statistics.relaxationClamped = input.settings.relaxation < effective.relaxation;
             statistics.droppedTime = clock.Dropped;
             return true;
         }
@@ -159,6 +159,7 @@ namespace Rill
             if (pbf == null)
                 return stages;
             stages.AddRange(pbf.Describe(input, statisticsInterval));
+            stages.Add(DescribeBudget());
             FluidRenderer[] renderers = GetComponents<FluidRenderer>();
             foreach (FluidRenderer renderer in renderers)
                 stages.Add(renderer.Describe());
@@ -197,6 +198,7 @@ namespace Rill
         {
             pbf?.Dispose();
             pbf = null;
+            ReleaseBudget();
             commands?.Dispose();
             commands = null;
         }
@@ -230,10 +232,12 @@ namespace Rill
                 return;
             }
 
+            BeginBudgetFrame(frameTime);
             double dropped = clock.Dropped;
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
+            budgeted?.EndFrame(steps);
         }
 
         /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
@@ -242,7 +246,11 @@ namespace Rill
             PrepareInput(duration);
             commands.Clear();
             for (int i = 0; i < steps; i++)
+            {
+                budgeted?.BeginStep(commands);
                 pbf.Step(commands, input);
+                budgeted?.EndStep(commands);
+            }
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
@@ -275,12 +283,12 @@ namespace Rill
             {
                 timeStep = FixedStep,
                 gravity = Quaternion.Inverse(transform.rotation) * felt,
-                settings = solver,
+                settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,
             };
             NeedsDensity = false;
-            input.settings.relaxation = solver.StableRelaxation(pbf.IsDeep(input));
+            input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
         }
 
         void ValidateSettings()
@@ -288,6 +296,8 @@ namespace Rill
             solver.Validate(out string problem);
             material.Validate(out string materialProblem);
             Limit.Append(ref problem, materialProblem);
+            budget.Validate(out string budgetProblem);
+            Limit.Append(ref problem, budgetProblem);
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
