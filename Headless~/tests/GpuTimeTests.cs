@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
@@ -111,7 +112,7 @@ namespace Host.Tests
         [TestCase("None", false, false)]
         public void A_player_that_tells_less_says_so(string told, bool samples, bool frames)
         {
-            Player.GpuTimes = System.Enum.Parse<GpuTimes>(told);
+            Player.GpuTimes = Enum.Parse<GpuTimes>(told);
             Assert.That(SystemInfo.supportsGpuRecorder, Is.EqualTo(samples));
             Assert.That(CustomSampler.Create(Name, true).GetRecorder().isValid, Is.EqualTo(samples));
             Assert.That(FrameTimingManager.IsFeatureEnabled(), Is.EqualTo(frames));
@@ -123,19 +124,8 @@ namespace Host.Tests
         [TestCase("None", 0f, GpuTimeKind.None)]
         public void A_budget_takes_the_best_time_that_the_player_tells(string told, float deviceFactor, GpuTimeKind expected)
         {
-            Player.GpuTimes = System.Enum.Parse<GpuTimes>(told);
-            var gameObject = new GameObject("Fluid");
-            gameObject.SetActive(false);
-            var fluid = gameObject.AddComponent<FluidSimulation>();
-            fluid.Configure(new Vector3(0.6f, 0.4f, 0.4f), 0.05f, 200);
-            fluid.StatisticsInterval = 0;
-            SolverBudget budget = SolverBudget.Default;
-            budget.mode = BudgetMode.Milliseconds;
-            budget.milliseconds = 1000f;
-            budget.deviceFactor = deviceFactor;
-            fluid.Budget = budget;
-            gameObject.AddComponent<FluidVolume>().Size = new Vector3(0.2f, 0.2f, 0.2f);
-            gameObject.SetActive(true);
+            Player.GpuTimes = Enum.Parse<GpuTimes>(told);
+            FluidSimulation fluid = Fluid(deviceFactor);
             for (int i = 0; i < 90; i++)
             {
                 Frame();
@@ -153,8 +143,52 @@ namespace Host.Tests
             Assert.That(fluid.BudgetState.iterations, Is.EqualTo(16), "a second is enough for the best");
         }
 
+        [Test]
+        public void Steps_are_marked_only_while_the_budget_is_on()
+        {
+            FluidSimulation fluid = Fluid();
+            SolverBudget on = fluid.Budget;
+            Assert.That(Marked(), Is.True);
+            fluid.Budget = SolverBudget.Default;
+            Assert.That(Marked(), Is.False);
+            fluid.Budget = on;
+            Assert.That(Marked(), Is.True);
+            FluidSimulation other = Fluid();
+            Frame();
+            Recorder first = Recorder.Get("Rill.Steps"), second = Recorder.Get("Rill.Steps 2");
+            Assert.That(first.enabled && second.enabled, "each simulation has a name of its own");
+            other.enabled = false;
+            Assert.That(second.enabled, Is.False);
+            Assert.That(first.enabled);
+
+            static bool Marked()
+            {
+                Player.Device.Timing = true;
+                Frame();
+                Player.Device.Timing = false;
+                return Player.Device.CollectSamples().Any(sample => sample.Name == "Rill.Steps");
+            }
+        }
+
+        static FluidSimulation Fluid(float deviceFactor = 0f)
+        {
+            var gameObject = new GameObject("Fluid");
+            gameObject.SetActive(false);
+            var fluid = gameObject.AddComponent<FluidSimulation>();
+            fluid.Configure(new Vector3(0.6f, 0.4f, 0.4f), 0.05f, 200);
+            fluid.StatisticsInterval = 0;
+            SolverBudget budget = SolverBudget.Default;
+            budget.mode = BudgetMode.Milliseconds;
+            budget.milliseconds = 1000f;
+            budget.deviceFactor = deviceFactor;
+            fluid.Budget = budget;
+            gameObject.AddComponent<FluidVolume>().Size = new Vector3(0.2f, 0.2f, 0.2f);
+            gameObject.SetActive(true);
+            return fluid;
+        }
+
         /// <summary>A little work under samples of given names.</summary>
-        sealed class Work : System.IDisposable
+        sealed class Work : IDisposable
         {
             readonly CommandBuffer cmd = new CommandBuffer { name = "Work" };
             readonly GraphicsBuffer values = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 64, 4);

@@ -71,15 +71,6 @@ namespace Host.Fluids
             Plot("speed", "Speed", "m/s", "speed_rms_m_s", "speed_max_m_s", "jitter_m_s"),
         };
 
-        public IEnumerable<string> Summary
-        {
-            get
-            {
-                if (simulation.Budget.mode != BudgetMode.Off)
-                    yield return $"budget of '{simulation.name}': {simulation.BudgetState}";
-            }
-        }
-
         public IEnumerable<(string Name, string Value)> Settings
         {
             get
@@ -91,8 +82,6 @@ namespace Host.Fluids
                 yield return Row("particle spacing", $"{simulation.ParticleSpacing} m");
                 yield return Row("solver", $"{solver.substeps} substeps x {solver.iterations} iterations, relaxation {solver.relaxation}, step {simulation.FixedStep * 1000f:0.##} ms");
                 yield return Row("material", $"viscosity {material.viscosity}, vorticity {material.vorticity} m/s, artificial pressure {material.artificialPressure}, tension {material.allowedTension}");
-                if (simulation.Budget.mode != BudgetMode.Off)
-                    yield return Row("budget", simulation.BudgetState.ToString());
                 if (simulation.TryGetStatistics(out FluidStatistics last))
                     yield return Row("particles", last.particles.ToString("N0", CultureInfo.InvariantCulture));
             }

@@ -11,6 +11,7 @@ namespace Host.Report
     {
         static readonly ReportSection[] Sections =
         {
+            new BudgetSection(),
         };
 
         public static Command Create()
