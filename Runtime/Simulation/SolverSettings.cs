@@ -28,7 +28,7 @@ namespace Rill
         [Tooltip("Radius of the neighbor list in support radii. 1 to 1.5; above 1 the list stays valid while particles move within a step.")]
         [Range(1f, 1.5f)] public float listMargin;
 
-        [Tooltip("Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 96 in hard impacts; what does not fit is reported.")]
+        [Tooltip("Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 64 in hard impacts; what does not fit is reported.")]
         [Range(16, 256)] public int neighborCapacity;
 
         public static SolverSettings Default => new SolverSettings
@@ -38,7 +38,7 @@ namespace Rill
             substeps = 1,
             softness = 1e-3f,
             listMargin = 1f,
-            neighborCapacity = 96,
+            neighborCapacity = 64,
         };
 
         /// <summary>

@@ -23,10 +23,10 @@ namespace Rill
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
-        readonly int binFlow, findDivergence, displaceFlow, applyFlow;
-        readonly int binErrors, findErrors, displaceErrors, extendDisplacements;
+        readonly int binFlow, findDivergence, displaceFlow;
+        readonly int findErrors, displaceErrors, extendDisplacements;
         readonly CoarseSolver solver;
-        GraphicsBuffer bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
+        GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize)
@@ -34,15 +34,13 @@ namespace Rill
             binFlow = shader.FindKernel("BinFlow");
             findDivergence = shader.FindKernel("FindDivergence");
             displaceFlow = shader.FindKernel("DisplaceFlow");
-            applyFlow = shader.FindKernel("ApplyFlow");
-            binErrors = shader.FindKernel("BinErrors");
             findErrors = shader.FindKernel("FindErrors");
             displaceErrors = shader.FindKernel("DisplaceErrors");
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
 
             Grid = new CoarseGrid(layout.DomainSize, cellSize);
             solver = new CoarseSolver(Grid);
-            bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
+            Bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
             flow = GpuBuffer.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
             fill = GpuBuffer.Structured<float>("Rill.Coarse.Fill", Grid.Total);
             source = GpuBuffer.Structured<float>("Rill.Coarse.Source", Grid.Total);
@@ -51,10 +49,9 @@ namespace Rill
             flowPotential = GpuBuffer.Structured<float>("Rill.Coarse.FlowPotential", Grid.Total);
             errorPotential = GpuBuffer.Structured<float>("Rill.Coarse.ErrorPotential", Grid.Total);
             Displacements = GpuBuffer.Structured<float4>("Rill.Coarse.Displacements", Grid.Total);
-            DensityErrors = GpuBuffer.Structured<float>("Rill.Coarse.DensityErrors", layout.Capacity);
             Constants = GpuBuffer.Constants<CoarseConstants>("Rill.Coarse.Constants");
             Constants.SetData(new[] { CoarseConstants.For(Grid) });
-            bins.SetData(new uint[Grid.Total * BinStride]);
+            Bins.SetData(new uint[Grid.Total * BinStride]);
             var none = new float[Grid.Total];       // the first substep has no past
             lastErrors.SetData(none);
             flowPotential.SetData(none);
@@ -69,12 +66,12 @@ namespace Rill
         /// <summary>float4 [cells], xyz displacement at a cell's centre, d.</summary>
         public GraphicsBuffer Displacements { get; private set; }
 
-        /// <summary>float [capacity], signed C of the first multipliers; the density constraint writes it.</summary>
-        public GraphicsBuffer DensityErrors { get; private set; }
+        /// <summary>uint [cells, 8], see CoarseBins.hlsl; the density constraint sums its errors there.</summary>
+        public GraphicsBuffer Bins { get; private set; }
 
         /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
-        public (GraphicsBuffer bins, GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
-            => (bins, flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential);
+        public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
+            => (flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential);
 
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>
@@ -88,36 +85,28 @@ namespace Rill
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
         public const float StaysAboveLayers = 8f;
 
-        /// <summary>Records the projection: the velocities become those that the prediction shall use.</summary>
+        /// <summary>Records the projection: <see cref="Displacements"/> are what the prediction shall add to the flow.</summary>
         public void RecordProjection(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
         {
             cmd.BeginSample(ProjectionMarker);
             BindConstants(cmd, constants);
-            BindParticles(cmd, binFlow, particles);
-            cmd.SetComputeBufferParam(shader, binFlow, Ids.Bins, bins);
+            cmd.SetComputeBufferParam(shader, binFlow, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, binFlow, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, binFlow, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, binFlow, CoarseIds.Bins, Bins);
             cmd.DispatchCompute(shader, binFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
             RecordSource(cmd, findDivergence, flowPotential);
             solver.Record(cmd, Constants, source, diagonal, flowPotential);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
-
-            BindParticles(cmd, applyFlow, particles);
-            cmd.SetComputeBufferParam(shader, applyFlow, CoarseIds.Displacements, Displacements);
-            cmd.DispatchCompute(shader, applyFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(ProjectionMarker);
         }
 
-        /// <summary>Records the density correction: <see cref="Displacements"/> from <see cref="DensityErrors"/> at these positions.</summary>
-        public void RecordDensity(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, GraphicsBuffer positions)
+        /// <summary>Records the density correction: <see cref="Displacements"/> from the errors in <see cref="Bins"/>.</summary>
+        public void RecordDensity(CommandBuffer cmd, GraphicsBuffer constants)
         {
             cmd.BeginSample(DensityMarker);
             BindConstants(cmd, constants);
-            cmd.SetComputeBufferParam(shader, binErrors, Ids.Positions, positions);
-            cmd.SetComputeBufferParam(shader, binErrors, CoarseIds.DensityErrors, DensityErrors);
-            cmd.SetComputeBufferParam(shader, binErrors, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, binErrors, Ids.Bins, bins);
-            cmd.DispatchCompute(shader, binErrors, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
-
             RecordSource(cmd, findErrors, errorPotential);
             solver.Record(cmd, Constants, source, diagonal, errorPotential);
             RecordDisplacements(cmd, displaceErrors, errorPotential);
@@ -127,7 +116,6 @@ namespace Rill
         public void Dispose()
         {
             solver.Dispose();
-            GpuBuffer.Release(ref bins);
             GpuBuffer.Release(ref flow);
             GpuBuffer.Release(ref fill);
             GpuBuffer.Release(ref source);
@@ -137,8 +125,8 @@ namespace Rill
             GpuBuffer.Release(ref errorPotential);
             Displacements?.Release();
             Displacements = null;
-            DensityErrors?.Release();
-            DensityErrors = null;
+            Bins?.Release();
+            Bins = null;
             Constants?.Release();
             Constants = null;
         }
@@ -154,11 +142,11 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "ApplyFlow", "BinErrors", "FindErrors", "DisplaceErrors" })
+            foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel, substeps);
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
             stage.solver.Describe(description, 2 * substeps);
-            description.Buffer("Rill.Coarse.Bins", stage.bins);
+            description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
             description.Buffer("Rill.Coarse.Fill", stage.fill);
             description.Buffer("Rill.Coarse.Source", stage.source);
@@ -167,7 +155,6 @@ namespace Rill
             description.Buffer("Rill.Coarse.FlowPotential", stage.flowPotential);
             description.Buffer("Rill.Coarse.ErrorPotential", stage.errorPotential);
             description.Buffer("Rill.Coarse.Displacements", stage.Displacements);
-            description.Buffer("Rill.Coarse.DensityErrors", stage.DensityErrors);
             description.Buffer("Rill.Coarse.Constants", stage.Constants);
             return description;
         }
@@ -178,17 +165,10 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Constants, 0, Constants.stride);
         }
 
-        void BindParticles(CommandBuffer cmd, int kernel, ParticleBuffers particles)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-        }
-
         // What a kernel does not use is bound in vain and costs nothing.
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Bins, bins);
+            cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Bins, Bins);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
@@ -219,7 +199,6 @@ namespace Rill
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Bins = Shader.PropertyToID("_Bins");
             public static readonly int Flow = Shader.PropertyToID("_Flow");
             public static readonly int Fill = Shader.PropertyToID("_Fill");
             public static readonly int Source = Shader.PropertyToID("_Source");
@@ -230,11 +209,11 @@ namespace Rill
         }
     }
 
-    /// <summary>Properties of CoarseGrid.hlsl and CoarseDisplacement.hlsl.</summary>
+    /// <summary>Properties of CoarseGrid.hlsl, CoarseDisplacement.hlsl and CoarseBins.hlsl.</summary>
     static class CoarseIds
     {
         public static readonly int Constants = Shader.PropertyToID("RillCoarse");
         public static readonly int Displacements = Shader.PropertyToID("_Displacements");
-        public static readonly int DensityErrors = Shader.PropertyToID("_DensityErrors");
+        public static readonly int Bins = Shader.PropertyToID("_Bins");
     }
 }

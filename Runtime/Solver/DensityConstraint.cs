@@ -35,18 +35,8 @@ namespace Rill
         /// <param name="coarse">Adds its density correction to the first iteration; null for none.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse)
         {
-            int build = coarse != null ? buildListDeep : buildList;
-            Lists.RecordKeyword(cmd, shader, twoLists);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-
-            cmd.BeginSample(ListMarker);
-            cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, search.CellStarts);
-            if (coarse != null)
-                cmd.SetComputeBufferParam(shader, build, CoarseIds.DensityErrors, coarse.DensityErrors);
-            Dispatch(cmd, build, particles, particles.Predicted, particles.Current);
-            cmd.EndSample(ListMarker);
-            coarse?.RecordDensity(cmd, constants, particles, particles.Current);
-
+            RecordList(cmd, constants, particles, search, coarse);
+            coarse?.RecordDensity(cmd, constants);
             for (int i = 0; i < iterations; i++)
             {
                 if (i > 0)
@@ -61,12 +51,29 @@ namespace Rill
                 if (i == 0 && coarse != null)
                 {
                     kernel = artificialPressure ? displaceDeepWithPressure : displaceDeep;
-                    cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
                 }
+                cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
                 Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted);
                 cmd.EndSample(DisplaceMarker);
             }
+        }
+
+        /// <summary>Records the list and the first multipliers, at Predicted, into Current; their errors into the bins of the coarse grid.</summary>
+        public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse)
+        {
+            int build = coarse != null ? buildListDeep : buildList;
+            cmd.BeginSample(ListMarker);
+            Lists.RecordKeyword(cmd, shader, twoLists);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            if (coarse != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, coarse.Bins);
+            }
+            cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, search.CellStarts);
+            Dispatch(cmd, build, particles, particles.Predicted, particles.Current);
+            cmd.EndSample(ListMarker);
         }
 
         public void Dispose() => Lists.Dispose();
@@ -101,6 +108,7 @@ namespace Rill
         {
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
         }

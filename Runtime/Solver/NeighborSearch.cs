@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsAtRest, scatterOrder, gather;
+        readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather;
         readonly int cells;
         readonly PrefixSum prefixSum;
         GraphicsBuffer cellHistogram, cellRanks;
@@ -21,6 +21,7 @@ namespace Rill
         public NeighborSearch(SolverLayout layout)
         {
             countCells = shader.FindKernel("CountCells");
+            countCellsDeep = shader.FindKernel("CountCellsDeep");
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel("Gather");
@@ -41,10 +42,16 @@ namespace Rill
         public GraphicsBuffer Order { get; private set; }
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
+        /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse)
         {
             cmd.BeginSample(Marker);
-            RecordOrder(cmd, constants, particles, countCells);
+            if (coarse != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, countCellsDeep, CoarseIds.Displacements, coarse.Displacements);
+            }
+            RecordOrder(cmd, constants, particles, coarse != null ? countCellsDeep : countCells);
 
             cmd.SetComputeBufferParam(shader, gather, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, gather, Ids.CellStarts, CellStarts);
@@ -76,10 +83,11 @@ namespace Rill
             Order = null;
         }
 
-        public StageDescription Describe(in SolverSettings settings)
+        /// <param name="deep">Whether a coarse correction runs.</param>
+        public StageDescription Describe(in SolverSettings settings, bool deep)
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
-            stage.Kernel("NeighborSearch", "CountCells", settings.substeps);
+            stage.Kernel("NeighborSearch", deep ? "CountCellsDeep" : "CountCells", settings.substeps);
             prefixSum.Describe(stage, settings.substeps);
             stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps);
             stage.Kernel("NeighborSearch", "Gather", settings.substeps);
@@ -95,7 +103,7 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
 
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Current);
-            if (countKernel == countCells)
+            if (countKernel != countCellsAtRest)
                 cmd.SetComputeBufferParam(shader, countKernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);

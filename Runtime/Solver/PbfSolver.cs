@@ -115,7 +115,7 @@ namespace Rill
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
                 coarse?.RecordProjection(cmd, constants, particles);
-                neighborSearch.RecordSort(cmd, constants, particles);
+                neighborSearch.RecordSort(cmd, constants, particles, coarse);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input);
                 if (VorticityConfinement.IsNeeded(input))
@@ -164,7 +164,7 @@ namespace Rill
             {
                 state,
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
-                neighborSearch.Describe(input.settings),
+                neighborSearch.Describe(input.settings, coarseCorrection != null),
                 densityConstraint.Describe(input, coarseCorrection != null),
                 velocityUpdate.Describe(input, densityConstraint.Lists),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists),

@@ -6,11 +6,11 @@ namespace Rill.Editor.Tests
     /// <summary>What importing the package must leave behind, seen without playing.</summary>
     public class StageAssetTests
     {
-        [TestCase("CoarseGrid", "BinFlow", "FindDivergence", "DisplaceFlow", "ApplyFlow", "BinErrors", "FindErrors", "DisplaceErrors")]
+        [TestCase("CoarseGrid", "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors")]
         [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveTail")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "Displace", "DisplaceWithPressure", "DisplaceDeep", "DisplaceDeepWithPressure")]
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
-        [TestCase("NeighborSearch", "CountCells", "CountCellsAtRest", "ScatterOrder", "Gather")]
+        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsAtRest", "ScatterOrder", "Gather")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
         [TestCase("Statistics", "Measure", "Reduce")]
         [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]

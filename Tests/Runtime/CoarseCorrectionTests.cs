@@ -260,21 +260,37 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
-        public void Errors_handed_to_the_grid_are_those_of_the_constraint()
+        [TestCase(1)]
+        [TestCase(127)]
+        [TestCase(129)]
+        [TestCase(10007)]
+        public void Errors_handed_to_the_grid_are_those_of_the_constraint(int count)
         {
-            ParticleState state = ParticleState.Random(997, seed: 5);
+            // With a crowd at one place, spray around and a cell's worth of particles that are too dense.
+            ParticleState state = ParticleState.Random(count, seed: 5);
+            for (int i = 0; i < count / 5; i++)
+                state.positions[i] = new float4(5.5f + 0.05f * math.sin(new float3(i, 2f * i, 3f * i)), 0f);
             using (var stages = new SolverStages(state, SolverStages.Still()).Sort())
             using (var coarse = new CoarseCorrection(stages.Layout, 4f))
             {
-                GpuTest.FillWithGarbage(coarse.DensityErrors);
-                stages.Constrain(0, coarse);
-                double3[] points = Compare.Points(stages.Multipliers);
-                var reference = new Constraint(state.box, points, Neighbors.BruteForce(points, Kernels.H));
-                float[] errors = GpuTest.Read<float>(coarse.DensityErrors, 997);
-                Compare.Scalars("errors", 997, i => errors[i], i => reference.Density(i) - 1.0, i => 1e-5 * reference.Density(i));
-                Assert.That(errors.Count(e => e < 0f), Is.GreaterThan(50), "errors have a sign");
-                Assert.That(GpuTest.Read<float>(coarse.DensityErrors, 1002).Skip(997).All(e => float.IsNaN(e)), "places past the particles are left alone");
+                GpuTest.Run(cmd => stages.Constraint.RecordList(cmd, stages.Constants, stages.Particles, stages.Search, coarse));
+                float4[] sorted = stages.Multipliers;
+                double3[] points = Compare.Points(sorted);
+                var reference = new Constraint(state.box, points, Neighbors.ByCells(points, Kernels.H));
+                float[] errors = Enumerable.Range(0, count).Select(i => (float)(reference.Density(i) - 1.0)).ToArray();
+                if (count > 1000)
+                {
+                    Assert.That(errors.Count(e => e < -0.1f), Is.GreaterThan(50), "no spray");
+                    Assert.That(errors.Count(e => e > 8f), Is.GreaterThan(50), "no crowd");
+                    Assert.That(errors.Count(e => e > -0.1f && e < 8f), Is.GreaterThan(50), "nothing between the limits");
+                }
+                uint[] expected = CoarseStages.ErrorBins(coarse.Grid, state.box, sorted, errors), bins = GpuTest.Read<uint>(coarse.Bins, coarse.Bins.count);
+                for (int bin = 0; bin < expected.Length; bin += 8)
+                {
+                    Assert.That(bins[bin], Is.EqualTo(expected[bin]), $"particles of cell {bin / 8}");
+                    double sum = bins[bin + 2] * 4294967296.0 + bins[bin + 1], exact = expected[bin + 2] * 4294967296.0 + expected[bin + 1];
+                    Assert.That(sum, Is.EqualTo(exact).Within(expected[bin] * (1.0 + 1e-4 * 65536.0)), $"errors of cell {bin / 8}");
+                }
             }
         }
 

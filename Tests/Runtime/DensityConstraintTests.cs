@@ -223,7 +223,7 @@ namespace Rill.Tests
             {
                 uint once = stages.Counter(ParticleCounter.Overflow);
                 // The state is as after a step in which nothing moved.
-                GpuTest.Run(cmd => stages.Search.RecordSort(cmd, stages.Constants, stages.Particles));
+                GpuTest.Run(cmd => stages.Search.RecordSort(cmd, stages.Constants, stages.Particles, null));
                 stages.Constrain(iterations: 0);
                 Assert.That(stages.Counter(ParticleCounter.Overflow), Is.EqualTo(once).And.GreaterThan(0u));
             }
@@ -252,9 +252,9 @@ namespace Rill.Tests
         public void Two_lists_give_the_result_of_one_bit_for_bit()
         {
             ParticleState state = ParticleState.Random(997, seed: 12);
-            // 96 entries of 4 bytes each: two thirds of the particles fit the first buffer.
+            // 64 entries of 4 bytes each: two thirds of the particles fit the first buffer.
             using (var one = new SolverStages(state, SolverStages.Still()).Sort().Constrain(iterations: 3))
-            using (var two = new SolverStages(state, SolverStages.Still(), largestBinding: 96 * 4 * 672).Sort().Constrain(iterations: 3))
+            using (var two = new SolverStages(state, SolverStages.Still(), largestBinding: 64 * 4 * 672).Sort().Constrain(iterations: 3))
             {
                 Assert.That(one.Layout.TwoLists, Is.False);
                 Assert.That(two.Layout.FirstListParticles, Is.EqualTo(672));

@@ -157,7 +157,7 @@ namespace Rill.Tests
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = 2;
                 settings.relaxation = 0.8f;
-                var fluid = new TestFluid(new float3(0.8f, 0.8f, 0.8f), 0.04f, 1000, settings, largestBinding: 640 * 96 * 4);
+                var fluid = new TestFluid(new float3(0.8f, 0.8f, 0.8f), 0.04f, 1000, settings, largestBinding: 640 * 64 * 4);
                 fluid.Input.material.vorticity = 0.3f;
                 return fluid.AddBlock(0.1f, new float3(0.4f, 0.36f, 0.4f));
             }
@@ -166,7 +166,7 @@ namespace Rill.Tests
         [Test]
         public void Two_list_buffers_change_no_bit()
         {
-            using (TestFluid one = Box(0), two = Box(640 * 96 * 4))
+            using (TestFluid one = Box(0), two = Box(640 * 64 * 4))
             {
                 Assert.That(one.Solver.Layout.TwoLists, Is.False);
                 Assert.That(two.Solver.Layout.TwoLists);

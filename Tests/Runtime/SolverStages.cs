@@ -57,7 +57,7 @@ namespace Rill.Tests
 
         public SolverStages Sort()
         {
-            GpuTest.Run(cmd => Search.RecordSort(cmd, Constants, Particles));
+            GpuTest.Run(cmd => Search.RecordSort(cmd, Constants, Particles, null));
             return this;
         }
 

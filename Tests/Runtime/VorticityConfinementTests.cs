@@ -94,7 +94,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 5, speed: 10f);
             using (var one = new Swirl(state, Vorticity))
-            using (var two = new Swirl(state, Vorticity, largestBinding: 96 * 4 * 512))
+            using (var two = new Swirl(state, Vorticity, largestBinding: 64 * 4 * 512))
             {
                 Assert.That(two.Stages.Layout.TwoLists);
                 Compare.Same("velocities", two.Confined, one.Confined);

@@ -18,9 +18,10 @@ namespace Host.Fluids
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var relaxation = new Option<float>("--relaxation") { DefaultValueFactory = _ => SolverSettings.Default.relaxation };
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.Automatic };
+            var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, every, stages };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, stages };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -28,6 +29,7 @@ namespace Host.Fluids
                 settings.substeps = parsed.GetValue(substeps);
                 settings.relaxation = parsed.GetValue(relaxation);
                 settings.deepWater = parsed.GetValue(deep);
+                settings.neighborCapacity = parsed.GetValue(neighbors);
                 var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
                 using var session = new Session(Session.Root());
                 Experiment run = Experiment.Run(ExperimentScene.Parse(parsed.GetValue(scene)), input, parsed.GetValue(seconds), parsed.GetValue(every));
