@@ -138,7 +138,7 @@ namespace Rill
             if (pbf == null || !pbf.TryGetStatistics(input, out statistics))
                 return false;
             statistics.relaxation = input.settings.relaxation;
-            statistics.relaxationClamped = input.settings.relaxation < solver.relaxation;
+            statistics.relaxationClamped = input.settings.relaxation < effective.relaxation;
             statistics.substeps = input.settings.substeps;
             statistics.droppedTime = clock.Dropped;
             return true;
@@ -165,6 +165,7 @@ namespace Rill
             if (pbf == null)
                 return stages;
             stages.AddRange(pbf.Describe(input, statisticsInterval));
+            stages.Add(DescribeBudget());
             FluidRenderer[] renderers = GetComponents<FluidRenderer>();
             foreach (FluidRenderer renderer in renderers)
                 stages.Add(renderer.Describe());
@@ -207,6 +208,7 @@ namespace Rill
         {
             pbf?.Dispose();
             pbf = null;
+            ReleaseBudget();
             commands?.Dispose();
             commands = null;
         }
@@ -237,10 +239,12 @@ namespace Rill
             if (paused)
                 return;
 
+            BeginBudgetFrame(frameTime);
             double dropped = clock.Dropped;
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
+            budgeted?.EndFrame(steps);
         }
 
         /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
@@ -249,7 +253,11 @@ namespace Rill
             PrepareInput(duration);
             commands.Clear();
             for (int i = 0; i < steps; i++)
+            {
+                budgeted?.BeginStep(commands);
                 pbf.Step(commands, input);
+                budgeted?.EndStep(commands);
+            }
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
@@ -283,21 +291,25 @@ namespace Rill
             {
                 timeStep = FixedStep,
                 gravity = Quaternion.Inverse(rotation) * felt,
-                settings = solver,
+                settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,
             };
             NeedsDensity = false;
-            input.settings.relaxation = solver.StableRelaxation(pbf.IsDeep(input));
-            // By gravity alone: a jerk of the box is one step's, and its cost would come as a hitch.
-            input.settings.substeps = solver.StableSubsteps(gravity.magnitude * FixedStep * FixedStep / particleSpacing);
+            input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
+            input.settings.substeps = effective.StableSubsteps(GravityStep);
         }
+
+        // How far gravity carries a particle in a step, d. Gravity alone: a jerk of the box is one step's, and its cost would come as a hitch.
+        float GravityStep => gravity.magnitude * FixedStep * FixedStep / particleSpacing;
 
         void ValidateSettings()
         {
             solver.Validate(out string problem);
             material.Validate(out string materialProblem);
             Limit.Append(ref problem, materialProblem);
+            budget.Validate(out string budgetProblem);
+            Limit.Append(ref problem, budgetProblem);
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);

@@ -71,10 +71,14 @@ namespace Rill
 
         /// <summary>Substeps that a simulation takes: those asked for, or as many as it needs for gravity to stay small in one.</summary>
         /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
-        public int StableSubsteps(float gravityStep)
+        public int StableSubsteps(float gravityStep) => Math.Max(substeps, LeastSubsteps(gravityStep));
+
+        /// <summary>Fewest substeps with which gravity stays small in one.</summary>
+        /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
+        public static int LeastSubsteps(float gravityStep)
         {
             double needed = gravityStep > LargestGravityStep ? Math.Ceiling(Math.Sqrt(gravityStep / EasyGravityStep)) : 1.0;
-            return (int)Math.Max(substeps, Math.Min(needed, MaxSubsteps));
+            return (int)Math.Min(needed, MaxSubsteps);
         }
 
         /// <summary>Puts every value into its range.</summary>

@@ -20,6 +20,7 @@ namespace Host.Report
             new TheorySection(),
             new ExtremesSection(),
             new MethodsSection(),
+            new BudgetSection(),
         };
 
         public static Command Create()
