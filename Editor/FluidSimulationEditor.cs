@@ -15,6 +15,11 @@ namespace Rill.Editor
 
             var simulation = (FluidSimulation)target;
             EditorGUILayout.Space();
+            BudgetState state = simulation.BudgetState;
+            foreach ((string label, string text) in BudgetSummary.Rows(state))
+                EditorGUILayout.LabelField(label, text);
+            foreach ((MessageType type, string text) in BudgetSummary.Messages(simulation.Budget, state, simulation.StatisticsInterval))
+                EditorGUILayout.HelpBox(text, type);
             if (!Application.isPlaying)
                 EditorGUILayout.HelpBox("Measurements appear here in play mode.", MessageType.None);
             else if (simulation.TryGetStatistics(out FluidStatistics statistics))

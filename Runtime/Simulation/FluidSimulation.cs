@@ -13,7 +13,8 @@ namespace Rill
     /// <remarks>
     /// The box follows the object's position and rotation, not its scale. Moving the object carries the fluid along; its
     /// acceleration acts on the fluid unless <c>inertial</c> is off. (A turning box tilts gravity; the other forces of a
-    /// rotating frame are left out.) A problem is logged once, by name, and disables the component.
+    /// rotating frame are left out.) A transform that stops being finite is not followed until it is a place again. Any other
+    /// problem is logged once, by name, and disables the component.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Simulation")]
     [DisallowMultipleComponent]
@@ -103,9 +104,14 @@ namespace Rill
         public bool IsRunning => pbf != null;
 
         /// <summary>From the domain's frame in particle spacings, lowest corner at 0, to world space.</summary>
-        public Matrix4x4 DomainToWorld =>
-            Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one)
-            * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
+        public Matrix4x4 DomainToWorld
+        {
+            get
+            {
+                GetPlace(out Vector3 position, out Quaternion rotation);
+                return Matrix4x4.TRS(position, rotation, Vector3.one) * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
+            }
+        }
 
         internal PbfSolver Solver => pbf;
         internal StepInput Input => input;
@@ -132,7 +138,8 @@ namespace Rill
             if (pbf == null || !pbf.TryGetStatistics(input, out statistics))
                 return false;
             statistics.relaxation = input.settings.relaxation;
-            statistics.relaxationClamped = input.settings.relaxation < solver.relaxation;
+            statistics.relaxationClamped = input.settings.relaxation < effective.relaxation;
+            statistics.substeps = input.settings.substeps;
             statistics.droppedTime = clock.Dropped;
             return true;
         }
@@ -147,8 +154,7 @@ namespace Rill
             StepCount = 0;
             FluidTime = 0.0;
             stepsSinceStatistics = 0;
-            lastPosition = transform.position;
-            lastVelocity = 0f;
+            StandStill();
             FillVolumes();
         }
 
@@ -159,6 +165,7 @@ namespace Rill
             if (pbf == null)
                 return stages;
             stages.AddRange(pbf.Describe(input, statisticsInterval));
+            stages.Add(DescribeBudget());
             FluidRenderer[] renderers = GetComponents<FluidRenderer>();
             foreach (FluidRenderer renderer in renderers)
                 stages.Add(renderer.Describe());
@@ -174,8 +181,12 @@ namespace Rill
                 Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.");
                 return;
             }
-            if (!HasFiniteTransform())
+            if (!IsFinite(transform.position, transform.rotation))
+            {
+                Fail($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.");
                 return;
+            }
+            FollowTransform();
 
             ValidateSettings();
             try
@@ -197,6 +208,7 @@ namespace Rill
         {
             pbf?.Dispose();
             pbf = null;
+            ReleaseBudget();
             commands?.Dispose();
             commands = null;
         }
@@ -213,8 +225,6 @@ namespace Rill
         /// <param name="frameTime">Time since the last call, s.</param>
         internal void Advance(float frameTime)
         {
-            if (!HasFiniteTransform())
-                return;
             if (layoutChanged)
             {
                 OnDisable();
@@ -222,18 +232,19 @@ namespace Rill
             }
             if (pbf == null)
                 return;
+            bool moves = FollowTransform();
+            // Where the box goes while time stands still is no push when it goes on, nor is the way back from no place.
+            if (paused || !moves)
+                StandStill();
             if (paused)
-            {
-                // Where the box goes meanwhile is no push when time goes on.
-                lastPosition = transform.position;
-                lastVelocity = 0f;
                 return;
-            }
 
+            BeginBudgetFrame(frameTime);
             double dropped = clock.Dropped;
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
                 Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
+            budgeted?.EndFrame(steps);
         }
 
         /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
@@ -242,7 +253,11 @@ namespace Rill
             PrepareInput(duration);
             commands.Clear();
             for (int i = 0; i < steps; i++)
+            {
+                budgeted?.BeginStep(commands);
                 pbf.Step(commands, input);
+                budgeted?.EndStep(commands);
+            }
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
@@ -264,7 +279,8 @@ namespace Rill
         // Gravity in the domain's frame, less the acceleration of the frame itself since the last steps.
         void PrepareInput(float duration)
         {
-            float3 position = transform.position;
+            GetPlace(out Vector3 place, out Quaternion rotation);
+            float3 position = place;
             float3 velocity = (position - lastPosition) / duration;
             float3 acceleration = (velocity - lastVelocity) / duration;
             lastPosition = position;
@@ -274,20 +290,26 @@ namespace Rill
             input = new StepInput
             {
                 timeStep = FixedStep,
-                gravity = Quaternion.Inverse(transform.rotation) * felt,
-                settings = solver,
+                gravity = Quaternion.Inverse(rotation) * felt,
+                settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,
             };
             NeedsDensity = false;
-            input.settings.relaxation = solver.StableRelaxation(pbf.IsDeep(input));
+            input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
+            input.settings.substeps = effective.StableSubsteps(GravityStep);
         }
+
+        // How far gravity carries a particle in a step, d. Gravity alone: a jerk of the box is one step's, and its cost would come as a hitch.
+        float GravityStep => gravity.magnitude * FixedStep * FixedStep / particleSpacing;
 
         void ValidateSettings()
         {
             solver.Validate(out string problem);
             material.Validate(out string materialProblem);
             Limit.Append(ref problem, materialProblem);
+            budget.Validate(out string budgetProblem);
+            Limit.Append(ref problem, budgetProblem);
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
@@ -301,15 +323,11 @@ namespace Rill
                 && layout.AskedNeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
         }
 
-        bool HasFiniteTransform()
+        void StandStill()
         {
-            Vector3 position = transform.position;
-            Quaternion rotation = transform.rotation;
-            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
-            if (!float.IsNaN(sum) && !float.IsInfinity(sum))
-                return true;
-            Fail($"its transform is not finite (position {position}, rotation {rotation}). Set position and rotation to numbers and enable it again.");
-            return false;
+            GetPlace(out Vector3 place, out _);
+            lastPosition = place;
+            lastVelocity = 0f;
         }
 
         // Says what is wrong and stops this component, and nothing else in the scene.

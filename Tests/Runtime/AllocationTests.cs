@@ -72,6 +72,11 @@ namespace Rill.Tests
             var simulation = fluid.AddComponent<FluidSimulation>();
             simulation.Configure(new Vector3(1f, 0.6f, 0.5f), 0.05f, 1000);
             simulation.StatisticsInterval = 3;
+            SolverBudget budget = SolverBudget.Default;
+            budget.mode = BudgetMode.Milliseconds;
+            budget.milliseconds = 1000f;        // a device that takes longer would say so, in a message
+            budget.mostIterations = 4;
+            simulation.Budget = budget;
             FluidMaterial material = FluidMaterial.Water;
             material.vorticity = 0.1f;
             material.artificialPressure = 0.1f;

@@ -60,6 +60,8 @@ namespace Host
                     Stages = stageTimes.Select(stage => (stage.Key, stage.Value / statistics.Rows.Count)).ToList(),
                     Settings = OwnSettings(scene, session).Concat(probes.SelectMany(probe => probe.Settings)).ToList(),
                 }, frames);
+                foreach (string line in probes.SelectMany(probe => probe.Summary))
+                    output.WriteLine(line);
             }
             if (settings.Hash)
                 output.WriteLine($"hash {(project == null ? StateHash.OfScene() : null) ?? BufferDump.Hash()}");

@@ -68,15 +68,15 @@ namespace Host.Vulkan
             int stamp = stampCount++;
             int pool = stamp / (int)StampsPerPool;
             uint query = (uint)stamp % StampsPerPool;
-            if (pool == stampPools.Count) stampPools.Add(CreateStampPool());
+            if (pool == stampPools.Count) stampPools.Add(CreateStampPool(StampsPerPool));
             if (query == 0) vk.ResetQueryPool(device, stampPools[pool], 0, StampsPerPool);
             vk.CmdWriteTimestamp2(commands, VkPipelineStageFlags2.ALL_COMMANDS, stampPools[pool], query);
             return stamp;
         }
 
-        VkQueryPool CreateStampPool()
+        VkQueryPool CreateStampPool(uint stamps)
         {
-            var info = new VkQueryPoolCreateInfo { queryType = VkQueryType.TIMESTAMP, queryCount = StampsPerPool };
+            var info = new VkQueryPoolCreateInfo { queryType = VkQueryType.TIMESTAMP, queryCount = stamps };
             VkQueryPool made;
             Check(vk.CreateQueryPool(device, &info, null, &made), "vkCreateQueryPool");
             return made;

@@ -327,6 +327,7 @@ namespace Host.Vulkan
             SavePipelineCache();
             foreach (var resource in live.ToArray()) Destroy(resource);
             DestroyTiming();
+            DestroyMarks();
             DestroySamplers();
             DestroyScratch();
             DestroyStream();

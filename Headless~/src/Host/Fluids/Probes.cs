@@ -8,7 +8,7 @@ namespace Host.Fluids
     /// <summary>What runs measure. Each entry looks at the loaded scene and answers with its probes, none when there is nothing for it.</summary>
     static class Probes
     {
-        static readonly Func<IEnumerable<IRunProbe>>[] All = { FluidProbe.OfScene };
+        static readonly Func<IEnumerable<IRunProbe>>[] All = { FluidProbe.OfScene, BudgetProbe.OfScene };
 
         public static List<IRunProbe> OfScene() => All.SelectMany(create => create()).ToList();
     }

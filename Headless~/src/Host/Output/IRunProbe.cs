@@ -14,6 +14,9 @@ namespace Host.Output
 
         Plot[] Plots => Array.ConvertAll(Columns, column => new Plot(column, column, column, column));
 
+        /// <summary>Lines to print when the run is over.</summary>
+        IEnumerable<string> Summary => Array.Empty<string>();
+
         /// <summary>Rows of the page's settings table.</summary>
         IEnumerable<(string Name, string Value)> Settings => Array.Empty<(string, string)>();
     }

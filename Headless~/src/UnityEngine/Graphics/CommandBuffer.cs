@@ -209,10 +209,12 @@ namespace UnityEngine.Rendering
                 case Op.BeginSample:
                     if (Player.Device != null && Player.Device.Timing)
                         Gpu.Device.BeginSample((string)c.Subject);
+                    GpuSamples.Begin((string)c.Subject);
                     break;
                 case Op.EndSample:
                     if (Player.Device != null && Player.Device.Timing)
                         Gpu.Device.EndSample();
+                    GpuSamples.End();
                     break;
                 case Op.Readback: ((RecordedReadback)c.Subject).Execute(); break;
                 case Op.WaitReadbacks: ReadbackQueue.WaitAll(); break;

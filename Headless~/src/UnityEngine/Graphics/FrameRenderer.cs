@@ -36,6 +36,7 @@ namespace UnityEngine.Headless
                 DrawQueue.Clear();
                 RenderState.SetTarget(null);
                 Gpu.ClosePass();
+                FrameTimes.EndFrame();
                 Player.Device.Flush();
             }
         }

@@ -62,6 +62,8 @@ namespace UnityEngine.Headless
         public static void Reset()
         {
             passOpen = false;
+            GpuSamples.Forget();
+            FrameTimes.Forget();
             GlobalKeywords.Set.Replace(Array.Empty<string>());
             Shader.Globals.Clear();
             DeviceObjects.Clear();

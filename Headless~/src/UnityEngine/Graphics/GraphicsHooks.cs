@@ -17,6 +17,7 @@ namespace UnityEngine.Headless
 
         static void BeginFrame()
         {
+            FrameTimes.BeginFrame();
             BufferStorage.CollectLeaks();
             ReadbackQueue.BeginFrame();
             // Last: a fault found in indirect arguments throws, and must not keep read-backs from arriving.
@@ -25,6 +26,8 @@ namespace UnityEngine.Headless
 
         static void Reset()
         {
+            GpuSamples.Forget();
+            FrameTimes.Forget();
             DrawQueue.Clear();
             ReadbackQueue.Forget();
             GpuChecks.Forget();

@@ -18,7 +18,7 @@ namespace UnityEngine
         public static bool supportsIndirectArgumentsBuffer => Compute;
         public static bool supportsInstancing => Info != null;
         public static bool supportsSetConstantBuffer => Compute;
-        public static bool supportsGpuRecorder => Info != null;
+        public static bool supportsGpuRecorder => GpuSamples.Supported;
         public static bool supportsAsyncCompute => false;
         public static bool supportsGraphicsFence => false;
         public static bool supportsGeometryShaders => false;

@@ -54,6 +54,8 @@ namespace UnityEngine.Headless
         void EndSample();
         /// <summary>Samples finished since the last call, in order of their begin. Waits for the device.</summary>
         List<DeviceSample> CollectSamples();
+        /// <summary>The moment at which all work before this call is done.</summary>
+        DeviceTimeMark MarkTime();
 
         // ---- submission and reading
         /// <summary>Submits what was recorded, without waiting.</summary>
@@ -100,6 +102,14 @@ namespace UnityEngine.Headless
         public abstract void Wait();
         /// <summary>The bytes, valid until Dispose; waits if need be.</summary>
         public abstract ReadOnlySpan<byte> Data { get; }
+    }
+
+    /// <summary>A moment of the stream. Dispose when it is no longer wanted, read or not.</summary>
+    internal abstract class DeviceTimeMark : IDisposable
+    {
+        /// <summary>GPU clock, ms since some start that all marks share; false while the stream has not got there. Never waits.</summary>
+        public abstract bool TryRead(out double milliseconds);
+        public abstract void Dispose();
     }
 
     internal enum DeviceTextureDimension { Tex2D, Tex2DArray, Tex3D, Cube }

@@ -14,8 +14,20 @@ namespace UnityEngine.Headless
         public static int ScreenWidth = 1280, ScreenHeight = 720;
         public static string ProjectPath = "", ProductName = "Rill", CompanyName = "Rill";
         public static bool LinearColorSpace = true;
+        /// <summary>Lets a test pretend that this is a player that tells less about its GPU time.</summary>
+        public static GpuTimes GpuTimes = GpuTimes.Samples;
         /// <summary>Lets a test or a command pretend that the machine cannot run compute shaders.</summary>
         public static bool PretendNoCompute;
+    }
+
+    internal enum GpuTimes
+    {
+        /// <summary>As a development player on a device with GPU recorders.</summary>
+        Samples,
+        /// <summary>As a release player with Frame Timing Stats.</summary>
+        Frames,
+        /// <summary>As a release player.</summary>
+        None,
     }
 
     /// <summary>Assets by path, name and GUID; implemented over a project's folders by the host.</summary>

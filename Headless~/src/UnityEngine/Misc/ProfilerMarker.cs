@@ -11,7 +11,12 @@ namespace Unity.Profiling
 
         public ProfilerMarker(string name) { Name = name; }
         public ProfilerMarker(ProfilerCategory category, string name) { Name = name; }
-        public ProfilerMarker(ProfilerCategory category, string name, MarkerFlags flags) { Name = name; }
+        public ProfilerMarker(ProfilerCategory category, string name, MarkerFlags flags)
+        {
+            Name = name;
+            if ((flags & MarkerFlags.SampleGPU) != 0)
+                UnityEngine.Headless.GpuSamples.Register(name);
+        }
 
         public IntPtr Handle => IntPtr.Zero;
         public void Begin() { }

@@ -4,7 +4,7 @@ using Unity.Profiling.LowLevel;
 
 namespace Unity.Profiling
 {
-    /// <summary>Never valid, as in a release player: code has to live without measurements.</summary>
+    /// <summary>Never valid: code has to live without. GPU time of samples is told by UnityEngine.Profiling.Recorder.</summary>
     public struct ProfilerRecorder : IDisposable
     {
         public ProfilerRecorder(string statName, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }

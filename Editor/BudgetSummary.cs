@@ -1,0 +1,46 @@
+using System.Collections.Generic;
+using UnityEditor;
+
+namespace Rill.Editor
+{
+    /// <summary>What the inspector says of a budget: rows while it plays, and what is wrong with it.</summary>
+    static class BudgetSummary
+    {
+        public static IEnumerable<(string label, string text)> Rows(BudgetState state)
+        {
+            if (state.reason == BudgetReason.Off)
+                yield break;
+            yield return ("Budget chose", $"{state.substeps} substeps x {state.iterations} iterations, relaxation {state.relaxation}");
+            yield return ("because", state.Why());
+            string spent = state.milliseconds > 0f ? $"{state.milliseconds:0.###} of {state.targetMilliseconds:0.###} ms" : $"{state.targetMilliseconds:0.###} ms to spend";
+            yield return ("GPU time", $"{spent}, {Of(state.source)}");
+            yield return ("Error it costs", float.IsNaN(state.densityError) ? "not measured" : $"mean {state.densityError:P2}");
+            if (state.deviceFactor > 0f)
+                yield return ("Device factor", $"{state.deviceFactor:0.##} x the cost model");
+        }
+
+        public static IEnumerable<(MessageType type, string text)> Messages(SolverBudget budget, BudgetState state, int statisticsInterval)
+        {
+            if (!budget.Validate(out string problem))
+                yield return (MessageType.Warning, problem);
+            if (budget.mode == BudgetMode.Off)
+                yield break;
+            if (budget.targetError > 0f && statisticsInterval == 0)
+                yield return (MessageType.Warning, "The statistics interval is 0, so the budget never hears of the density error and spends all of its time. Set an interval, or the target error to 0.");
+            if (state.reason == BudgetReason.LeastStable)
+                yield return (MessageType.Warning, $"The budget cannot be held: {state.Why()}. Raise it, or have fewer particles.");
+            if (state.reason == BudgetReason.TimeUnknown)
+                yield return (MessageType.Info, "This player tells no GPU time yet. In release players turn on Frame Timing Stats (Project Settings, Player) or set the device factor.");
+        }
+
+        static string Of(GpuTimeKind source)
+        {
+            switch (source)
+            {
+                case GpuTimeKind.Measured: return "measured around the steps";
+                case GpuTimeKind.Modelled: return "modelled from particles and passes";
+                default: return "unknown";
+            }
+        }
+    }
+}

@@ -1,0 +1,13 @@
+namespace Rill
+{
+    /// <summary>What a <see cref="SolverBudget"/> is given as.</summary>
+    public enum BudgetMode
+    {
+        /// <summary>There is none: the solver's settings hold as they stand.</summary>
+        Off,
+        /// <summary>Milliseconds of GPU time in a frame.</summary>
+        Milliseconds,
+        /// <summary>A share of the frame that the game aims for.</summary>
+        ShareOfFrame,
+    }
+}

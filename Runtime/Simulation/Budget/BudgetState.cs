@@ -1,0 +1,65 @@
+using System;
+using System.Globalization;
+
+namespace Rill
+{
+    /// <summary>What a budget chose, why, and what it costs.</summary>
+    public struct BudgetState
+    {
+        public BudgetReason reason;
+        /// <summary>Where the time comes from.</summary>
+        public GpuTimeKind source;
+        /// <summary>What the steps of a frame may take, ms.</summary>
+        public float targetMilliseconds;
+        /// <summary>What they take, ms, as a running mean; 0 while unknown.</summary>
+        public float milliseconds;
+        /// <summary>What they would take with the next better settings, ms; 0 if there are none or nothing is known.</summary>
+        public float nextMilliseconds;
+        public int substeps;
+        public int iterations;
+        public float relaxation;
+        /// <summary>C+ of the newest statistics: the error that the choice costs. NaN where none was measured.</summary>
+        public float densityError;
+        /// <summary>Time of a step on this GPU over that of the cost model's; 0 while unknown.</summary>
+        public float deviceFactor;
+        /// <summary>How often the choice changed since the start.</summary>
+        public int changes;
+
+        /// <summary>Choice, time and error, in a line.</summary>
+        public override string ToString()
+        {
+            if (reason == BudgetReason.Off)
+                return "off";
+            string time = milliseconds > 0f ? Format($"{milliseconds:0.###} of {targetMilliseconds:0.###} ms ({Source(source)})") : Format($"{targetMilliseconds:0.###} ms ({Source(source)})");
+            string error = float.IsNaN(densityError) ? "density error not measured" : Format($"density error {densityError * 100f:0.###} %");
+            return Format($"{substeps} x {iterations}, relaxation {relaxation}, {time}, {error}: {Why()}");
+        }
+
+        /// <summary>The reason in words.</summary>
+        public string Why()
+        {
+            switch (reason)
+            {
+                case BudgetReason.Off: return "the budget is off";
+                case BudgetReason.TimeUnknown: return "this player tells no GPU time, so the settings stay as they are";
+                case BudgetReason.TimeIsSpent: return nextMilliseconds > 0f ? Format($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
+                case BudgetReason.ErrorIsReached: return "the density error is within its target";
+                case BudgetReason.BestFits: return "the best settings within the bounds fit";
+                case BudgetReason.LeastStable: return "the least settings that are stable take longer than the budget";
+                default: throw new ArgumentOutOfRangeException(nameof(reason), reason, "No such reason.");
+            }
+        }
+
+        static string Source(GpuTimeKind kind)
+        {
+            switch (kind)
+            {
+                case GpuTimeKind.Measured: return "measured";
+                case GpuTimeKind.Modelled: return "modelled";
+                default: return "time unknown";
+            }
+        }
+
+        static string Format(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    }
+}

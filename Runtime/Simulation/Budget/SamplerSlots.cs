@@ -1,0 +1,28 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Names for samplers: Unity keeps each for as long as it runs, so they are used again.</summary>
+    static class SamplerSlots
+    {
+        const int Shared = 63;      // beyond so many simulations with a budget, the rest are summed in one
+
+        static ulong taken;
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void Reset() => taken = 0;
+
+        public static int Take()
+        {
+            int slot = 0;
+            while (slot < Shared && (taken & 1ul << slot) != 0)
+                slot++;
+            taken |= 1ul << slot;
+            return slot;
+        }
+
+        public static void Give(int slot) => taken &= ~(1ul << slot);
+
+        public static string NameOf(int slot) => slot == 0 ? "Rill.Steps" : $"Rill.Steps {slot + 1}";
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// GPU time that a fluid's steps may take. Substeps, iterations and relaxation are then chosen, along a measured ladder,
+    /// in place of those of <see cref="SolverSettings"/>.
+    /// </summary>
+    [Serializable]
+    public struct SolverBudget
+    {
+        const float MillisecondsOfSecond = 1000f;
+
+        [Tooltip("Off: the solver's settings hold. Otherwise substeps, iterations and relaxation are chosen to fit the time.")]
+        public BudgetMode mode;
+
+        [Tooltip("GPU time that the steps of a frame may take, ms. 0.01 to 1000. Drawing and statistics come on top.")]
+        [Range(0.01f, 1000f)] public float milliseconds;
+
+        [Tooltip("Share of the frame that the steps may take. 0.01 to 1.")]
+        [Range(0.01f, 1f)] public float share;
+
+        [Tooltip("Frames a second that the game aims for, which the share is of. 10 to 500.")]
+        [Range(10f, 500f)] public float frameRate;
+
+        [Tooltip("Mean density error C+ that is good enough. 0 (none is) to 0.1. Below it no more is spent. Needs statistics.")]
+        [Range(0f, 0.1f)] public float targetError;
+
+        [Tooltip("Fewest iterations of a substep. 1 to 50.")]
+        [Range(1, 50)] public int leastIterations;
+
+        [Tooltip("Most iterations of a substep, at least the fewest. 1 to 50.")]
+        [Range(1, 50)] public int mostIterations;
+
+        [Tooltip("Fewest substeps. 1 to 16.")]
+        [Range(1, 16)] public int leastSubsteps;
+
+        [Tooltip("Most substeps, at least the fewest. 1 to 16.")]
+        [Range(1, 16)] public int mostSubsteps;
+
+        [Tooltip("Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.")]
+        [Min(0f)] public float deviceFactor;
+
+        public static SolverBudget Default => new SolverBudget
+        {
+            mode = BudgetMode.Off,
+            milliseconds = 2f,
+            share = 0.15f,
+            frameRate = 60f,
+            targetError = 0.005f,
+            leastIterations = 1,
+            mostIterations = 16,
+            leastSubsteps = 1,
+            mostSubsteps = 4,
+        };
+
+        /// <summary>Time in a frame, ms.</summary>
+        public float FrameMilliseconds => mode == BudgetMode.ShareOfFrame ? share * MillisecondsOfSecond / frameRate : milliseconds;
+
+        /// <summary>Puts every value into its range.</summary>
+        /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
+        /// <returns>Whether the budget was valid as it stood.</returns>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            Limit.Clamp("budget milliseconds", ref milliseconds, 0.01f, 1000f, Default.milliseconds, ref problem);
+            Limit.Clamp("budget share", ref share, 0.01f, 1f, Default.share, ref problem);
+            Limit.Clamp("budget frame rate", ref frameRate, 10f, 500f, Default.frameRate, ref problem);
+            Limit.Clamp("budget target error", ref targetError, 0f, 0.1f, Default.targetError, ref problem);
+            Limit.Clamp("budget least iterations", ref leastIterations, 1, 50, ref problem);
+            Limit.Clamp("budget most iterations", ref mostIterations, leastIterations, 50, ref problem);
+            Limit.Clamp("budget least substeps", ref leastSubsteps, 1, 16, ref problem);
+            Limit.Clamp("budget most substeps", ref mostSubsteps, leastSubsteps, 16, ref problem);
+            Limit.Clamp("budget device factor", ref deviceFactor, 0f, 10000f, 0f, ref problem);
+            return problem == null;
+        }
+    }
+}

@@ -1,0 +1,212 @@
+using System;
+using NUnit.Framework;
+using UnityEngine.TestTools.Constraints;
+using Is = NUnit.Framework.Is;
+using Random = Unity.Mathematics.Random;
+
+namespace Rill.Tests
+{
+    /// <summary>The controller on a simulated GPU. Costs of the five rungs there, ms at load 1: 1.07, 1.25, 1.43, 1.61, 2.33.</summary>
+    public class BudgetControllerTests
+    {
+        const float SettledAfter = 1f;
+
+        [Test]
+        public void A_controller_without_hysteresis_fails_the_detector_of_oscillation()
+        {
+            BudgetPlant plant = Naive();
+            plant.Run(10f);
+            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.GreaterThan(10));
+        }
+
+        [TestCase(1.2f)]
+        [TestCase(1.5f)]
+        [TestCase(2f)]
+        [TestCase(2.6f)]
+        [TestCase(4f)]
+        public void Under_a_steady_load_it_settles_within_a_second_and_never_changes_again(float target)
+        {
+            BudgetPlant plant = new BudgetPlant { Target = target }.Run(20f);
+            Assert.That(plant.Worst(SettledAfter, 20f), Is.LessThanOrEqualTo(1.1f));
+            Assert.That(plant.Changes(SettledAfter, 20f), Is.Zero);
+            Assert.That(plant.TrueTime(Math.Min(plant.Last + 1, plant.Ladder.Count - 1), 20f), Is.GreaterThan(0.9f * target).Or.EqualTo(plant.TrueTime(plant.Last, 20f)), "better settings have no room");
+        }
+
+        [Test]
+        public void With_noise_of_twenty_percent_it_holds_the_target_and_does_not_oscillate([Range(1, 8)] int seed, [Values(1.3f, 1.55f, 1.75f, 2.4f)] float target)
+        {
+            BudgetPlant plant = new BudgetPlant { Target = target, Told = BudgetPlant.Noise(0.2f, (uint)seed * 977) }.Run(60f);
+            Assert.That(plant.Worst(SettledAfter, 60f), Is.LessThanOrEqualTo(1.1f));
+            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.Changes(SettledAfter, 60f), Is.LessThanOrEqualTo(6), "in a minute");
+        }
+
+        [Test]
+        public void A_load_that_doubles_and_halves_is_followed_within_a_second([Range(1, 8)] int framesLate, [Values(0f, 0.2f)] float noise)
+        {
+            var plant = new BudgetPlant
+            {
+                Target = 2.8f, FramesLate = framesLate, Told = BudgetPlant.Noise(noise, 31u + (uint)framesLate),
+                Load = time => time < 5f || time >= 10f ? 1f : 2f,
+            };
+            plant.Run(15f);
+            Assert.That(plant.Worst(1f, 5f), Is.LessThanOrEqualTo(1.1f));
+            Assert.That(plant.Worst(6f, 10f), Is.LessThanOrEqualTo(1.1f), "twice the load");
+            Assert.That(plant.Rungs[(int)(9.9f / BudgetPlant.Frame)], Is.EqualTo(plant.BestFit(9f)));
+            Assert.That(plant.Rungs[(int)(11f / BudgetPlant.Frame)], Is.EqualTo(plant.Rungs[(int)(4.9f / BudgetPlant.Frame)]), "half the load again");
+            Assert.That(plant.MostChangesInASecond(6f), Is.LessThanOrEqualTo(1));
+        }
+
+        [Test]
+        public void Where_the_model_is_wrong_about_better_settings_it_tries_them_once_and_waits([Values(1.15f, 1.25f, 1.4f)] float wrong)
+        {
+            // 1.61 is expected to fit into 1.9; it takes more.
+            var plant = new BudgetPlant { Target = 1.9f, ModelError = rung => rung >= 3 ? wrong : 1f, Told = BudgetPlant.Noise(0.1f, 5) };
+            plant.Run(60f);
+            Assert.That(plant.Worst(1.5f, 28f), Is.LessThanOrEqualTo(1.1f));
+            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(2), "one try is two changes");
+            Assert.That(plant.Changes(SettledAfter, 60f), Is.LessThanOrEqualTo(4));
+        }
+
+        [Test]
+        public void Times_that_are_unknown_nine_times_of_ten_slow_it_and_do_not_mislead_it()
+        {
+            var random = new Random(3);
+            BudgetPlant plant = new BudgetPlant { Target = 1.5f, Told = (frame, ms) => random.NextFloat() < 0.9f ? 0f : ms }.Run(30f);
+            Assert.That(plant.Worst(4f, 30f), Is.LessThanOrEqualTo(1.1f));
+            Assert.That(plant.MostChangesInASecond(4f), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.Last, Is.EqualTo(plant.BestFit(0f) - 1).Or.EqualTo(plant.BestFit(0f)));
+        }
+
+        [Test]
+        public void Times_that_stop_coming_leave_the_settings_and_are_told()
+        {
+            BudgetPlant plant = new BudgetPlant { Target = 1.5f, Told = (frame, ms) => frame < 300 ? ms : 0f }.Run(5f);
+            int settled = plant.Last;
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.TimeIsSpent));
+            plant.Load = _ => 3f;
+            plant.Run(5f);
+            Assert.That(plant.Last, Is.EqualTo(settled));
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.TimeUnknown));
+            Assert.That(plant.Controller.Milliseconds, Is.Zero);
+        }
+
+        [Test]
+        public void Without_any_time_it_stays_where_it_began()
+        {
+            var plant = new BudgetPlant { Told = (frame, ms) => 0f };
+            plant.Controller.Restart(2);
+            plant.Run(10f);
+            Assert.That(plant.Rungs, Is.All.EqualTo(2));
+            Assert.That(plant.Controller.Factor, Is.Zero);
+        }
+
+        [Test]
+        public void Hitches_of_other_work_that_triple_a_frame_or_two_change_nothing()
+        {
+            BudgetPlant plant = new BudgetPlant { Target = 2f, Told = (frame, ms) => frame % 30 < 2 ? 3f * ms : ms }.Run(30f);
+            Assert.That(plant.Changes(SettledAfter, 30f), Is.Zero);
+            Assert.That(plant.TrueTime(plant.Last, 0f), Is.GreaterThan(0.8f * 2f));
+        }
+
+        [Test]
+        public void A_target_below_the_least_settings_leaves_those_and_is_told()
+        {
+            BudgetPlant plant = new BudgetPlant { Target = 0.5f }.Run(5f);
+            Assert.That(plant.Last, Is.Zero);
+            Assert.That(plant.Changes(SettledAfter, 5f), Is.Zero);
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.LeastStable));
+            Assert.That(plant.Controller.Milliseconds, Is.EqualTo(plant.TrueTime(0, 5f)).Within(2).Percent);
+        }
+
+        [Test]
+        public void A_target_far_above_takes_the_best_settings_and_is_told()
+        {
+            BudgetPlant plant = new BudgetPlant { Target = 50f }.Run(5f);
+            Assert.That(plant.Last, Is.EqualTo(plant.Ladder.Count - 1));
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.BestFits));
+        }
+
+        [Test]
+        public void Two_steps_a_frame_get_half_the_time_each()
+        {
+            BudgetPlant plant = new BudgetPlant { Target = 2.8f, StepsPerFrame = 2f }.Run(5f);
+            Assert.That(plant.Worst(SettledAfter, 5f), Is.LessThanOrEqualTo(1.1f));
+            Assert.That(plant.Last, Is.EqualTo(plant.BestFit(5f)));
+        }
+
+        [Test]
+        public void An_error_within_its_target_stops_the_spending_and_one_above_resumes_it()
+        {
+            // Twice the error of the ladder's scene, then four times.
+            var plant = new BudgetPlant { Target = 4f, TargetError = 0.005f };
+            plant.Error = (rung, time) => (time < 20f ? 2f : 4f) * plant.Ladder[rung].Error;
+            plant.Run(20f);
+            Assert.That(plant.Ladder[plant.Last].Error * 2f, Is.LessThanOrEqualTo(0.005f).And.GreaterThan(0.002f), "enough and not more");
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.ErrorIsReached));
+            int calm = plant.Last;
+            plant.Run(20f);
+            Assert.That(plant.Last, Is.GreaterThan(calm));
+            Assert.That(plant.Ladder[plant.Last].Error * 4f, Is.LessThanOrEqualTo(0.005f));
+            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
+        }
+
+        [Test]
+        public void An_error_that_no_settings_lower_does_not_make_it_swing([Range(1, 5)] int seed)
+        {
+            var random = new Random((uint)seed);
+            var plant = new BudgetPlant { Target = 4f, TargetError = 0.005f, Told = BudgetPlant.Noise(0.2f, (uint)seed) };
+            plant.Error = (rung, time) => random.NextFloat(0.003f, 0.0065f);
+            plant.Run(120f);
+            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.Changes(SettledAfter, 120f), Is.LessThanOrEqualTo(24), "in two minutes");
+        }
+
+        [Test]
+        public void Whatever_the_load_does_it_changes_at_most_thrice_a_second_and_seldom_exceeds([Range(1, 12)] int seed)
+        {
+            var random = new Random((uint)seed * 7919);
+            float[] loads = new float[64];
+            for (int i = 0; i < loads.Length; i++)
+                loads[i] = random.NextFloat(0.4f, 2.2f);
+            var plant = new BudgetPlant { Target = random.NextFloat(1f, 4f), Told = BudgetPlant.Noise(0.2f, (uint)seed), FramesLate = random.NextInt(1, 6) };
+            plant.Load = time => loads[(int)(time / 3f) % loads.Length];
+            plant.Run(120f);
+            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(3));
+            for (int window = 0; window < 40; window++)
+            {
+                float begin = window * 3f;
+                if (plant.TrueTime(0, begin + 1f) <= plant.Target)
+                    Assert.That(plant.Worst(begin + 1f, begin + 3f), Is.LessThanOrEqualTo(1.1f), $"load {plant.Load(begin)} from {begin} s, target {plant.Target}");
+            }
+        }
+
+        [Test]
+        public void An_update_allocates_nothing()
+        {
+            BudgetPlant plant = new BudgetPlant().Run(2f);
+            var reading = new BudgetReading { seconds = BudgetPlant.Frame, milliseconds = 9f, modelled = 1f, source = GpuTimeKind.Measured, stepsPerFrame = 1f, particles = 1e6f, densityError = 0.01f };
+            TestDelegate update = () =>
+            {
+                for (int i = 0; i < 100; i++)
+                    plant.Controller.Update(reading, plant.Ladder, 2f, 0.005f);
+            };
+            update();
+            Assert.That(update, UnityEngine.TestTools.Constraints.Is.Not.AllocatingGCMemory());
+        }
+
+        // As the first idea would be: up when there is time left, down when there is not.
+        static BudgetPlant Naive()
+        {
+            var plant = new BudgetPlant { Target = 1.5f, Told = BudgetPlant.Noise(0.2f, 11) };
+            int rung = 0;
+            plant.Choose = (in BudgetReading reading, BudgetLadder ladder, float target) =>
+            {
+                if (reading.milliseconds > 0f)
+                    rung = reading.milliseconds > target ? Math.Max(rung - 1, 0) : Math.Min(rung + 1, ladder.Count - 1);
+                return rung;
+            };
+            return plant;
+        }
+    }
+}

@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Random = Unity.Mathematics.Random;
+
+namespace Rill.Tests
+{
+    /// <summary>A GPU that steps a million deep particles sixty times a second under a budget: what it truly takes, and the little of it that is told.</summary>
+    sealed class BudgetPlant
+    {
+        public const float Frame = 1f / 60f;
+        public const float Particles = 1e6f;
+
+        /// <summary>Something that chooses a rung from a frame's reading.</summary>
+        public delegate int Chooser(in BudgetReading reading, BudgetLadder ladder, float target);
+
+        /// <summary>ms.</summary>
+        public float Target = 2f;
+        /// <summary>Time of steps over the model's, by fluid time in s.</summary>
+        public Func<float, float> Load = _ => 1f;
+        /// <summary>Over the model's, by rung: how wrong the model is about each.</summary>
+        public Func<int, float> ModelError = _ => 1f;
+        /// <summary>C+ by rung and time; NaN for unmeasured.</summary>
+        public Func<int, float, float> Error = (rung, time) => float.NaN;
+        /// <summary>What is told of a true time, by frame; 0 is nothing.</summary>
+        public Func<int, float, float> Told = (frame, milliseconds) => milliseconds;
+        public int FramesLate = 4;
+        public float StepsPerFrame = 1f;
+        public float TargetError;
+
+        public readonly BudgetLadder Ladder = new BudgetLadder();
+        public readonly BudgetController Controller = new BudgetController();
+        /// <summary>Of each frame.</summary>
+        public readonly List<int> Rungs = new List<int>();
+        public readonly List<float> Times = new List<float>();
+        readonly List<float> stepTimes = new List<float>(), modelled = new List<float>(), changes = new List<float>();
+        public Chooser Choose;
+
+        public BudgetPlant()
+        {
+            Ladder.Build(true, 0.27f, SolverBudget.Default);
+            Choose = (in BudgetReading reading, BudgetLadder ladder, float target) => Controller.Update(reading, ladder, target, TargetError);
+        }
+
+        public int Last => Rungs[Rungs.Count - 1];
+
+        public BudgetPlant Run(float seconds)
+        {
+            int frames = (int)Math.Round(seconds / Frame);
+            for (int i = 0; i < frames; i++)
+                Advance();
+            return this;
+        }
+
+        public float TrueStep(int rung, float time) => Ladder.Cost(rung, Particles) * ModelError(rung) * Load(time);
+
+        /// <summary>ms of a frame with a rung.</summary>
+        public float TrueTime(int rung, float time) => TrueStep(rung, time) * StepsPerFrame;
+
+        /// <summary>The best rung that truly fits into the target.</summary>
+        public int BestFit(float time)
+        {
+            int best = 0;
+            for (int i = 0; i < Ladder.Count; i++)
+                if (TrueTime(i, time) <= Target)
+                    best = i;
+            return best;
+        }
+
+        public int Changes(float from, float to) => changes.Count(time => time > from && time <= to);
+
+        /// <summary>The detector of oscillation: most changes in any one second after a time.</summary>
+        public int MostChangesInASecond(float from)
+        {
+            int most = 0;
+            foreach (float change in changes)
+                if (change > from)
+                    most = Math.Max(most, Changes(change - 0.001f, change + 1f));
+            return most;
+        }
+
+        /// <summary>Largest true time over the target in a window.</summary>
+        public float Worst(float from, float to) => Times.Where((_, i) => i * Frame >= from && i * Frame < to).Max() / Target;
+
+        /// <summary>Uniform noise of a share on every reading.</summary>
+        public static Func<int, float, float> Noise(float share, uint seed)
+        {
+            var random = new Random(seed);
+            return (frame, milliseconds) => milliseconds * random.NextFloat(1f - share, 1f + share);
+        }
+
+        void Advance()
+        {
+            int frame = Rungs.Count, of = frame - FramesLate;
+            float time = frame * Frame;
+            var reading = new BudgetReading
+            {
+                seconds = Frame,
+                milliseconds = of >= 0 ? Told(frame, stepTimes[of]) : 0f,
+                modelled = of >= 0 ? modelled[of] : 0f,
+                source = GpuTimeKind.Measured,
+                stepsPerFrame = StepsPerFrame,
+                particles = Particles,
+                densityError = frame > 0 && frame % 10 == 0 ? Error(Last, time) : float.NaN,
+            };
+            int rung = Choose(reading, Ladder, Target);
+            if (frame > 0 && rung != Last)
+                changes.Add(time);
+            Rungs.Add(rung);
+            stepTimes.Add(TrueStep(rung, time));
+            modelled.Add(Ladder.Cost(rung, Particles));
+            Times.Add(TrueTime(rung, time));
+        }
+    }
+}
