@@ -199,10 +199,32 @@ namespace Rill.Tests
                     Assert.That(active.Any(cell => mean[cell] < 0.0), "no cell is too dilute");
                 }
                 Compare.Scalars("source", active.Length, k => source[active[k]], k => mean[active[k]], k => ErrorRounding);
-                Compare.Scalars("errors kept for the next projection", cells.Total, i => kept[i], i => cells.active[i] ? mean[i] : 0.0, i => ErrorRounding);
+                Compare.Scalars("errors kept for the next projection", cells.Total, i => kept[i], i => cells.active[i] ? Kept(mean[i], cells, i) : 0.0, i => ErrorRounding);
                 AssertDiagonal(stages, cells);
                 AssertDisplacements(stages, stages.ErrorPotential, null);
                 Assert.That(stages.Bins.All(word => word == 0u), "bins are left empty");
+            }
+        }
+
+        // Less what each particle of the outermost layer, one a d², is counted too dilute by at most.
+        static double Kept(double mean, CoarseCells cells, int cell) => mean < 0.0 ? Math.Min(mean + 0.1 * cells.SurfaceLayer(cell) / (cells.fill[cell] * cells.Volume), 0.0) : mean;
+
+        [TestCase(0)]
+        [TestCase(1)]
+        public void The_outermost_layer_of_still_water_is_not_taken_for_dilution(int extraLayers)
+        {
+            // Four layers fill a cell, more reach into the next: the outermost is there.
+            ParticleState state = ParticleState.Lattice(8f, 0.5f, new int3(8, 4 + extraLayers, 8), 0f);
+            float[] errors = state.positions.Select(p => p.y > 3f && p.y < 4f ? -0.4f : 0f).ToArray();
+            using (CoarseStages stages = new CoarseStages(state, Gravity).CorrectDensity(errors))
+            {
+                int[] active = Active(stages.Cells);
+                Assert.That(active.Length, Is.EqualTo(4));
+                foreach (int cell in active)
+                {
+                    Assert.That(stages.Source[cell], Is.EqualTo(-0.025f).Within(1e-5f), "of the correction itself");
+                    Assert.That(stages.LastErrors[cell], Is.EqualTo(extraLayers == 0 ? 0f : -0.025f).Within(1e-5f));
+                }
             }
         }
 

@@ -28,6 +28,22 @@ namespace Rill.Tests.Reference
 
         public int Total => counts.x * counts.y * counts.z;
 
+        public double Volume => size.x * size.y * size.z;
+
+        /// <summary>Particles of the outermost layer in an active cell: a d² of face towards a cell without a whole layer holds one, less what lies beyond.</summary>
+        public double SurfaceLayer(int cell)
+        {
+            double particles = 0.0;
+            for (int axis = 0; axis < 3; axis++)
+                foreach (bool up in new[] { false, true })
+                {
+                    int beyond = Beside(cell, axis, up);
+                    if (beyond >= 0 && !active[beyond])
+                        particles += Volume / size[axis] * Math.Max(1.0 - fill[beyond] * size[axis], 0.0);
+                }
+            return particles;
+        }
+
         public int3 Place(int cell) => new int3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
 
         public int Index(int3 place) => (place.z * counts.y + place.y) * counts.x + place.x;
