@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Host.Tests
 {
-    /// <summary>The density constraint particle after particle, away from the walls: the slow twin of the study's kernels.</summary>
+    /// <summary>The density constraint particle after particle, away from the walls and without pairs of 0.25 d: the slow twin of the study's kernels.</summary>
     sealed class SerialConstraint
     {
         readonly SolverLayout layout;

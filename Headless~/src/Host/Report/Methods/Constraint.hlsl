@@ -1,5 +1,5 @@
 // The density constraint at one particle, for kernels that correct positions in place; as in the package's
-// DensityConstraint.compute, but for coincident pairs, which have no direction here and are left where they are.
+// DensityConstraint.compute, but for what pairs nearer than 0.25 d get there beside: it is not what is compared.
 // Include after Solver.hlsl and NeighborList.hlsl.
 #ifndef STUDY_CONSTRAINT_INCLUDED
 #define STUDY_CONSTRAINT_INCLUDED

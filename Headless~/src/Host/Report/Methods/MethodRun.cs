@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Host.Fluids;
 using Rill;
@@ -44,7 +45,7 @@ namespace Host.Report.Methods
             return new MethodRun(study, variant, scene, Experiment.Run(solver, scene.Scene, input, scene.Seconds, SampleEvery, IsLost));
         }
 
-        public string State => StateOf(run.Samples.Max(s => s.Energy) / run.Samples[0].Energy, run.Samples.Min(s => s.volumeRatio), run.Settled(s => s.volumeRatio), run.Samples[^1].nonFinite, scene.IsStill);
+        public string State => StateOf(HighestEnergy, run.Samples.Min(s => s.volumeRatio), run.Settled(s => s.volumeRatio), run.Samples[^1].nonFinite, scene.IsStill);
 
         public static string StateOf(double energy, double lowestVolume, double settledVolume, int nonFinite, bool isStill) =>
             nonFinite > 0 || !(energy <= 1 + LargestRise) ? "diverged"
@@ -52,11 +53,14 @@ namespace Host.Report.Methods
             : isStill && !(settledVolume <= HighestVolume) ? "boiled"
             : "stands";
 
+        // Over its start; not a number if it ever was none, which Max would pass over.
+        double HighestEnergy => run.Samples.Aggregate(0.0, (highest, s) => double.IsNaN(s.Energy) ? double.NaN : Math.Max(highest, s.Energy)) / run.Samples[0].Energy;
+
         public object[] Row => new object[]
         {
             study.Name, variant.Series.Replace(",", ""), scene.Name, scene.Scene.Particles, variant.Value, variant.Label ?? "", variant.TwoLevel ? 1 : 0, variant.Substeps, variant.Iterations, variant.Relaxation, variant.Passes,
             run.Moving(s => s.densityError), run.Settled(s => s.densityError), run.Settled(s => s.interiorError), run.Settled(s => s.volumeRatio), run.Samples.Min(s => s.volumeRatio),
-            run.Settled(s => s.speed), run.Settled(s => s.jitter), run.Samples.Max(s => s.Energy) / run.Samples[0].Energy,
+            run.Settled(s => s.speed), run.Settled(s => s.jitter), HighestEnergy,
             run.Milliseconds("moving"), run.Milliseconds("settled"), run.End, State,
         };
 

@@ -46,7 +46,7 @@ namespace Host.Report.Methods
                 return;
             page.Line("### " + study.Title);
             page.Line();
-            page.Plot("methods-" + study.Name, $"{study.Title}: density error, noise and cost against {study.Axis}", Script(study, here), 1200, 250 * scenes.Length + 40);
+            page.Plot("methods-" + study.Name, $"{study.Title}: density error, noise and cost against {study.Axis}", Script(study, here), 1300, 250 * scenes.Length + 40);
         }
 
         // A row of panels for each scene: error, noise, cost; a curve for each series, a cross for what did not stand.
@@ -62,27 +62,35 @@ namespace Host.Report.Methods
                         script.AppendLine(string.Join(",", new[] { row.Number("value"), 100 * Error(row), Noise(row), Cost(row), Stands(row) ? 1 : 0 }.Select(Plain)));
                     script.AppendLine("EOD");
                 }
-            script.AppendLine($"set multiplot layout {scenes.Length},3");
-            script.AppendLine($"set xlabel {Quote(study.Axis)}\nset key inside top right font ',8' samplen 1 noenhanced");
-            if (study.Logarithmic)
-                script.AppendLine("set logscale x");
+            script.AppendLine($"set multiplot layout {scenes.Length},4");
+            script.AppendLine("unset key");
             script.AppendLine("set offsets graph 0.05, graph 0.05, 0, 0");
             for (int scene = 0; scene < scenes.Length; scene++)
+            {
                 for (int panel = 0; panel < 3; panel++)
                 {
                     script.AppendLine($"set title {Quote($"{scenes[scene]}: {new[] { "C+ (%)", "noise (m/s)", timed ? "ms a step" : "passes" }[panel]}")} noenhanced");
+                    script.AppendLine($"set xlabel {Quote(study.Axis)}");
+                    if (study.Logarithmic)
+                        script.AppendLine("set logscale x");
                     script.AppendLine(study.Alike ? "set yrange [0:*]" : "set logscale y");
-                    script.AppendLine(panel == 0 ? "set key" : "unset key");
                     int column = 2 + panel;
-                    script.AppendLine("plot " + string.Join(", ", series.SelectMany((name, s) => new[]
+                    script.AppendLine("plot " + string.Join(", ", series.SelectMany((_, s) => new[]
                     {
-                        $"$d{scene}_{s} using 1:($5>0?${column}:NaN) with linespoints ls {s % 8 + 1} title {Quote(name)}",
-                        $"$d{scene}_{s} using 1:($5>0?NaN:${column}) with points pt 2 lc rgb '#a0a0a0' notitle",
+                        $"$d{scene}_{s} using 1:($5>0?${column}:NaN) with linespoints ls {s % 8 + 1}",
+                        $"$d{scene}_{s} using 1:($5>0?NaN:${column}) with points ls {s % 8 + 1} pt 2",
                     })));
                 }
+                script.AppendLine(scene < scenes.Length - 1 ? "set multiplot next" : Names(series));
+            }
             script.AppendLine("unset multiplot");
             return script.ToString();
         }
+
+        // A panel of its own for the names of the curves: they are long, and anywhere else they lie on the curves.
+        static string Names(string[] series) => string.Join('\n', "unset logscale; unset border; unset tics; unset title; unset xlabel; unset grid",
+            "set key at graph -0.1,1 left top Left reverse samplen 1 font ',9' noenhanced",
+            "plot [0:1] [0:1] " + string.Join(", ", series.Select((name, s) => $"NaN with linespoints ls {s % 8 + 1} title {Quote(name)}").Append("NaN with points pt 2 lc rgb '#606060' title 'does not stand'")));
 
         static string Quote(string text) => "'" + text.Replace("'", "''") + "'";
 
