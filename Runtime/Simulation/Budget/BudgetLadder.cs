@@ -29,6 +29,7 @@ namespace Rill
             new BudgetRung(1, 2, 0.8f, 3.1e-3f),
             new BudgetRung(1, 3, 0.8f, 2.2e-3f),
             new BudgetRung(1, 4, 0.8f, 1.7e-3f),
+            new BudgetRung(1, 6, 0.8f, 1.1e-3f),
             new BudgetRung(1, 8, 0.8f, 8.0e-4f),
         };
 

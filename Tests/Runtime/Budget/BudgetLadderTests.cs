@@ -89,6 +89,7 @@ namespace Rill.Tests
         [TestCase(5, 1, false)]
         [TestCase(50, 5, false)]
         [TestCase(2, 1, true)]
+        [TestCase(7, 4, true)]
         public void The_nearest_rung_costs_no_more_than_the_settings_given(int iterations, int expected, bool deepWater)
         {
             Assert.That(Ladder(deepWater, 0.1f).Nearest(1, iterations, 1e5f), Is.EqualTo(expected));
