@@ -17,7 +17,7 @@ cbuffer RillCoarse
     float _MaxPush;             // longest displacement of the density correction, d
     uint _LevelCount;           // levels of the V-cycle below the grid itself
     uint _FirstTailLevel;       // the first of those that one thread group does together
-    uint2 _CoarsePadding;
+    float2 _SurfaceRange;       // nearest and furthest that the free surface lies from a centre, cells
     uint4 _Levels[8];           // cells along x, y, z and index of the first; [0] is the grid itself
 };
 
@@ -43,7 +43,7 @@ uint3 CellStrides(uint3 counts)
 // full both are, where the surface would be if it were flat.
 float InverseSurfaceDistance(float fill, float beyond)
 {
-    return 1.0 / clamp(min(abs(fill), 1.0) - 0.5 + min(abs(beyond), 1.0), 0.25, 1.5);
+    return 1.0 / clamp(min(abs(fill), 1.0) - 0.5 + min(abs(beyond), 1.0), _SurfaceRange.x, _SurfaceRange.y);
 }
 
 #endif

@@ -32,6 +32,20 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_place_that_is_not_finite_is_refused_with_the_objects_name_and_the_old_one_stays()
+        {
+            Transform t = Make("thing", null, new Vector3(1, 2, 3), Vector3.zero, Vector3.one);
+            t.position = new Vector3(float.NaN, 0f, 0f);
+            t.localPosition = new Vector3(0f, float.NegativeInfinity, 0f);
+            Assert.That(Errors(), Is.EqualTo(new[]
+            {
+                "transform.position assign attempt for 'thing' is not valid. Input position is { NaN, 0.000000, 0.000000 }.",
+                "transform.localPosition assign attempt for 'thing' is not valid. Input localPosition is { 0.000000, -Infinity, 0.000000 }.",
+            }));
+            Near(t.position, new Vector3(1, 2, 3));
+        }
+
+        [Test]
         public void A_new_parent_leaves_the_object_where_it_was()
         {
             Transform parent = Make("parent", null, new Vector3(1, 2, 3), new Vector3(10, 20, 30), new Vector3(2, 2, 2));

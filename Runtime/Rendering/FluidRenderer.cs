@@ -37,7 +37,7 @@ namespace Rill
             float across = Simulation.DomainSize.magnitude + 4f * Simulation.ParticleSpacing;
             return new RenderParams(material)
             {
-                worldBounds = new Bounds(Simulation.transform.position, Vector3.one * across),
+                worldBounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(Simulation.DomainSize * (0.5f / Simulation.ParticleSpacing)), Vector3.one * across),
                 matProps = properties,
                 layer = gameObject.layer,
                 shadowCastingMode = ShadowCastingMode.Off,

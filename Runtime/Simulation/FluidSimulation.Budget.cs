@@ -48,12 +48,13 @@ namespace Rill
             frameTime.DeviceFactor = budget.deviceFactor;
 
             bool isMeasured = pbf.TryGetStatistics(input, out FluidStatistics statistics);
-            var still = new StepInput { settings = solver, gravity = Quaternion.Inverse(transform.rotation) * gravity };
+            GetPlace(out Vector3 _, out Quaternion rotation);
+            var still = new StepInput { settings = solver, gravity = Quaternion.Inverse(rotation) * gravity };
             effective = budgeted.BeginFrame(seconds, budget, new BudgetScene
             {
                 asked = solver,
                 deepWater = pbf.IsDeep(still),
-                fall = gravity.magnitude * FixedStep * FixedStep / particleSpacing,
+                gravityStep = gravity.magnitude * FixedStep * FixedStep / particleSpacing,
                 particles = isMeasured ? statistics.particles : capacity,
                 densityError = isMeasured ? statistics.densityError : float.NaN,
             });

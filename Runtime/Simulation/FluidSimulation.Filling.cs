@@ -20,14 +20,15 @@ namespace Rill
             if (positions.Length != velocities.Length)
                 throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
 
-            Quaternion toDomain = Quaternion.Inverse(transform.rotation);
+            GetPlace(out Vector3 place, out Quaternion rotation);
+            Quaternion toDomain = Quaternion.Inverse(rotation);
             using (var local = new NativeArray<float4>(positions.Length, Allocator.Persistent))
             using (var localVelocities = new NativeArray<float4>(positions.Length, Allocator.Persistent))
             {
                 NativeArray<float4> to = local, velocitiesTo = localVelocities;
                 for (int i = 0; i < positions.Length; i++)
                 {
-                    to[i] = new float4(ToDomain(positions[i], toDomain), 0f);
+                    to[i] = new float4(ToDomain(positions[i], place, toDomain), 0f);
                     velocitiesTo[i] = new float4((float3)(toDomain * (Vector3)velocities[i]), 0f);
                 }
                 pbf.Add(local, localVelocities);
@@ -50,11 +51,12 @@ namespace Rill
             try
             {
                 volume.Fill(particleSpacing, seed, out positions, out velocities);
-                Quaternion toDomain = Quaternion.Inverse(transform.rotation);
+                GetPlace(out Vector3 place, out Quaternion rotation);
+                Quaternion toDomain = Quaternion.Inverse(rotation);
                 int inside = 0;
                 for (int i = 0; i < positions.Length; i++)
                 {
-                    float3 local = ToDomain(positions[i].xyz, toDomain);
+                    float3 local = ToDomain(positions[i].xyz, place, toDomain);
                     if (math.any(local < 0f) || math.any(local > (float3)domainSize))
                         continue;
                     positions[inside] = new float4(local, 0f);
@@ -81,9 +83,9 @@ namespace Rill
             }
         }
 
-        float3 ToDomain(float3 world, Quaternion toDomain)
+        float3 ToDomain(float3 world, Vector3 place, Quaternion toDomain)
         {
-            return (float3)(toDomain * ((Vector3)world - transform.position)) + (float3)domainSize * 0.5f;
+            return (float3)(toDomain * ((Vector3)world - place)) + (float3)domainSize * 0.5f;
         }
     }
 }

@@ -13,7 +13,8 @@ namespace Rill
     /// <remarks>
     /// The box follows the object's position and rotation, not its scale. Moving the object carries the fluid along; its
     /// acceleration acts on the fluid unless <c>inertial</c> is off. (A turning box tilts gravity; the other forces of a
-    /// rotating frame are left out.) A problem is logged once, by name, and disables the component.
+    /// rotating frame are left out.) A transform that stops being finite is not followed until it is a place again. Any other
+    /// problem is logged once, by name, and disables the component.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Simulation")]
     [DisallowMultipleComponent]
@@ -103,9 +104,14 @@ namespace Rill
         public bool IsRunning => pbf != null;
 
         /// <summary>From the domain's frame in particle spacings, lowest corner at 0, to world space.</summary>
-        public Matrix4x4 DomainToWorld =>
-            Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one)
-            * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
+        public Matrix4x4 DomainToWorld
+        {
+            get
+            {
+                GetPlace(out Vector3 position, out Quaternion rotation);
+                return Matrix4x4.TRS(position, rotation, Vector3.one) * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
+            }
+        }
 
         internal PbfSolver Solver => pbf;
         internal StepInput Input => input;
@@ -133,6 +139,7 @@ namespace Rill
                 return false;
             statistics.relaxation = input.settings.relaxation;
             statistics.relaxationClamped = input.settings.relaxation < effective.relaxation;
+            statistics.substeps = input.settings.substeps;
             statistics.droppedTime = clock.Dropped;
             return true;
         }
@@ -147,8 +154,7 @@ namespace Rill
             StepCount = 0;
             FluidTime = 0.0;
             stepsSinceStatistics = 0;
-            lastPosition = transform.position;
-            lastVelocity = 0f;
+            StandStill();
             FillVolumes();
         }
 
@@ -175,8 +181,12 @@ namespace Rill
                 Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.");
                 return;
             }
-            if (!HasFiniteTransform())
+            if (!IsFinite(transform.position, transform.rotation))
+            {
+                Fail($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.");
                 return;
+            }
+            FollowTransform();
 
             ValidateSettings();
             try
@@ -215,8 +225,6 @@ namespace Rill
         /// <param name="frameTime">Time since the last call, s.</param>
         internal void Advance(float frameTime)
         {
-            if (!HasFiniteTransform())
-                return;
             if (layoutChanged)
             {
                 OnDisable();
@@ -224,13 +232,12 @@ namespace Rill
             }
             if (pbf == null)
                 return;
+            bool moves = FollowTransform();
+            // Where the box goes while time stands still is no push when it goes on, nor is the way back from no place.
+            if (paused || !moves)
+                StandStill();
             if (paused)
-            {
-                // Where the box goes meanwhile is no push when time goes on.
-                lastPosition = transform.position;
-                lastVelocity = 0f;
                 return;
-            }
 
             BeginBudgetFrame(frameTime);
             double dropped = clock.Dropped;
@@ -272,7 +279,8 @@ namespace Rill
         // Gravity in the domain's frame, less the acceleration of the frame itself since the last steps.
         void PrepareInput(float duration)
         {
-            float3 position = transform.position;
+            GetPlace(out Vector3 place, out Quaternion rotation);
+            float3 position = place;
             float3 velocity = (position - lastPosition) / duration;
             float3 acceleration = (velocity - lastVelocity) / duration;
             lastPosition = position;
@@ -282,13 +290,15 @@ namespace Rill
             input = new StepInput
             {
                 timeStep = FixedStep,
-                gravity = Quaternion.Inverse(transform.rotation) * felt,
+                gravity = Quaternion.Inverse(rotation) * felt,
                 settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,
             };
             NeedsDensity = false;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
+            // By gravity alone: a jerk of the box is one step's, and its cost would come as a hitch.
+            input.settings.substeps = effective.StableSubsteps(gravity.magnitude * FixedStep * FixedStep / particleSpacing);
         }
 
         void ValidateSettings()
@@ -311,15 +321,11 @@ namespace Rill
                 && layout.AskedNeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
         }
 
-        bool HasFiniteTransform()
+        void StandStill()
         {
-            Vector3 position = transform.position;
-            Quaternion rotation = transform.rotation;
-            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
-            if (!float.IsNaN(sum) && !float.IsInfinity(sum))
-                return true;
-            Fail($"its transform is not finite (position {position}, rotation {rotation}). Set position and rotation to numbers and enable it again.");
-            return false;
+            GetPlace(out Vector3 place, out _);
+            lastPosition = place;
+            lastVelocity = 0f;
         }
 
         // Says what is wrong and stops this component, and nothing else in the scene.

@@ -63,6 +63,8 @@ namespace Rill
         public float relaxation;
         /// <summary>Whether the ω asked for was above what was measured stable.</summary>
         public bool relaxationClamped;
+        /// <summary>Substeps of the last step: more than asked for where gravity is strong, the step long or the spacing small.</summary>
+        public int substeps;
         /// <summary>Fluid time that the catch-up cap dropped since the reset, s.</summary>
         public double droppedTime;
 

@@ -10,6 +10,14 @@ namespace Rill
         /// <summary>Where over-relaxation ends in theory.</summary>
         const float LargestRelaxation = 2f;
 
+        const int MaxSubsteps = 16;
+
+        /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the coarse grid.</summary>
+        const float LargestGravityStep = 0.6f;
+
+        /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills too.</summary>
+        const float EasyGravityStep = 0.3f;
+
         [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than about ten layers of particles deep collapses.")]
         public DeepWater deepWater;
 
@@ -19,8 +27,8 @@ namespace Rill
         [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8). Above 0.8 the fluid gets noisier.")]
         [Range(0f, LargestRelaxation)] public float relaxation;
 
-        [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do.")]
-        [Range(1, 16)] public int substeps;
+        [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do. More are taken where gravity would carry a particle more than 0.6 spacings in one.")]
+        [Range(1, MaxSubsteps)] public int substeps;
 
         [Tooltip("Constraint force mixing ε, as a share of the constraint's denominator at rest. 1e-6 to 1; larger is softer.")]
         [Range(1e-6f, 1f)] public float softness;
@@ -61,6 +69,14 @@ namespace Rill
         /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water.</param>
         public float StableRelaxation(bool deepWater) => Math.Min(relaxation, MaxRelaxation(iterations, deepWater));
 
+        /// <summary>Substeps that a simulation takes: those asked for, or as many as it needs for gravity to stay small in one.</summary>
+        /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
+        public int StableSubsteps(float gravityStep)
+        {
+            double needed = gravityStep > LargestGravityStep ? Math.Ceiling(Math.Sqrt(gravityStep / EasyGravityStep)) : 1.0;
+            return (int)Math.Max(substeps, Math.Min(needed, MaxSubsteps));
+        }
+
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
         /// <returns>Whether the settings were valid as they stood.</returns>
@@ -69,7 +85,7 @@ namespace Rill
             problem = null;
             Limit.Clamp("iterations", ref iterations, 1, 50, ref problem);
             Limit.Clamp("relaxation", ref relaxation, 0f, LargestRelaxation, Default.relaxation, ref problem);
-            Limit.Clamp("substeps", ref substeps, 1, 16, ref problem);
+            Limit.Clamp("substeps", ref substeps, 1, MaxSubsteps, ref problem);
             Limit.Clamp("softness", ref softness, 1e-6f, 1f, Default.softness, ref problem);
             Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);
             Limit.Clamp("neighbor capacity", ref neighborCapacity, 16, 256, ref problem);

@@ -19,7 +19,7 @@ namespace Rill
         public float maxPush;
         public uint levelCount;
         public uint firstTailLevel;
-        public uint2 padding;
+        public float2 surfaceRange;
         public uint4 level0, level1, level2, level3, level4, level5, level6, level7;
 
         /// <summary>Share of a coarse cell's volume that particles fill in an active one.</summary>
@@ -33,6 +33,9 @@ namespace Rill
 
         /// <summary>Longest displacements, d: a lower one of the projection would damp splashes.</summary>
         const float MaxFlow = 40f, MaxPush = 2f;
+
+        /// <summary>Nearest and furthest that the free surface lies from the centre of an active cell, in cells.</summary>
+        static readonly float2 SurfaceRange = new float2(0.25f, 1.5f);
 
         public static CoarseConstants For(CoarseGrid grid)
         {
@@ -51,6 +54,7 @@ namespace Rill
                 maxPush = MaxPush,
                 levelCount = (uint)grid.LevelCount,
                 firstTailLevel = (uint)grid.FirstTailLevel,
+                surfaceRange = SurfaceRange,
                 level0 = grid.Level(0),
                 level1 = grid.Level(1),
                 level2 = grid.Level(2),

@@ -60,6 +60,8 @@ namespace Rill
 
         public CoarseGrid Grid { get; }
 
+        public CoarseSolver Solver => solver;
+
         /// <summary><see cref="CoarseConstants"/>, which do not change.</summary>
         public GraphicsBuffer Constants { get; private set; }
 

@@ -5,10 +5,11 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>A V-cycle for the potential of a <see cref="CoarseGrid"/>: smooths, corrects from coarser levels, smooths.</summary>
+    /// <summary>V-cycles for the potential of a <see cref="CoarseGrid"/>: each smooths, corrects from coarser levels, smooths.</summary>
     sealed class CoarseSolver : IDisposable
     {
         const int Tile = 8;                 // kTile in CoarseSolver.compute
+        const int Children = 8;             // threads that restrict to a cell
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
@@ -32,24 +33,33 @@ namespace Rill
             corrections = GpuBuffer.Structured<float>("Rill.Coarse.Corrections", grid.LevelCells);
         }
 
-        /// <summary>Records one V-cycle, from the potential's present values.</summary>
+        /// <summary>V-cycles a solve, at least 1: with a warm start one is enough.</summary>
+        public int Cycles { get; set; } = 1;
+
+        /// <summary>Records a solve, from the potential's present values.</summary>
         /// <param name="source">float [cells], right-hand side; kInactive where there is no potential.</param>
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
+            for (int cycle = 0; cycle < Cycles; cycle++)
+                RecordCycle(cmd, source, diagonal, potential);
+        }
+
+        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
+        {
             RecordSmooth(cmd, smooth, source, diagonal, potential, smoothed);
             BindGrid(cmd, restrictGrid, source, diagonal, smoothed);
             BindLevels(cmd, restrictGrid);
-            CoarseGrid.Dispatch(cmd, shader, restrictGrid, grid.Cells(1));
+            CoarseGrid.Dispatch(cmd, shader, restrictGrid, Children * grid.Cells(1));
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
                 RecordSmoothLevel(cmd, smoothLevel, level);
                 cmd.SetComputeIntParam(shader, Ids.Level, level + 1);
                 BindLevels(cmd, restrictLevel);
-                CoarseGrid.Dispatch(cmd, shader, restrictLevel, grid.Cells(level + 1));
+                CoarseGrid.Dispatch(cmd, shader, restrictLevel, Children * grid.Cells(level + 1));
             }
             BindLevels(cmd, solveTail);
             cmd.DispatchCompute(shader, solveTail, 1, 1, 1);
@@ -63,6 +73,7 @@ namespace Rill
         public void Describe(StageDescription stage, int perStep)
         {
             int levels = grid.FirstTailLevel - 1;
+            perStep *= Cycles;
             stage.Kernel("CoarseSolver", "Smooth", perStep);
             stage.Kernel("CoarseSolver", "RestrictGrid", perStep);
             if (levels > 0)

@@ -30,6 +30,7 @@ namespace Rill
         NativeArray<SolverConstants> constantsUpload;
         uint stepIndex;
         float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
+        int added;                              // of those, with a finite position and within the capacity
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
         public PbfSolver(SolverLayout layout)
@@ -70,12 +71,16 @@ namespace Rill
         /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for the particles alive.</summary>
         public GraphicsBuffer DrawArguments => particles.AliveArguments;
 
+        /// <summary>What carries the pressure of deep water; null while no step has needed it.</summary>
+        public CoarseCorrection Coarse => coarseCorrection;
+
         /// <summary>Removes all particles and resets the counters, at once.</summary>
         public void Clear()
         {
             stepIndex = 0;
             statistics?.Forget();
             ReleaseCoarse();        // whether the next water is deep is decided anew
+            added = 0;
             lowestAdded = float.MaxValue;
             highestAdded = float.MinValue;
             using (var cmd = new CommandBuffer { name = "Rill.Clear" })
@@ -101,6 +106,7 @@ namespace Rill
                     float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
                     lowestAdded = math.min(lowestAdded, inside);
                     highestAdded = math.max(highestAdded, inside);
+                    added = math.min(added + 1, Layout.Capacity);
                 }
             }
             emission.Trim();
@@ -110,7 +116,7 @@ namespace Rill
         public void Step(CommandBuffer cmd, in StepInput input)
         {
             stepIndex++;
-            UploadConstants(cmd, input);
+            UploadConstants(cmd, input, Crowding);
             CoarseCorrection coarse = CoarseFor(input);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
@@ -130,7 +136,7 @@ namespace Rill
         public void RecordStatistics(CommandBuffer cmd, in StepInput input)
         {
             statistics ??= new StatisticsPass(Layout.Capacity);
-            UploadConstants(cmd, input);
+            UploadConstants(cmd, input, 1f);
             statistics.Record(cmd, constants, particles, neighborSearch);
         }
 
@@ -230,9 +236,12 @@ namespace Rill
 
         VorticityConfinement Vorticity => vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);
 
-        void UploadConstants(CommandBuffer cmd, in StepInput input)
+        // Least density of what was added in this closed box, relative to rest: 1 unless there is more of it than fits.
+        float Crowding => math.max(added / (Layout.DomainSize.x * Layout.DomainSize.y * Layout.DomainSize.z), 1f);
+
+        void UploadConstants(CommandBuffer cmd, in StepInput input, float restDensity)
         {
-            constantsUpload[0] = SolverConstants.For(Layout, input, stepIndex);
+            constantsUpload[0] = SolverConstants.For(Layout, input, stepIndex, restDensity);
             cmd.SetBufferData(constants, constantsUpload);
         }
 

@@ -12,7 +12,7 @@ namespace Rill
     sealed class PrefixSum : IDisposable
     {
         /// <summary>Elements that one thread group scans; kTile in PrefixSum.compute.</summary>
-        public const int Tile = 1024;
+        public const int Tile = 2048;
 
         /// <summary>Most elements one instance can take: a tile for each of the 65,535 groups of a dispatch.</summary>
         public const int MaxCapacity = 65535 * Tile;

@@ -12,6 +12,9 @@ namespace Rill
         /// <summary>Most particles one solver takes: ids and float counters stay exact, and two list buffers suffice.</summary>
         public const int MaxCapacity = 1 << 24;
 
+        /// <summary>Most grid cells: with 8 bytes each they take half a gigabyte.</summary>
+        public const int MaxCells = 1 << 26;
+
         /// <summary>Particle spacings that keep positions and their differences apart from rounding: at most this many along an axis.</summary>
         public const float MaxSpacingsAcross = 8192f;
 
@@ -83,13 +86,13 @@ namespace Rill
                 CellSize = ListRadius / perRadius;
                 CellCounts = (int3)math.ceil(DomainSize / CellSize);
                 long total = (long)CellCounts.x * CellCounts.y * CellCounts.z;
-                if (total < PrefixSum.MaxCapacity)
+                if (total < MaxCells)
                 {
                     CellTotal = (int)total;
                     return;
                 }
             }
-            throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {PrefixSum.MaxCapacity:N0} grid cells of {CellSize * Spacing} m. Shrink the domain or raise the particle spacing.");
+            throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {MaxCells:N0} grid cells of {CellSize * Spacing} m. Shrink the domain or raise the particle spacing.");
         }
 
         void SplitLists(long largestBinding)

@@ -34,14 +34,13 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_same_column_collapses_without()
+        public void The_same_column_is_compressed_without()
         {
             using (TestFluid fluid = Column(DeepWater.Off))
             {
                 FluidStatistics statistics = fluid.Step(60).Measure();
                 TestContext.Out.WriteLine($"C+ {100f * statistics.densityError:0.0} %, volume {statistics.volumeRatio:0.000}");
                 Assert.That(statistics.densityError, Is.GreaterThan(0.05f));
-                Assert.That(statistics.volumeRatio, Is.LessThan(0.9f));
             }
         }
 

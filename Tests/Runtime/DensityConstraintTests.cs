@@ -15,7 +15,7 @@ namespace Rill.Tests
         public void Lists_hold_exactly_the_neighbors_within_the_radius(
             [ValueSource(typeof(GpuTest), nameof(GpuTest.Sizes))] int count, [Values(1f, 1.25f)] float margin)
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.listMargin = margin;
             settings.neighborCapacity = 256;
             using (var stages = Listed(ParticleState.Random(count, seed: count), settings))
@@ -25,7 +25,7 @@ namespace Rill.Tests
         [TestCaseSource(typeof(GpuTest), nameof(GpuTest.Sizes))]
         public void Multipliers_are_those_of_the_reference(int count)
         {
-            using (var stages = Listed(ParticleState.Random(count, seed: count + 1), SolverSettings.Default))
+            using (var stages = Listed(ParticleState.Random(count, seed: count + 1), SolverStages.Roomy))
                 AssertMultipliers(stages, stages.Multipliers, reference => { });
         }
 
@@ -34,7 +34,7 @@ namespace Rill.Tests
         {
             FluidMaterial material = FluidMaterial.Water;
             material.allowedTension = 0.5f;
-            using (var stages = Listed(ParticleState.Random(997, seed: 2), SolverSettings.Default, material))
+            using (var stages = Listed(ParticleState.Random(997, seed: 2), SolverStages.Roomy, material))
             {
                 float4[] multipliers = stages.Multipliers;
                 AssertMultipliers(stages, multipliers, reference => reference.allowedTension = 0.5);
@@ -45,7 +45,7 @@ namespace Rill.Tests
         [Test]
         public void Softness_sets_the_denominator()
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.softness = 0.5f;
             using (var stages = Listed(ParticleState.Random(997, seed: 3), settings))
                 AssertMultipliers(stages, stages.Multipliers, reference => reference.softness = 0.5);
@@ -56,7 +56,7 @@ namespace Rill.Tests
         [TestCase(100003)]
         public void Solving_from_the_list_gives_the_multipliers_of_building_it(int count)
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.relaxation = 0f;       // nothing moves between the passes
             ParticleState state = ParticleState.Random(count, seed: count + 2);
             using (var built = Listed(state, settings))
@@ -72,8 +72,8 @@ namespace Rill.Tests
         public void Later_passes_solve_at_the_corrected_positions_with_the_first_list()
         {
             ParticleState state = ParticleState.Random(997, seed: 4);
-            using (var built = Listed(state, SolverSettings.Default))
-            using (var solved = Listed(state, SolverSettings.Default).Constrain(iterations: 2))
+            using (var built = Listed(state, SolverStages.Roomy))
+            using (var solved = Listed(state, SolverStages.Roomy).Constrain(iterations: 2))
             {
                 float4[] actual = solved.Multipliers;
                 Assert.That(math.distance(actual[0].xyz, built.Multipliers[0].xyz) + math.distance(actual[500].xyz, built.Multipliers[500].xyz), Is.GreaterThan(0f), "the first pass moved nothing");
@@ -86,7 +86,7 @@ namespace Rill.Tests
         [TestCaseSource(typeof(GpuTest), nameof(GpuTest.Sizes))]
         public void Displacements_are_those_of_the_reference(int count)
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.relaxation = 0.9f;
             using (var stages = Listed(ParticleState.Random(count, seed: count + 5), settings).Constrain(iterations: 1))
                 AssertDisplaced(stages, reference => reference.relaxation = 0.9f);
@@ -99,7 +99,7 @@ namespace Rill.Tests
             FluidMaterial material = FluidMaterial.Water;
             material.artificialPressure = 0.1f;
             material.artificialPressureDistance = 0.25f;
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.relaxation = 1f;
             using (var stages = Listed(ParticleState.Random(count, seed: count + 6), settings, material).Constrain(iterations: 1))
                 AssertDisplaced(stages, reference =>
@@ -115,7 +115,7 @@ namespace Rill.Tests
             ParticleState state = ParticleState.Lattice(20f, 4f, 6, jitter: 0f);
             for (int i = 0; i < state.Count; i++)
                 state.positions[i] = new float4(4f + (state.positions[i].xyz - 4f) * 1.2f, 0f);
-            using (var stages = Listed(state, SolverSettings.Default).Constrain(iterations: 1))
+            using (var stages = Listed(state, SolverStages.Roomy).Constrain(iterations: 1))
             {
                 float4[] before = stages.Multipliers, after = stages.Predicted;
                 Assert.That(before.All(p => p.w == 0f), "multipliers");
@@ -127,7 +127,7 @@ namespace Rill.Tests
         public void Corrections_without_walls_move_the_center_of_mass_nowhere()
         {
             ParticleState state = ParticleState.Lattice(40f, 10f, 16, jitter: 0.3f);
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             using (var stages = Listed(state, settings).Constrain(iterations: 1))
             {
                 float4[] before = stages.Multipliers, after = stages.Predicted;
@@ -150,7 +150,7 @@ namespace Rill.Tests
             ParticleState state = ParticleState.Random(4001, seed: 8);
             for (int i = 0; i < state.Count; i++)
                 state.positions[i] = new float4(0.5f + (state.positions[i].xyz - 0.5f) * new float3(1f, 0.25f, 1f), 0f);
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.neighborCapacity = 256;
             settings.relaxation = 1f;
             using (var stages = Listed(state, settings).Constrain(iterations: 1))
@@ -169,7 +169,7 @@ namespace Rill.Tests
             ParticleState lattice = ParticleState.Lattice(16f, 4.25f, 8);
             int middle = (4 * 8 + 4) * 8 + 4;
             var state = new ParticleState(16f, lattice.positions.Select(p => p.xyz).Append(lattice.positions[middle].xyz).ToArray());
-            using (var stages = Listed(state, SolverSettings.Default).Constrain(iterations: 1))
+            using (var stages = Listed(state, SolverStages.Roomy).Constrain(iterations: 1))
             {
                 uint[] ids = stages.SortedIds;
                 int a = Array.IndexOf(ids, (uint)middle), b = Array.IndexOf(ids, (uint)lattice.Count);
@@ -185,7 +185,7 @@ namespace Rill.Tests
         public void Many_particles_in_one_point_come_apart_finite_and_inside()
         {
             ParticleState state = new ParticleState(12f, Enumerable.Repeat(new float3(6f, 6f, 6f), 1000).ToArray());
-            using (var stages = Listed(state, SolverSettings.Default).Constrain(iterations: 1))
+            using (var stages = Listed(state, SolverStages.Roomy).Constrain(iterations: 1))
             {
                 float4[] after = stages.Predicted;
                 Assert.That(after.All(p => math.all(math.isfinite(p)) && math.all(p.xyz >= 0.5f) && math.all(p.xyz <= 11.5f)));
@@ -196,7 +196,7 @@ namespace Rill.Tests
         [Test]
         public void Neighbors_past_the_lists_capacity_are_counted_and_left_out()
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.neighborCapacity = 16;
             ParticleState state = ParticleState.Random(997, seed: 9);
             using (var stages = Listed(state, settings))
@@ -217,7 +217,7 @@ namespace Rill.Tests
         [Test]
         public void Overflow_is_counted_anew_every_step()
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.neighborCapacity = 16;
             using (var stages = Listed(ParticleState.Random(997, seed: 10), settings))
             {
@@ -235,7 +235,7 @@ namespace Rill.Tests
             const int last = 11;
             FluidMaterial material = FluidMaterial.Water;
             material.allowedTension = 0.5f;         // so that negative errors show too
-            using (var stages = Listed(ParticleState.Lattice(12f, 0.5f, 12), SolverSettings.Default, material))
+            using (var stages = Listed(ParticleState.Lattice(12f, 0.5f, 12), SolverStages.Roomy, material))
             {
                 float4[] particles = stages.Multipliers;
                 foreach (int3 cell in new[] { new int3(0, 5, 6), new int3(last, 5, 6), new int3(5, 0, 6), new int3(5, last, 6), new int3(5, 6, 0), new int3(5, 6, last), new int3(5, 6, 5) })
@@ -252,9 +252,9 @@ namespace Rill.Tests
         public void Two_lists_give_the_result_of_one_bit_for_bit()
         {
             ParticleState state = ParticleState.Random(997, seed: 12);
-            // 64 entries of 4 bytes each: two thirds of the particles fit the first buffer.
+            // 96 entries of 4 bytes each: two thirds of the particles fit the first buffer.
             using (var one = new SolverStages(state, SolverStages.Still()).Sort().Constrain(iterations: 3))
-            using (var two = new SolverStages(state, SolverStages.Still(), largestBinding: 64 * 4 * 672).Sort().Constrain(iterations: 3))
+            using (var two = new SolverStages(state, SolverStages.Still(), largestBinding: 96 * 4 * 672).Sort().Constrain(iterations: 3))
             {
                 Assert.That(one.Layout.TwoLists, Is.False);
                 Assert.That(two.Layout.FirstListParticles, Is.EqualTo(672));

@@ -230,6 +230,73 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Gravity_too_strong_for_the_step_takes_more_substeps_and_the_statistics_say_so()
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);
+            yield return Frames(8);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.substeps, Is.EqualTo(1));
+            fluid.Gravity = new Vector3(0f, -981f, 0f);     // 5.45 spacings in a step
+            yield return Frames(30);
+            fluid.TryGetStatistics(out statistics);
+            Assert.That(statistics.substeps, Is.EqualTo(5));
+            Assert.That(fluid.Settings.substeps, Is.EqualTo(1), "what was asked for is kept");
+            Assert.That(statistics.densityError, Is.LessThan(0.1f));
+        }
+
+        [UnityTest]
+        public IEnumerator After_a_hitch_the_fluid_is_that_of_as_many_steps_without_one()
+        {
+            FluidSimulation fluid = Dam(), even = Dam();
+            yield return Frames(3);
+            even.Paused = true;
+            Time.captureDeltaTime = 1f;
+            yield return null;
+            Time.captureDeltaTime = 1f / 60f;
+            yield return Frames(3);
+            Assert.That(fluid.StepCount, Is.EqualTo(3 + 4 + 3));
+            fluid.Paused = true;
+            even.Paused = false;
+            yield return Frames(4 + 3);
+            TestFluid.AssertSame(State(fluid), State(even));
+        }
+
+        [UnityTest]
+        public IEnumerator A_velocity_that_is_not_finite_culls_its_particle_and_no_other([Values(float.NaN, float.NegativeInfinity)] float bad)
+        {
+            FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);
+            Add(fluid, new float3(0f, 0.1f, 0f), new float3(0f, bad, 0f));
+            yield return Frames(8);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.particles, Is.EqualTo(800));
+            Assert.That(statistics.nonFinite, Is.EqualTo(1));
+        }
+
+        [UnityTest]
+        public IEnumerator Ten_kilometres_from_the_origin_the_fluid_does_as_at_home()
+        {
+            FluidSimulation far = Dam(f => f.transform.position = new Vector3(1e4f, 1e4f, -1e4f)), near = Dam();
+            yield return Frames(40);
+            ParticleState there = State(far), here = State(near);
+            Assert.That(there.Count, Is.EqualTo(800));
+            // Places are filled in by world space, whose floats are a thousandth of a metre apart out there.
+            Assert.That(math.distance(Mean(there), Mean(here)), Is.LessThan(0.1f));
+
+            float3 Mean(ParticleState state) => new float3(state.positions.Average(p => p.x), state.positions.Average(p => p.y), state.positions.Average(p => p.z));
+        }
+
+        [UnityTest]
+        public IEnumerator Any_spacing_means_the_same_when_gravity_is_in_proportion([Values(1e-4f, 10f)] float spacing)
+        {
+            FluidSimulation fluid = Fluid("Scaled", Box / Spacing * spacing, spacing, 1000, new Vector3(10f, 8f, 10f) * spacing, f => f.Gravity = Vector3.down * (9.81f * spacing / Spacing)), usual = Dam();
+            yield return Frames(20);
+            ParticleState state = State(fluid), expected = State(usual);
+            Assert.That(state.Count, Is.EqualTo(800));
+            Assert.That(state.positions.Average(p => p.x), Is.EqualTo(expected.positions.Average(p => p.x)).Within(0.05f));
+            Assert.That(state.positions.Average(p => p.y), Is.EqualTo(expected.positions.Average(p => p.y)).Within(0.05f));
+        }
+
+        [UnityTest]
         public IEnumerator A_hitch_takes_the_most_steps_and_drops_the_rest()
         {
             FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);
@@ -293,27 +360,62 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator A_transform_that_is_not_finite_turns_it_off_with_a_message()
+        public IEnumerator A_transform_that_stops_being_finite_is_said_once_and_not_followed()
         {
-            FluidSimulation fluid = Dam(), healthy = Dam();
-            var stretched = new GameObject("Stretched");
-            made.Add(stretched);
-            fluid.transform.SetParent(stretched.transform, false);
-            fluid.transform.localPosition = new Vector3(1e10f, 1e10f, 1e10f);
+            FluidSimulation fluid = Stretched(out GameObject stretched), healthy = Dam(f => f.transform.position = Aside);
             yield return Frames(2);
+            Matrix4x4 place = fluid.DomainToWorld;
+            LogAssert.Expect(LogType.Error, new Regex("'Dam': its transform is not finite.*goes on where it last was.*and its parents"));
+            stretched.transform.localScale = Vector3.one * 3e38f;
+            yield return Frames(10);
+            Assert.That(fluid.IsRunning);
+            Assert.That(fluid.DomainToWorld, Is.EqualTo(place));
+            TestFluid.AssertSame(State(fluid), State(healthy));
+
+            stretched.transform.localScale = Vector3.one;
+            fluid.transform.localPosition = Aside + Vector3.up;
+            yield return Frames(5);
+            Assert.That(fluid.DomainToWorld, Is.Not.EqualTo(place));
+            TestFluid.AssertSame(State(fluid), State(healthy));
+
+            LogAssert.Expect(LogType.Error, new Regex("'Dam': its transform is not finite"));
+            stretched.transform.localScale = Vector3.one * 3e38f;
+            yield return Frames(3);
+        }
+
+        [UnityTest]
+        public IEnumerator A_simulation_cannot_start_where_there_is_no_place()
+        {
+            FluidSimulation fluid = Stretched(out GameObject stretched), healthy = Dam();
+            fluid.enabled = false;
+            stretched.transform.localScale = Vector3.one * 3e38f;
             LogAssert.Expect(LogType.Error, new Regex("'Dam' is off: its transform is not finite.*enable it again"));
-            stretched.transform.localScale = new Vector3(1e38f, 1e38f, 1e38f);
+            fluid.enabled = true;
             yield return Frames(3);
             Assert.That(fluid.enabled, Is.False);
             Assert.That(fluid.IsRunning, Is.False);
-            Assert.That(healthy.IsRunning);
-            Assert.That(healthy.StepCount, Is.EqualTo(5));
+            Assert.That(healthy.StepCount, Is.EqualTo(3));
 
             stretched.transform.localScale = Vector3.one;
-            fluid.transform.localPosition = Vector3.zero;
             fluid.enabled = true;
             yield return Frames(2);
             Assert.That(fluid.StepCount, Is.EqualTo(2));
+        }
+
+        static readonly Vector3 Aside = new Vector3(2f, 0f, 0f);
+
+        // Beside a parent whose scale can take it beyond all numbers.
+        FluidSimulation Stretched(out GameObject parent)
+        {
+            var stretched = new GameObject("Stretched");
+            made.Add(stretched);
+            FluidSimulation fluid = Dam(f =>
+            {
+                f.transform.SetParent(stretched.transform, false);
+                f.transform.localPosition = Aside;
+            });
+            parent = stretched;
+            return fluid;
         }
 
         static readonly BadLayout[] BadLayouts =
@@ -501,11 +603,11 @@ namespace Rill.Tests
             Assert.That(State(fluid).Count, Is.EqualTo(100));
 
             SolverSettings settings = fluid.Settings;
-            settings.neighborCapacity = 64;
+            settings.neighborCapacity = 96;
             fluid.Settings = settings;
             yield return Frames(2);
             Assert.That(fluid.StepCount, Is.EqualTo(2));
-            Assert.That(fluid.Solver.Layout.NeighborCapacity, Is.EqualTo(64));
+            Assert.That(fluid.Solver.Layout.NeighborCapacity, Is.EqualTo(96));
         }
 
         [UnityTest]

@@ -16,7 +16,7 @@ namespace Rill.Tests
         [TestCase(PrefixSum.Tile)]
         [TestCase(PrefixSum.Tile + 1)]
         [TestCase(100003)]
-        [TestCase(256 * PrefixSum.Tile + 1)]    // the scan of the tile sums takes a second turn
+        [TestCase(PrefixSum.Tile * PrefixSum.Tile + 1)]    // the scan of the tile sums takes a second turn
         public void Every_element_gets_the_sum_of_those_before_it(int count)
         {
             uint[] counts = RandomCounts(count, seed: count);

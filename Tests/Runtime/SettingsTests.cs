@@ -40,6 +40,22 @@ namespace Rill.Tests
             Assert.That(settings.relaxation, Is.EqualTo(expected));
         }
 
+        [TestCase(0f, 1, 1)]
+        [TestCase(0.27f, 1, 1)]
+        [TestCase(0.6f, 1, 1)]
+        [TestCase(0.61f, 1, 2)]
+        [TestCase(0.61f, 3, 3)]
+        [TestCase(2.5f, 1, 3)]
+        [TestCase(5.45f, 1, 5)]
+        [TestCase(1e6f, 2, 16)]
+        [TestCase(float.PositiveInfinity, 1, 16)]
+        public void As_many_substeps_are_taken_as_keep_gravitys_way_in_one_short(float gravityStep, int asked, int taken)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.substeps = asked;
+            Assert.That(settings.StableSubsteps(gravityStep), Is.EqualTo(taken));
+        }
+
         [TestCase(1, false, 0.3f)]
         [TestCase(1, true, 0.8f)]
         [TestCase(2, false, 1f)]

@@ -40,7 +40,18 @@ namespace Rill.Tests
             return new StepInput { timeStep = 1f / 60f, settings = settings, material = material };
         }
 
-        public static StepInput Still() => Still(SolverSettings.Default, FluidMaterial.Water);
+        public static StepInput Still() => Still(Roomy, FluidMaterial.Water);
+
+        /// <summary>Default settings with lists that hold what random places bring.</summary>
+        public static SolverSettings Roomy
+        {
+            get
+            {
+                SolverSettings settings = SolverSettings.Default;
+                settings.neighborCapacity = 96;
+                return settings;
+            }
+        }
 
         public int Sorted => (int)Counter(ParticleCounter.Sorted);
 

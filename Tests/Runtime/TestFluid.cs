@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using NUnit.Framework;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
@@ -25,6 +26,9 @@ namespace Rill.Tests
 
         public float Spacing => Solver.Layout.Spacing;
 
+        /// <summary>Particles given to the solver.</summary>
+        public int Added { get; private set; }
+
         /// <summary>Adds a block of still or moving particles on a lattice, its lowest corner at <paramref name="corner"/>.</summary>
         public TestFluid AddBlock(float3 corner, float3 size, float3 velocity = default, float jitter = 0.02f)
         {
@@ -38,6 +42,7 @@ namespace Rill.Tests
             using (var positions = new NativeArray<float4>(places.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
             using (var velocities = new NativeArray<float4>(places.Select(_ => new float4(velocity, 0f)).ToArray(), Allocator.Persistent))
                 Solver.Add(positions, velocities);
+            Added += places.Length;
             return this;
         }
 
@@ -75,6 +80,20 @@ namespace Rill.Tests
             AsyncGPUReadback.WaitAllRequests();
             if (!Solver.TryGetStatistics(Input, out FluidStatistics statistics))
                 throw new InvalidOperationException("The statistics did not arrive with WaitAllRequests.");
+            return statistics;
+        }
+
+        /// <summary>Statistics of the current state; fails unless every particle is alive, refused or culled, and those alive are inside with a velocity.</summary>
+        public FluidStatistics MeasureWhole()
+        {
+            FluidStatistics statistics = Measure();
+            ParticleState state = Read();
+            Assert.That(state.Count + statistics.refused + statistics.nonFinite, Is.EqualTo(Added), "particles alive, refused and culled");
+            Assert.That(state.ids.Distinct().Count(), Is.EqualTo(state.Count), "different ids");
+            Assert.That(statistics.escaped, Is.Zero, "escaped");
+            for (int i = 0; i < state.Count; i++)
+                if (!math.all(state.positions[i].xyz >= 0.5f) || !math.all(state.positions[i].xyz <= state.box - 0.5f) || !math.all(math.isfinite(state.velocities[i])))
+                    Assert.Fail($"particle {state.ids[i]} is at {state.positions[i].xyz} with velocity {state.velocities[i].xyz} in a box of {state.box}");
             return statistics;
         }
 

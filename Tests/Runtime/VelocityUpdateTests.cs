@@ -154,9 +154,9 @@ namespace Rill.Tests
             ParticleState state = ParticleState.Random(997, seed: 8, speed: 10f);
             FluidMaterial material = FluidMaterial.Water;
             material.viscosity = 0.5f;
-            StepInput input = SolverStages.Still(SolverSettings.Default, material);
+            StepInput input = SolverStages.Still(SolverStages.Roomy, material);
             using (var one = new SolverStages(state, input).Sort().Constrain(2).UpdateVelocities())
-            using (var two = new SolverStages(state, input, largestBinding: 64 * 4 * 512).Sort().Constrain(2).UpdateVelocities())
+            using (var two = new SolverStages(state, input, largestBinding: 96 * 4 * 512).Sort().Constrain(2).UpdateVelocities())
             {
                 Assert.That(two.Layout.TwoLists);
                 Compare.Same("velocities", two.Velocities, one.Velocities);
@@ -165,7 +165,7 @@ namespace Rill.Tests
 
         static SolverStages Updated(ParticleState state, float viscosity, int iterations, float relaxation = 0.8f)
         {
-            SolverSettings settings = SolverSettings.Default;
+            SolverSettings settings = SolverStages.Roomy;
             settings.relaxation = relaxation;
             FluidMaterial material = FluidMaterial.Water;
             material.viscosity = viscosity;

@@ -94,7 +94,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 5, speed: 10f);
             using (var one = new Swirl(state, Vorticity))
-            using (var two = new Swirl(state, Vorticity, largestBinding: 64 * 4 * 512))
+            using (var two = new Swirl(state, Vorticity, largestBinding: 96 * 4 * 512))
             {
                 Assert.That(two.Stages.Layout.TwoLists);
                 Compare.Same("velocities", two.Confined, one.Confined);
@@ -117,7 +117,7 @@ namespace Rill.Tests
                 FluidMaterial material = FluidMaterial.Water;
                 material.vorticity = vorticity;
                 material.viscosity = Viscosity;
-                Stages = new SolverStages(state, SolverStages.Still(SolverSettings.Default, material), capacity, largestBinding);
+                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, largestBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 Points = Compare.Points(Stages.Predicted);
                 Neighbors = Rill.Tests.Reference.Neighbors.ByCells(Points, Kernels.H);

@@ -8,9 +8,6 @@ namespace Rill
     /// </summary>
     sealed class BudgetLadder
     {
-        /// <summary>Fall of a substep under gravity, d, up to which the coarse correction was measured to hold.</summary>
-        const float LargestFall = 0.6f;
-
         // One iteration without the coarse grid is stable only at a relaxation that leaves a third of the volume; three are
         // noisier than two and than four.
         readonly BudgetRung[] plain =
@@ -42,19 +39,15 @@ namespace Rill
 
         public BudgetRung this[int rung] => rungs[rung];
 
-        /// <summary>Whether the bounds leave nothing that is stable, so that the least stable rung stands in spite of them.</summary>
+        /// <summary>Whether the bounds leave nothing that is stable, so that they are exceeded.</summary>
         public bool BoundsGaveWay { get; private set; }
 
-        /// <summary>Fewest substeps that hold a scene whose fluid falls so far in a step.</summary>
-        /// <param name="fall">g Δt² of a whole step, d.</param>
-        /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water.</param>
-        public static int StableSubsteps(float fall, bool deepWater) => deepWater ? Math.Max(1, (int)Math.Ceiling(Math.Sqrt(fall / LargestFall) - 1e-4)) : 1;
-
         /// <summary>Chooses the rungs for a scene; allocates nothing.</summary>
+        /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
         /// <returns>Whether they are others than before.</returns>
-        public bool Build(bool deepWater, float fall, in SolverBudget budget)
+        public bool Build(bool deepWater, float gravityStep, in SolverBudget budget)
         {
-            int substeps = StableSubsteps(fall, deepWater);
+            int substeps = new SolverSettings { substeps = 1 }.StableSubsteps(gravityStep);
             if (Count > 0 && deepWater == isDeep && substeps == neededSubsteps && HasBounds(budget))
                 return false;
             isDeep = deepWater;
@@ -62,15 +55,15 @@ namespace Rill
             bounds = budget;
             Count = 0;
             BudgetRung[] all = deepWater ? deep : plain;
-            int least = Math.Max(substeps, budget.leastSubsteps);
+            int least = Math.Max(substeps, budget.leastSubsteps), most = Math.Max(substeps, budget.mostSubsteps);
             foreach (BudgetRung rung in all)
             {
                 BudgetRung raised = rung.Substeps < least ? rung.WithSubsteps(least) : rung;
-                if (raised.Substeps <= budget.mostSubsteps && raised.Iterations >= budget.leastIterations && raised.Iterations <= budget.mostIterations)
+                if (raised.Substeps <= most && raised.Iterations >= budget.leastIterations && raised.Iterations <= budget.mostIterations)
                     rungs[Count++] = raised;
             }
-            BoundsGaveWay = Count == 0;
-            if (BoundsGaveWay)
+            BoundsGaveWay = Count == 0 || substeps > budget.mostSubsteps;
+            if (Count == 0)
                 rungs[Count++] = all[0].WithSubsteps(Math.Max(substeps, all[0].Substeps));
             return true;
         }

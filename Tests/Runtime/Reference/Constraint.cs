@@ -15,6 +15,9 @@ namespace Rill.Tests.Reference
         public double artificialPressure, artificialPressureDistance = 0.2;
         public double longestCorrection = 0.5;
 
+        /// <summary>Distance, d, within which a pair is pushed apart, and the share of what it lacks to it that a pass adds.</summary>
+        const double Close = 0.25, Separation = 0.1;
+
         readonly double3 box;
         readonly double3[] points;
         readonly int[][] neighbors;
@@ -62,6 +65,9 @@ namespace Rill.Tests.Reference
                 double3 difference = points[i] - points[j];
                 double multiplier = multipliers[i] + multipliers[j] + ArtificialPressure(math.length(difference));
                 sum.Add(Kernels.SpikyGradient(difference) * (multiplier / Kernels.RestDensity));
+                double distance = math.length(difference);
+                if (distance > 0.0 && distance < Close)
+                    sum.Add(difference * (Separation * (Close - distance) / distance));
             }
             sum.Add(Walls.Gradient(points[i], box) * multipliers[i]);
 

@@ -32,11 +32,18 @@ namespace Host.Fluids
         /// <param name="sampleEvery">Steps between statistics; a step that follows one is not timed.</param>
         public static Experiment Run(ExperimentScene scene, in StepInput input, double seconds, int sampleEvery)
         {
+            using var solver = new PackageSolver(scene.LayoutFor(input.settings), input);
+            return Run(solver, scene, input, seconds, sampleEvery, _ => false);
+        }
+
+        /// <param name="solver">Empty, and made for this input.</param>
+        /// <param name="isOver">Whether a run that has come to this is not worth its end.</param>
+        public static Experiment Run(IExperimentSolver solver, ExperimentScene scene, in StepInput input, double seconds, int sampleEvery, Func<Experiment, bool> isOver)
+        {
             var experiment = new Experiment(scene, input);
-            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin));
-            scene.Fill(solver);
-            experiment.Play(solver, (int)Math.Round(seconds / input.timeStep), sampleEvery);
-            experiment.Bytes = solver.Describe(input, 0).Sum(stage => stage.Bytes);
+            scene.Fill(solver.Add);
+            experiment.Play(solver, (int)Math.Round(seconds / input.timeStep), sampleEvery, isOver);
+            experiment.Bytes = solver.Bytes;
             return experiment;
         }
 
@@ -56,7 +63,7 @@ namespace Host.Fluids
             return sorted[sorted.Count / 2];
         }
 
-        void Play(PbfSolver solver, int steps, int sampleEvery)
+        void Play(IExperimentSolver solver, int steps, int sampleEvery, Func<Experiment, bool> isOver)
         {
             IGraphicsDevice device = Player.Device;
             using var cmd = new CommandBuffer { name = "experiment" };
@@ -68,7 +75,7 @@ namespace Host.Fluids
                 device.Timing = window != null && !afterSample;
                 cmd.Clear();
                 cmd.BeginSample("step");
-                solver.Step(cmd, Input);
+                solver.Step(cmd);
                 cmd.EndSample("step");
                 Graphics.ExecuteCommandBuffer(cmd);
                 if (device.Timing)
@@ -77,20 +84,20 @@ namespace Host.Fluids
                     Collect(window, device.CollectSamples());
                     device.Timing = false;
                 }
-                if (step % sampleEvery == 0 || step == steps)
-                    Measure(solver, cmd);
+                if (step % sampleEvery != 0 && step != steps)
+                    continue;
+                Measure(solver, cmd);
+                if (isOver(this))
+                    return;
             }
         }
 
-        void Measure(PbfSolver solver, CommandBuffer cmd)
+        void Measure(IExperimentSolver solver, CommandBuffer cmd)
         {
             cmd.Clear();
-            solver.RecordStatistics(cmd, Input);
+            solver.RecordStatistics(cmd);
             Graphics.ExecuteCommandBuffer(cmd);
-            solver.RequestStatistics();
-            AsyncGPUReadback.WaitAllRequests();
-            solver.TryGetStatistics(Input, out FluidStatistics statistics);
-            Samples.Add(statistics);
+            Samples.Add(solver.FetchStatistics());
         }
 
         void Collect(string window, IEnumerable<DeviceSample> samples)

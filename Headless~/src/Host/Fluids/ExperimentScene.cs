@@ -40,6 +40,19 @@ namespace Host.Fluids
         /// <summary>m.</summary>
         public float3 Domain => Box * Spacing;
 
+        /// <summary>Of the tallest block on the floor.</summary>
+        public int Layers
+        {
+            get
+            {
+                int layers = 0;
+                foreach ((float3 corner, int3 counts, float3 _) in Blocks)
+                    if (corner.y == 0f)
+                        layers = Math.Max(layers, counts.y);
+                return layers;
+            }
+        }
+
         /// <summary>A block 1 m high in the left half of a box twice as long and 2 m tall; particles in all as near as its lattice comes.</summary>
         public static ExperimentScene Dam(int particles)
         {
@@ -52,17 +65,29 @@ namespace Host.Fluids
         /// <param name="spacing">m.</param>
         public static ExperimentScene Block(string name, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(0f, counts);
 
-        /// <summary>Still water that fills a box of 24 x 24 spacings, in a box three times as tall.</summary>
+        /// <summary>A block anywhere in a box.</summary>
+        /// <param name="corner">Its lowest, d.</param>
+        public static ExperimentScene Block(string name, int3 corner, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(corner, counts);
+
+        /// <summary>Still water that fills the floor of a box of 24 x 24 spacings, in a box three times as tall.</summary>
         /// <param name="spacing">m.</param>
-        public static ExperimentScene Column(int layers, float spacing) => new ExperimentScene("column", spacing, new float3(24, 3 * layers, 24)).Add(0f, new int3(24, layers, 24));
+        public static ExperimentScene Column(int layers, float spacing, int side = 24) => Still("column", layers, side, spacing);
+
+        /// <summary>Still water that fills the wide floor of a box three times as tall.</summary>
+        /// <param name="side">Of the floor, d.</param>
+        /// <param name="spacing">m.</param>
+        public static ExperimentScene Tank(int layers, int side, float spacing) => Still("tank", layers, side, spacing);
+
+        static ExperimentScene Still(string name, int layers, int side, float spacing) =>
+            new ExperimentScene(name, spacing, new float3(side, 3 * layers, side)).Add(0f, new int3(side, layers, side));
 
         /// <summary>A block that falls at 25 m/s onto a pool of 4 layers; 540,672 particles at scale 4.</summary>
-        /// <param name="scale">Of all counts; d = 0.05 m / scale.</param>
-        public static ExperimentScene Drop(int scale) => new ExperimentScene("drop", 0.05f / scale, new float3(48, 160, 48) * scale)
-            .Add(0f, new int3(48 * scale, 4, 48 * scale))
-            .Add(new float3(16, 10, 16) * scale, new int3(16, 24, 16) * scale, new float3(0, -25, 0));
+        /// <param name="scale">Of all counts but the pool's layers, in eighths; d = 0.05 m / scale.</param>
+        public static ExperimentScene Drop(float scale) => new ExperimentScene("drop", 0.05f / scale, new float3(48, 160, 48) * scale)
+            .Add(0f, new int3((int)(48 * scale), 4, (int)(48 * scale)))
+            .Add(new float3(16, 10, 16) * scale, (int3)(new float3(16, 24, 16) * scale), new float3(0, -25, 0));
 
-        /// <summary>"dam:1000000", "column:120:0.05", "drop:4".</summary>
+        /// <summary>"dam:1000000", "column:120:0.05", "tank:8:112:0.02", "drop:4".</summary>
         public static ExperimentScene Parse(string text)
         {
             string[] parts = text.Split(':');
@@ -77,15 +102,23 @@ namespace Host.Fluids
                     return Dam((int)particles);
                 case "column" when parts.Length <= 3 && Number(1, 120, out double layers) && Number(2, 0.05, out double spacing):
                     return Column((int)layers, (float)spacing);
-                case "drop" when parts.Length <= 2 && Number(1, 4, out double scale):
-                    return Drop((int)scale);
+                case "tank" when parts.Length <= 4 && Number(1, 8, out double layers) && Number(2, 112, out double side) && Number(3, 0.02, out double spacing):
+                    return Tank((int)layers, (int)side, (float)spacing);
+                case "drop" when parts.Length <= 2 && Number(1, 4, out double scale) && scale * 8 == Math.Floor(scale * 8):
+                    return Drop((float)scale);
                 default:
-                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m> or drop:<scale>, as in dam:1000000, column:120:0.05 or drop:4.");
+                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side of the floor in spacings>:<spacing in m> or drop:<scale in eighths>, as in dam:1000000, column:120:0.05, tank:8:112:0.02 or drop:4.");
             }
         }
 
+        /// <summary>What a solver of these settings needs for the scene.</summary>
+        public SolverLayout LayoutFor(in SolverSettings settings) => new SolverLayout(Domain, Spacing, Particles, settings.neighborCapacity, settings.listMargin);
+
         /// <summary>Fills a solver that was just cleared.</summary>
-        public void Fill(PbfSolver solver)
+        public void Fill(PbfSolver solver) => Fill(solver.Add);
+
+        /// <param name="add">Takes positions, m, and velocities, m/s.</param>
+        public void Fill(Action<NativeArray<float4>, NativeArray<float4>> add)
         {
             using var positions = new NativeArray<float4>(Particles, Allocator.Persistent);
             using var velocities = new NativeArray<float4>(Particles, Allocator.Persistent);
@@ -100,7 +133,7 @@ namespace Host.Fluids
                             to[i] = new float4((corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f)) * Spacing, 0f);
                             speeds[i++] = new float4(velocity, 0f);
                         }
-            solver.Add(positions, velocities);
+            add(positions, velocities);
         }
 
         ExperimentScene Add(float3 corner, int3 counts, float3 velocity = default)

@@ -3,7 +3,6 @@ using System.CommandLine;
 using System.Globalization;
 using System.Linq;
 using Rill;
-using Unity.Mathematics;
 
 namespace Host.Fluids
 {
@@ -12,7 +11,7 @@ namespace Host.Fluids
     {
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m> or drop:<scale>." };
+            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m> or drop:<scale>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
@@ -30,9 +29,8 @@ namespace Host.Fluids
                 settings.relaxation = parsed.GetValue(relaxation);
                 settings.deepWater = parsed.GetValue(deep);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
-                var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
                 using var session = new Session(Session.Root());
-                Experiment run = Experiment.Run(ExperimentScene.Parse(parsed.GetValue(scene)), input, parsed.GetValue(seconds), parsed.GetValue(every));
+                Experiment run = Experiment.Run(ExperimentScene.Parse(parsed.GetValue(scene)), ExperimentFigures.Input(settings), parsed.GetValue(seconds), parsed.GetValue(every));
                 Print(run, session.DescribeDevice(), parsed.GetValue(stages));
                 return 0;
             });

@@ -1,8 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.CommandLine;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Host.Report.ErrorTime;
+using Host.Report.Thesis;
+using Host.Report.Methods;
 
 namespace Host.Report
 {
@@ -11,60 +15,72 @@ namespace Host.Report
     {
         static readonly ReportSection[] Sections =
         {
+            new ErrorTimeSection(),
+            new ThesisSection(),
+            new TheorySection(),
+            new ExtremesSection(),
+            new MethodsSection(),
             new BudgetSection(),
         };
 
         public static Command Create()
         {
-            var names = new Argument<string[]>("sections") { Description = $"Those to do: {string.Join(", ", Sections.Select(section => section.Name))}. All but the long ones if none is named.", DefaultValueFactory = _ => Array.Empty<string>() };
+            var names = new Argument<string[]>("sections") { Description = $"Those to do: {string.Join(", ", Sections.Select(section => section.Name))}. All but the long ones if none is named; with --write-only all that were measured.", DefaultValueFactory = _ => Array.Empty<string>() };
             var quick = new Option<bool>("--quick") { Description = "Small scenes that a CPU can do; shows that all works, not how fast." };
             var output = new Option<string>("--out") { Description = "Folder for tables, plots and page.", DefaultValueFactory = _ => Path.Combine("out", "report") };
+            var page = new Option<string>("--page") { Description = "Write the page to this file instead, its plots to images/report and copies of its tables to data, both beside it." };
             var measureOnly = new Option<bool>("--measure-only") { Description = "Only tables: needs no gnuplot." };
             var writeOnly = new Option<bool>("--write-only") { Description = "Only plots and page, from tables that are there." };
-            var command = new Command("report", "Measures error against run time, against experiment and theory, and at the extremes.") { names, quick, output, measureOnly, writeOnly };
-            command.SetAction(parsed => Execute(Chosen(parsed.GetValue(names)), parsed.GetValue(quick), Path.GetFullPath(parsed.GetValue(output)), !parsed.GetValue(writeOnly), !parsed.GetValue(measureOnly)));
+            var command = new Command("report", "Measures error against run time, against experiment and theory, and at the extremes.") { names, quick, output, page, measureOnly, writeOnly };
+            command.SetAction(parsed =>
+            {
+                bool measure = !parsed.GetValue(writeOnly), write = !parsed.GetValue(measureOnly);
+                if (!measure && !write)
+                    throw new HostException("--measure-only and --write-only together leave nothing to do; give one of them or none.");
+                ReportFolders folders = ReportFolders.Of(Path.GetFullPath(parsed.GetValue(output)), parsed.GetValue(page));
+                List<ReportSection> sections = Chosen(Sections, parsed.GetValue(names), measure, folders.Data);
+                if (measure)
+                    Measure(sections, parsed.GetValue(quick), folders.Data);
+                if (write)
+                {
+                    ReportWriter.Write(sections, folders);
+                    Console.WriteLine(folders.Page);
+                }
+                return 0;
+            });
             return command;
         }
 
-        static List<ReportSection> Chosen(string[] names)
+        /// <summary>The sections named; without a name all but the long ones or, when none is measured now, all whose tables are there.</summary>
+        /// <exception cref="HostException">There is none of that name, or none was measured.</exception>
+        public static List<ReportSection> Chosen(IReadOnlyList<ReportSection> all, string[] names, bool measure, string dataFolder)
         {
             foreach (string name in names)
-                if (Sections.All(section => section.Name != name))
-                    throw new HostException($"there is no section \"{name}\" of the report; there are {string.Join(", ", Sections.Select(section => section.Name))}.");
-            return Sections.Where(section => names.Length == 0 ? !section.OnlyByName : names.Contains(section.Name)).ToList();
+                if (all.All(section => section.Name != name))
+                    throw new HostException($"there is no section \"{name}\" of the report; there are {string.Join(", ", all.Select(section => section.Name))}.");
+            if (names.Length > 0)
+                return all.Where(section => names.Contains(section.Name)).ToList();
+            if (measure)
+                return all.Where(section => !section.OnlyByName).ToList();
+            List<ReportSection> measured = all.Where(section => ReportRecord.Find(dataFolder, section) != null).ToList();
+            return measured.Count > 0 ? measured : throw new HostException($"no section was measured into {dataFolder}; \"rill report\" without --write-only does.");
         }
 
-        static int Execute(List<ReportSection> sections, bool quick, string folder, bool measure, bool write)
+        static void Measure(List<ReportSection> sections, bool quick, string dataFolder)
         {
-            string data = Path.Combine(folder, "data");
-            if (measure)
-            {
-                using var session = new Session(Session.Root());
-                string device = session.DescribeDevice();
-                Console.WriteLine(device);
-                var run = new ReportRun(data, quick, device, Console.Out);
-                foreach (ReportSection section in sections)
-                {
-                    run.Log(section.Title);
-                    section.Measure(run);
-                }
-            }
-            if (write)
-            {
-                var page = new ReportPage(data, Path.Combine(folder, "images"), "images");
-                page.Line("# Report");
-                foreach (ReportSection section in sections)
-                {
-                    page.Line();
-                    page.Line("## " + section.Title);
-                    page.Line();
-                    section.Write(page);
-                }
-                string file = Path.Combine(folder, "report.md");
-                File.WriteAllText(file, page.ToString());
-                Console.WriteLine(file);
-            }
-            return 0;
+            using var session = new Session(Session.Root());
+            Console.WriteLine(session.DescribeDevice());
+            var run = new ReportRun(dataFolder, quick, session.DescribeDevice(), Console.Out);
+            foreach (ReportSection section in sections)
+                Measure(section, run);
+        }
+
+        public static void Measure(ReportSection section, ReportRun run)
+        {
+            run.Log(section.Title);
+            var clock = Stopwatch.StartNew();
+            section.Measure(run);
+            ReportRecord.Save(run, section, clock.Elapsed.TotalSeconds);
         }
     }
 }

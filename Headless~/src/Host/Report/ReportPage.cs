@@ -11,6 +11,7 @@ namespace Host.Report
     {
         readonly string dataFolder, imageFolder, imageLink;
         readonly StringBuilder text = new();
+        readonly List<string> tables = new();
 
         /// <param name="imageLink">From the page to the folder of images.</param>
         public ReportPage(string dataFolder, string imageFolder, string imageLink)
@@ -23,10 +24,30 @@ namespace Host.Report
 
         public override string ToString() => text.ToString();
 
+        /// <summary>Names of all tables that were asked for.</summary>
+        public IReadOnlyList<string> Tables => tables.Distinct().ToList();
+
         public ReportTable Load(string name) => ReportTable.Load(DataFile(name));
 
         /// <summary>Path of a table's CSV file, for plots.</summary>
-        public string DataFile(string name) => Path.GetFullPath(Path.Combine(dataFolder, name + ".csv"));
+        public string DataFile(string name)
+        {
+            tables.Add(name);
+            return Path.GetFullPath(Path.Combine(dataFolder, name + ".csv"));
+        }
+
+        /// <summary>A section under its heading, with links to its tables.</summary>
+        public void Section(ReportSection section)
+        {
+            Line();
+            Line("## " + section.Title);
+            Line();
+            int before = tables.Count;
+            section.Write(this);
+            string[] used = tables.Skip(before).Distinct().ToArray();
+            if (used.Length > 0)
+                Line("Tables: " + string.Join(", ", used.Select(name => $"[{name}.csv]({ReportFolders.DataLink}/{name}.csv)")) + ".");
+        }
 
         public void Line(string line = "") => text.Append(line).Append('\n');
 
@@ -51,7 +72,7 @@ namespace Host.Report
             all.AppendLine($"set terminal pngcairo size {width},{height} font 'DejaVu Sans,10'");
             all.AppendLine($"set output '{Path.Combine(imageFolder, file)}'");
             all.AppendLine("set datafile separator ','\nset datafile commentschars '#'\nset datafile missing ''\nset encoding utf8");
-            all.AppendLine("set grid lc rgb '#d8d8d8'\nset border 3 lc rgb '#606060'\nset tics nomirror\nset key outside right top noenhanced");
+            all.AppendLine("set grid lt 1 lc rgb '#e4e4e4'\nset border 3 lc rgb '#606060'\nset tics nomirror\nset key outside right top noenhanced");
             string[] colors = { "#1f6fb4", "#d1602b", "#3a9a4b", "#8a55a3", "#5c5c5c", "#c2a52a", "#2aa9a9", "#b23a5b" };
             for (int i = 0; i < colors.Length; i++)
                 all.AppendLine($"set style line {i + 1} lc rgb '{colors[i]}' lw 1.6 pt {new[] { 7, 5, 9, 11, 13, 4, 6, 8 }[i]} ps 0.9");

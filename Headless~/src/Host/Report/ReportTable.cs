@@ -19,6 +19,8 @@ namespace Host.Report
         public string[] Columns { get; }
         /// <summary>Device and settings that hold for all rows.</summary>
         public string MeasuredOn { get; set; } = "";
+        /// <summary>Whether the device was a CPU: then times say nothing.</summary>
+        public bool InSoftware => MeasuredOn.Contains("in software");
         public IEnumerable<Row> Rows => rows.Select(row => new Row(this, row));
 
         /// <param name="values">One for each column; NaN is written as nothing.</param>
@@ -43,8 +45,16 @@ namespace Host.Report
             string[] lines = File.ReadAllLines(path);
             string[] said = lines.Where(line => line.StartsWith('#')).ToArray();
             string[] table = lines.Where(line => line.Length > 0 && !line.StartsWith('#')).ToArray();
+            if (table.Length == 0)
+                throw new HostException($"{path} holds no table; \"rill report\" without --write-only measures it anew.");
             var loaded = new ReportTable(table[0].Split(',')) { MeasuredOn = string.Join(" ", said.Select(line => line[1..].Trim())) };
-            loaded.rows.AddRange(table.Skip(1).Select(line => line.Split(',')));
+            foreach (string line in table.Skip(1))
+            {
+                string[] values = line.Split(',');
+                if (values.Length != loaded.Columns.Length)
+                    throw new HostException($"{path}: \"{line}\" has {values.Length} values for {loaded.Columns.Length} columns.");
+                loaded.rows.Add(values);
+            }
             return loaded;
         }
 

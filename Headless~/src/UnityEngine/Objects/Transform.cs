@@ -20,7 +20,7 @@ namespace UnityEngine
         public bool hasChanged { get; set; } = true;
 
         // ---- local
-        public Vector3 localPosition { get { ThrowIfDestroyed(); return m_LocalPosition; } set { ThrowIfDestroyed(); m_LocalPosition = value; Moved(); } }
+        public Vector3 localPosition { get { ThrowIfDestroyed(); return m_LocalPosition; } set { ThrowIfDestroyed(); if (IsPlace(nameof(localPosition), value)) { m_LocalPosition = value; Moved(); } } }
         public Quaternion localRotation { get { ThrowIfDestroyed(); return m_LocalRotation; } set { ThrowIfDestroyed(); m_LocalRotation = Quaternion.Normalize(value); Moved(); } }
         public Vector3 localScale { get { ThrowIfDestroyed(); return m_LocalScale; } set { ThrowIfDestroyed(); m_LocalScale = value; Moved(); } }
         public Vector3 localEulerAngles { get => localRotation.eulerAngles; set => localRotation = Quaternion.Euler(value); }
@@ -55,7 +55,20 @@ namespace UnityEngine
         public Vector3 position
         {
             get => localToWorldMatrix.GetPosition();
-            set => localPosition = ParentOf is null ? value : ParentOf.InverseTransformPoint(value);
+            set
+            {
+                if (IsPlace(nameof(position), value))
+                    localPosition = ParentOf is null ? value : ParentOf.InverseTransformPoint(value);
+            }
+        }
+
+        // What is no place is refused with Unity's message, and the old one stays.
+        bool IsPlace(string property, Vector3 value)
+        {
+            if (float.IsFinite(value.x) && float.IsFinite(value.y) && float.IsFinite(value.z))
+                return true;
+            Debug.LogError(FormattableString.Invariant($"transform.{property} assign attempt for '{name}' is not valid. Input {property} is {{ {value.x:F6}, {value.y:F6}, {value.z:F6} }}."), this);
+            return false;
         }
 
         public Quaternion rotation

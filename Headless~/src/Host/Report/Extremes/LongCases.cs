@@ -1,0 +1,46 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Host.Report.Extremes
+{
+    /// <summary>What many steps add up to.</summary>
+    static class LongCases
+    {
+        const string Subject = "Long runs";
+        const float Spacing = 0.05f;
+
+        public static IEnumerable<ExtremeCase> All(bool quick)
+        {
+            int steps = quick ? 500 : 100_000;
+            yield return Still(steps);
+            yield return Floating(quick ? steps : 20_000);
+        }
+
+        static ExtremeCase Still(int steps) => new(Subject, $"still water of 8 x 6 x 8; {steps} steps", (setting, check) =>
+        {
+            using var fluid = new ExtremeFluid(new float3(8f, 16f, 8f), Spacing, 384, setting.Solver).AddLattice(0f, new int3(8, 6, 8));
+            // Settles first: what comes after is drift.
+            fluid.Step(500, 500).Step(steps, steps / 100);
+            int first = fluid.Samples.FindIndex(s => s.step >= 500);
+            var (early, late) = (fluid.Samples[first], fluid.Last);
+            check.AtMost("drift of the energy", Math.Abs(late.Energy / (double)early.Energy - 1), 0.02, "%");
+            check.AtMost("drift of the volume", Math.Abs(late.volumeRatio / (double)early.volumeRatio - 1), 0.02, "%");
+            check.AtMost("speed of the centre of mass", math.length(late.momentum) / (1000.0 * 384 * Math.Pow(Spacing, 3)), 0.02, "m/s");
+            check.AtMost("rms speed at the end", late.speed, 0.1, "m/s");
+            return fluid.Counts;
+        });
+
+        static ExtremeCase Floating(int steps) => new(Subject, $"block of 8 x 8 x 8 afloat without gravity; {steps} steps", (setting, check) =>
+        {
+            using var fluid = new ExtremeFluid(32f, Spacing, 512, setting.Solver).AddLattice(12f, 8);
+            fluid.Input.gravity = 0f;
+            fluid.Step(500, 500).Step(steps, steps / 100);
+            double mass = 1000.0 * 512 * Math.Pow(Spacing, 3);
+            check.AtMost("way of the centre of mass in d", math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.1);
+            check.AtMost("speed of the centre of mass", math.length(fluid.Last.momentum) / mass, 1e-3, "m/s");
+            check.AtMost("rms speed at the end", fluid.Last.speed, 0.02, "m/s");
+            return fluid.Counts;
+        });
+    }
+}

@@ -1,0 +1,32 @@
+using System;
+using System.IO;
+using System.Linq;
+
+namespace Host.Report
+{
+    /// <summary>What is known of a section's measuring: on what, how much, when. It lies beside the section's tables.</summary>
+    sealed record ReportRecord(string Device, bool Quick, bool InSoftware, string Date, double Seconds)
+    {
+        const string Scope = "of the whole section";
+
+        static string Name(ReportSection section) => "report-" + section.Name;
+
+        public static void Save(ReportRun run, ReportSection section, double seconds)
+        {
+            var table = new ReportTable("quick", "date", "seconds");
+            table.Add(run.Quick, DateTime.UtcNow.ToString("yyyy-MM-dd"), Math.Round(seconds, 1));
+            run.Save(Name(section), table, Scope);
+        }
+
+        /// <summary>Null for a section that was never measured into this folder.</summary>
+        public static ReportRecord Find(string dataFolder, ReportSection section)
+        {
+            string file = Path.Combine(dataFolder, Name(section) + ".csv");
+            if (!File.Exists(file))
+                return null;
+            ReportTable table = ReportTable.Load(file);
+            ReportTable.Row row = table.Rows.Single();
+            return new ReportRecord(table.MeasuredOn.Replace("; " + Scope, ""), bool.Parse(row["quick"]), table.InSoftware, row["date"], row.Number("seconds"));
+        }
+    }
+}

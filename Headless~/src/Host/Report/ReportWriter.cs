@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+
+namespace Host.Report
+{
+    /// <summary>Writes the page, its plots and, beside it, the tables that it rests on.</summary>
+    static class ReportWriter
+    {
+        /// <exception cref="HostException">A section was not measured.</exception>
+        public static void Write(IReadOnlyList<ReportSection> sections, ReportFolders folders)
+        {
+            var records = sections.Select(section => ReportRecord.Find(folders.Data, section)).ToList();
+            string[] missing = sections.Where((_, i) => records[i] == null).Select(section => section.Name).ToArray();
+            if (missing.Length > 0)
+                throw new HostException($"{string.Join(", ", missing)}: not measured into {folders.Data}; \"rill report {string.Join(" ", missing)}\" without --write-only does.");
+
+            var page = new ReportPage(folders.Data, folders.Images, folders.ImageLink);
+            Introduce(page, sections, records);
+            foreach (ReportSection section in sections)
+                page.Section(section);
+            File.WriteAllText(folders.Page, page.ToString());
+            CopyTables(page, folders);
+        }
+
+        static void Introduce(ReportPage page, IReadOnlyList<ReportSection> sections, List<ReportRecord> records)
+        {
+            page.Line("# Report");
+            page.Line();
+            foreach (var group in records.Where(record => record.Quick || record.InSoftware).GroupBy(record => (record.Quick, record.InSoftware)))
+            {
+                string what = string.Join(", ", sections.Where((_, i) => (records[i].Quick, records[i].InSoftware) == group.Key).Select(section => section.Name));
+                page.Line($"**{(group.Key.Quick ? "A quick run" : "A run")}{(group.Key.InSoftware ? " on a CPU" : "")}** ({what}): {(group.Key.Quick ? "small scenes, few settings; it shows that everything works, not what the solver can do. " : "")}{(group.Key.InSoftware ? "Its times say nothing about a GPU." : "")}".TrimEnd());
+                page.Line();
+            }
+            page.Line("Written by `rill report`. What was run on what:");
+            page.Line();
+            page.Table(new[] { "section", "command", "device", "date", "took" }, sections.Select((section, i) => new[]
+            {
+                section.Title, $"`rill report {section.Name}{(records[i].Quick ? " --quick" : "")}`", records[i].Device, records[i].Date, records[i].Seconds.ToString("0 s", CultureInfo.InvariantCulture),
+            }));
+            page.Line("Every table lies beside the page as CSV; its first line says what it was measured on.");
+        }
+
+        static void CopyTables(ReportPage page, ReportFolders folders)
+        {
+            if (Path.GetFullPath(folders.Data) == Path.GetFullPath(folders.LinkedData))
+                return;
+            Directory.CreateDirectory(folders.LinkedData);
+            foreach (string table in page.Tables)
+                File.Copy(page.DataFile(table), Path.Combine(folders.LinkedData, table + ".csv"), overwrite: true);
+        }
+    }
+}

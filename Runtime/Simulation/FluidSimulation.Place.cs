@@ -1,0 +1,49 @@
+using UnityEngine;
+
+namespace Rill
+{
+    // Where the box is: at this object, or where it last was while the transform is no place.
+    public sealed partial class FluidSimulation
+    {
+        Vector3 lastPlace;
+        Quaternion lastTurn = Quaternion.identity;
+        bool placeIsLost;
+
+        /// <summary>Position and rotation of this object; the last finite ones while a component of them is not finite.</summary>
+        void GetPlace(out Vector3 position, out Quaternion rotation)
+        {
+            position = transform.position;
+            rotation = transform.rotation;
+            if (IsFinite(position, rotation))
+                return;
+            position = lastPlace;
+            rotation = lastTurn;
+        }
+
+        /// <summary>Keeps the place for the time when there is none, which is said once until there is one again.</summary>
+        /// <returns>Whether the box moved from where it was before, and did not come from nowhere.</returns>
+        bool FollowTransform()
+        {
+            bool wasLost = placeIsLost;
+            Vector3 position = transform.position;
+            Quaternion rotation = transform.rotation;
+            placeIsLost = !IsFinite(position, rotation);
+            if (!placeIsLost)
+            {
+                lastPlace = position;
+                lastTurn = rotation;
+            }
+            else if (!wasLost)
+            {
+                Debug.LogError($"Rill: FluidSimulation '{name}': its transform is not finite (position {position}, rotation {rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.", this);
+            }
+            return !placeIsLost && !wasLost;
+        }
+
+        static bool IsFinite(Vector3 position, Quaternion rotation)
+        {
+            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
+            return !float.IsNaN(sum) && !float.IsInfinity(sum);
+        }
+    }
+}

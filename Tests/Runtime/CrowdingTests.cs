@@ -1,0 +1,106 @@
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Rill.Tests
+{
+    /// <summary>Particles nearer to each other than a fluid can be, with the correction for deep water and without.</summary>
+    public class CrowdingTests
+    {
+        const float Spacing = 0.05f;
+
+        [Test]
+        public void Pairs_in_one_place_far_from_all_others_come_apart([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            float3[] places = Enumerable.Range(0, 27).Select(i => (3f + 4f * new float3(i % 3, i / 3 % 3, i / 9)) * Spacing).ToArray();
+            using (var fluid = new TestFluid(14f * Spacing, Spacing, 54, Settings(deepWater)).Add(places).Add(places))
+            {
+                fluid.Input.gravity = 0f;
+                Assert.That(fluid.Measure().coincident, Is.EqualTo(54));
+                FluidStatistics statistics = fluid.Step(10).MeasureWhole();
+                Assert.That(statistics.coincident, Is.Zero);
+                // Twice what the passes of one step add to a pair that begins with all it lacks, and no push by the constraint.
+                Assert.That(statistics.speedMax, Is.InRange(1e-3f, 0.2f * Spacing * 60f));
+                Assert.That(math.length(statistics.momentum), Is.LessThan(1e-4f));
+            }
+        }
+
+        [Test]
+        public void Pairs_in_one_place_in_still_water_come_apart([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            using (var fluid = new TestFluid(new float3(8f, 16f, 8f) * Spacing, Spacing, 500, Settings(deepWater)).AddBlock(0f, new float3(8f, 6f, 8f) * Spacing))
+            {
+                fluid.Add(fluid.Read().positions.Where((_, i) => i % 8 == 0).Select(p => p.xyz * Spacing).ToArray());
+                FluidStatistics statistics = fluid.Step(60).MeasureWhole();
+                Assert.That(statistics.coincident, Is.Zero);
+                Assert.That(statistics.densityError999, Is.LessThan(0.2f));
+            }
+        }
+
+        [Test]
+        public void A_block_at_eight_times_the_density_comes_apart_without_an_explosion([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            float3[] places = Enumerable.Range(0, 512).Select(i => (8f + 0.5f * new float3(i % 8, i / 8 % 8, i / 64)) * Spacing).ToArray();
+            using (var fluid = new TestFluid(20f * Spacing, Spacing, 512, Settings(deepWater)).Add(places))
+            {
+                fluid.Input.gravity = 0f;
+                float fastest = 0f;
+                for (int part = 0; part < 10; part++)
+                    fastest = math.max(fastest, fluid.Step(3).MeasureWhole().speedMax);
+                FluidStatistics statistics = fluid.Measure();
+                TestContext.Out.WriteLine($"speed at most {fastest:0.0} m/s, p99.9 {statistics.densityError999:0.000}, coincident {statistics.coincident}");
+                Assert.That(fastest, Is.LessThan(LimitOfTwoSteps(fluid)));
+                Assert.That(statistics.densityError999, Is.LessThan(0.1f));
+                Assert.That(statistics.coincident, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void A_thousand_particles_in_one_cell_overflow_the_lists_are_reported_and_recover([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            var random = new Random(3);
+            float3[] places = Enumerable.Range(0, 1000).Select(_ => (10f + random.NextFloat3()) * Spacing).ToArray();
+            using (var fluid = new TestFluid(20f * Spacing, Spacing, 1000, Settings(deepWater)).Add(places))
+            {
+                FluidStatistics first = fluid.Step().MeasureWhole();
+                Assert.That(first.neighborOverflow, Is.EqualTo(1000));
+                Assert.That(first.mostNeighbors, Is.EqualTo(999));
+                FluidStatistics last = fluid.Step(60).MeasureWhole();
+                Assert.That(last.neighborOverflow, Is.Zero);
+                Assert.That(last.mostNeighbors, Is.Zero);
+                Assert.That(last.densityError999, Is.LessThan(0.2f));
+            }
+        }
+
+        // 25 layers where 20 fit.
+        [Test]
+        public void A_closed_box_with_too_many_particles_shares_the_error_among_all_and_calms_down([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            float3[] places = Enumerable.Range(0, 6 * 25 * 6).Select(i => (new float3(i % 6, i / 6 % 25 * 0.8f, i / 150) + new float3(0.5f, 0.4f, 0.5f)) * Spacing).ToArray();
+            using (var fluid = new TestFluid(new float3(6f, 20f, 6f) * Spacing, Spacing, places.Length, Settings(deepWater)).Add(places))
+            {
+                FluidStatistics statistics = fluid.Step(60).MeasureWhole();
+                TestContext.Out.WriteLine($"C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, jitter {statistics.jitter:0.000} m/s");
+                Assert.That(statistics.densityError, Is.InRange(0.2f, 0.32f));
+                Assert.That(statistics.densityError999, Is.LessThan(2f * statistics.densityError));
+                Assert.That(statistics.jitter, Is.LessThan(0.1f));
+                if (deepWater == DeepWater.On)
+                    Assert.That(statistics.volumeRatio, Is.EqualTo(0.8f).Within(0.02f));
+            }
+        }
+
+        // m/s: each pass moves a particle half a spacing at most, the grid's density correction two spacings.
+        static float LimitOfTwoSteps(TestFluid fluid)
+        {
+            SolverSettings settings = fluid.Input.settings;
+            return 2f * (0.5f * settings.iterations + (settings.deepWater == DeepWater.On ? 2f : 0f)) * Spacing * 60f;
+        }
+
+        static SolverSettings Settings(DeepWater deepWater)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = deepWater;
+            return settings;
+        }
+    }
+}
