@@ -54,7 +54,7 @@ namespace Rill
             {
                 asked = solver,
                 deepWater = pbf.IsDeep(still),
-                fall = GravityStep,
+                gravityStep = GravityStep,
                 particles = isMeasured ? statistics.particles : capacity,
                 densityError = isMeasured ? statistics.densityError : float.NaN,
             });
@@ -67,7 +67,7 @@ namespace Rill
             if (state.reason == BudgetReason.LeastStable && !saidTooSmall)
             {
                 saidTooSmall = true;
-                Debug.LogWarning($"Rill: FluidSimulation '{name}': its budget of {state.targetMilliseconds:0.###} ms is less than the {state.milliseconds:0.###} ms that {state.substeps} substeps x {state.iterations} iterations take, and less than those is not stable; they stand. Raise the budget, its bounds permitting, or have fewer particles.", this);
+                Debug.LogWarning($"Rill: FluidSimulation '{name}': its budget of {state.targetMilliseconds:0.###} ms is less than the {state.milliseconds:0.###} ms that {state.substeps} substeps x {state.iterations} iterations take; less than those is not stable or not within its bounds, so they stand. Raise the budget, widen its bounds or have fewer particles.", this);
             }
             if (budgeted.BoundsGaveWay && !saidBounds)
             {

@@ -26,6 +26,7 @@ namespace Rill
             new BudgetRung(1, 2, 0.8f, 3.1e-3f),
             new BudgetRung(1, 3, 0.8f, 2.2e-3f),
             new BudgetRung(1, 4, 0.8f, 1.7e-3f),
+            new BudgetRung(1, 6, 0.8f, 1.1e-3f),
             new BudgetRung(1, 8, 0.8f, 8.0e-4f),
         };
 
@@ -38,14 +39,15 @@ namespace Rill
 
         public BudgetRung this[int rung] => rungs[rung];
 
-        /// <summary>Whether the bounds leave nothing that is stable, so that the least stable rung stands in spite of them.</summary>
+        /// <summary>Whether the bounds leave nothing that is stable, so that they are exceeded.</summary>
         public bool BoundsGaveWay { get; private set; }
 
         /// <summary>Chooses the rungs for a scene; allocates nothing.</summary>
+        /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
         /// <returns>Whether they are others than before.</returns>
-        public bool Build(bool deepWater, float fall, in SolverBudget budget)
+        public bool Build(bool deepWater, float gravityStep, in SolverBudget budget)
         {
-            int substeps = SolverSettings.LeastSubsteps(fall);
+            int substeps = SolverSettings.LeastSubsteps(gravityStep);
             if (Count > 0 && deepWater == isDeep && substeps == neededSubsteps && HasBounds(budget))
                 return false;
             isDeep = deepWater;
@@ -53,15 +55,15 @@ namespace Rill
             bounds = budget;
             Count = 0;
             BudgetRung[] all = deepWater ? deep : plain;
-            int least = Math.Max(substeps, budget.leastSubsteps);
+            int least = Math.Max(substeps, budget.leastSubsteps), most = Math.Max(substeps, budget.mostSubsteps);
             foreach (BudgetRung rung in all)
             {
                 BudgetRung raised = rung.Substeps < least ? rung.WithSubsteps(least) : rung;
-                if (raised.Substeps <= budget.mostSubsteps && raised.Iterations >= budget.leastIterations && raised.Iterations <= budget.mostIterations)
+                if (raised.Substeps <= most && raised.Iterations >= budget.leastIterations && raised.Iterations <= budget.mostIterations)
                     rungs[Count++] = raised;
             }
-            BoundsGaveWay = Count == 0;
-            if (BoundsGaveWay)
+            BoundsGaveWay = Count == 0 || substeps > budget.mostSubsteps;
+            if (Count == 0)
                 rungs[Count++] = all[0].WithSubsteps(Math.Max(substeps, all[0].Substeps));
             return true;
         }

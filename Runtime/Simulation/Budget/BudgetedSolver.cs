@@ -8,8 +8,8 @@ namespace Rill
     {
         public SolverSettings asked;
         public bool deepWater;
-        /// <summary>g Δt² of a fixed step, d.</summary>
-        public float fall;
+        /// <summary>|g| Δt² of a fixed step, d.</summary>
+        public float gravityStep;
         public float particles;
         /// <summary>C+; NaN where none was measured.</summary>
         public float densityError;
@@ -45,7 +45,7 @@ namespace Rill
         public SolverSettings BeginFrame(float seconds, in SolverBudget budget, in BudgetScene scene)
         {
             SolverSettings asked = scene.asked;
-            if (ladder.Build(scene.deepWater, scene.fall, budget))
+            if (ladder.Build(scene.deepWater, scene.gravityStep, budget))
                 TakeUp(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);
 
             StepTime time = source.Read(seconds, work);
@@ -92,7 +92,7 @@ namespace Rill
                 stepsPerFrame += StepsGain * (steps - stepsPerFrame);
         }
 
-        /// <summary>Whether the bounds leave nothing that is stable.</summary>
+        /// <summary>Whether the bounds leave nothing that is stable, so that they are exceeded.</summary>
         public bool BoundsGaveWay => ladder.BoundsGaveWay;
 
         public void Dispose() => source.Dispose();

@@ -16,17 +16,18 @@ namespace Host.Report
     {
         public static readonly string[] Columns = { "time_s", "target_ms", "ms", "told_ms", "iterations", "substeps", "error", "steps", "phase", "why" };
 
-        const double PhaseSeconds = 4;
         const float StepTime = 1f / 60f;
 
         // Budget as a multiple of what a step with two iterations takes by this device's own time, and fixed steps in a frame.
         static readonly (double ofTwo, int steps)[] Phases = { (1.1, 1), (2.2, 1), (2.2, 2), (2.2, 1), (0.4, 1), (1.4, 1) };
 
         readonly ExperimentScene scene;
+        readonly double phaseSeconds;
 
         public BudgetLoop(bool quick)
         {
-            scene = ExperimentScene.Dam(quick ? 1000 : 1_000_000);
+            phaseSeconds = quick ? 2.5 : 5;
+            scene = ExperimentScene.Dam(quick ? 512 : 1_000_000);
         }
 
         public List<object[]> Measure()
@@ -53,7 +54,7 @@ namespace Host.Report
             budget.milliseconds = (float)target;
             budget.targetError = 0f;
             fluid.Budget = budget;
-            for (int frame = 0; frame < (int)(PhaseSeconds / StepTime); frame++)
+            for (int frame = 0; frame < (int)(phaseSeconds / StepTime); frame++)
             {
                 double milliseconds = Frame(steps);
                 BudgetState state = fluid.BudgetState;
