@@ -65,7 +65,7 @@ namespace Rill
             // Before anything is known of the time there is nothing to choose by.
             bool chooses = controller.Factor > 0f;
             SolverSettings settings = chooses ? rung.Apply(asked) : asked;
-            settings.substeps = settings.StableSubsteps(scene.fall);
+            settings.substeps = settings.StableSubsteps(scene.gravityStep);
             stepCost = StepCost.Milliseconds(settings.substeps, settings.iterations, scene.particles, scene.deepWater);
             state = new BudgetState
             {
