@@ -18,7 +18,7 @@ namespace Rill
         /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills too.</summary>
         const float EasyGravityStep = 0.3f;
 
-        [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than about ten layers of particles deep collapses.")]
+        [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.")]
         public DeepWater deepWater;
 
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]

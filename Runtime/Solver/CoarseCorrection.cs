@@ -79,13 +79,13 @@ namespace Rill
         /// <param name="layers">Depth of the water, d.</param>
         /// <param name="present">Whether a correction runs already: it stays a while, since a new one starts without a past.</param>
         public static bool IsNeeded(DeepWater mode, float layers, bool present) =>
-            mode == DeepWater.On || mode == DeepWater.Automatic && layers > (present ? StaysAboveLayers : MostShallowLayers);
+            mode == DeepWater.On || mode == DeepWater.Automatic && math.round(layers) > (present ? StaysAboveLayers : MostShallowLayers);
 
         /// <summary>Layers of particles up to which plain iterations hold the water; see Documentation~/solver.md.</summary>
-        public const float MostShallowLayers = 10f;
+        public const float MostShallowLayers = 4f;
 
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
-        public const float StaysAboveLayers = 8f;
+        public const float StaysAboveLayers = 3f;
 
         /// <summary>Records the projection: <see cref="Displacements"/> are what the prediction shall add to the flow.</summary>
         public void RecordProjection(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)

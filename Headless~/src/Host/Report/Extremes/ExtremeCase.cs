@@ -7,7 +7,7 @@ namespace Host.Report.Extremes
     /// <summary>How much a run of the cases may do and with which setting of the solver.</summary>
     sealed record ExtremeSetting(string Name, SolverSettings Solver, bool Quick)
     {
-        /// <summary>With the correction: what <see cref="DeepWater.Automatic"/> is for water deeper than ten layers.</summary>
+        /// <summary>With the correction: what <see cref="DeepWater.Automatic"/> is for water deeper than four layers.</summary>
         public static ExtremeSetting DeepWaterOn(bool quick) => new("deep water on", With(DeepWater.On), quick);
         /// <summary>Without: what <see cref="DeepWater.Automatic"/> is for shallow water.</summary>
         public static ExtremeSetting Plain(bool quick) => new("deep water off", With(DeepWater.Off), quick);
