@@ -144,6 +144,9 @@ namespace Rill.Tests
             gameObject.SetActive(false);
             var fluid = gameObject.AddComponent<FluidSimulation>();
             fluid.Configure(new Vector3(0.4f, 0.4f, 0.3f), 0.05f, 96);
+            SolverSettings settings = fluid.Settings;
+            settings.deepWater = DeepWater.Off;
+            fluid.Settings = settings;
             fluid.BudgetTime = time;
             fluid.Budget = budget;
             fluid.StatisticsInterval = 0;
