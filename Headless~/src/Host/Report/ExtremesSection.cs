@@ -57,15 +57,17 @@ namespace Host.Report
         // Figures of the others are this project's own measurements of them.
         static void WriteCounts(ReportPage page, List<ReportTable.Row> rows)
         {
-            double Sum(string column) => rows.Sum(row => row.Number(column));
-            double missing = Sum("added") - Sum("alive") - Sum("refused") - Sum("not_finite");
-            page.Table(new[] { "", "worst seen of other solvers in such scenes", "here, over all runs" }, new[]
+            List<ReportTable.Row> plain = rows.Where(row => row["setting"] == ExtremeSetting.PlainName).ToList(), usual = rows.Except(plain).ToList();
+            page.Table(new[] { "", "worst seen of other solvers in such scenes", $"here, {usual.Count} runs with the correction or the component's defaults", $"here, {plain.Count} runs of plain iterations" }, new[]
             {
-                new[] { "not a number", "the first at frame 1009, then all", $"{rows.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum("not_finite"):0} particles that were given as such culled and counted" },
-                new[] { "particles outside", "258,533", $"{Sum("outside"):0}" },
-                new[] { "coincident particles at the end", "601 pairs", $"particles closer than 0.05 d to another: {string.Join(", ", rows.GroupBy(row => row["setting"]).Select(setting => $"{setting.Sum(row => row.Number("coincident")):0} with {setting.Key}"))}; {Where(rows, "coincident")}" },
-                new[] { "beyond a cell's or list's capacity", "lost in silence", $"{missing:0} lost; at most {rows.Max(row => row.Number("overflow")):0} particles with full lists, reported" },
+                Counts("not a number", "the first at frame 1009, then all", of => $"{of.Count(row => !double.IsFinite(row.Number("speed_max")))} runs; {Sum(of, "not_finite"):0} particles that were given as such culled and counted"),
+                Counts("particles outside", "258,533", of => $"{Sum(of, "outside"):0}"),
+                Counts("coincident particles at the end", "601 pairs", of => $"{Sum(of, "coincident"):0} closer than 0.05 d to another, {Where(of, "coincident")}"),
+                Counts("beyond a cell's or list's capacity", "lost in silence", of => $"{Sum(of, "added") - Sum(of, "alive") - Sum(of, "refused") - Sum(of, "not_finite"):0} lost; at most {of.Max(row => row.Number("overflow")):0} particles with full lists, reported"),
             });
+
+            static double Sum(List<ReportTable.Row> of, string column) => of.Sum(row => row.Number(column));
+            string[] Counts(string what, string others, System.Func<List<ReportTable.Row>, string> ours) => new[] { what, others, ours(usual), ours(plain) };
         }
     }
 }

@@ -7,10 +7,12 @@ namespace Host.Report.Extremes
     /// <summary>How much a run of the cases may do and with which setting of the solver.</summary>
     sealed record ExtremeSetting(string Name, SolverSettings Solver, bool Quick)
     {
+        public const string PlainName = "deep water off";
+
         /// <summary>With the correction: what <see cref="DeepWater.Automatic"/> is for water deeper than four layers.</summary>
         public static ExtremeSetting DeepWaterOn(bool quick) => new("deep water on", With(DeepWater.On), quick);
         /// <summary>Without: what <see cref="DeepWater.Automatic"/> is for shallow water.</summary>
-        public static ExtremeSetting Plain(bool quick) => new("deep water off", With(DeepWater.Off), quick);
+        public static ExtremeSetting Plain(bool quick) => new(PlainName, With(DeepWater.Off), quick);
 
         /// <summary>As a new component has them.</summary>
         public static ExtremeSetting Default(bool quick) => new("default", SolverSettings.Default, quick);
