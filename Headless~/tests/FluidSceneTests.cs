@@ -19,7 +19,7 @@ namespace Host.Tests
 
         static readonly (string Name, Action<FluidSimulation> Change, bool Particles, bool Domain)[] Scenes =
         {
-            ("everything off", WithMaterial((ref FluidMaterial m) => { }), false, false),
+            ("everything off", Both(WithDeepWater((ref SolverSettings s) => s.deepWater = DeepWater.Off), WithMaterial((ref FluidMaterial m) => { })), false, false),
             ("viscosity", WithMaterial((ref FluidMaterial m) => m.viscosity = 0.01f), false, false),
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
             ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
@@ -29,6 +29,7 @@ namespace Host.Tests
             ("deep water, three substeps", WithDeepWater((ref SolverSettings s) => s.substeps = 3), false, false),
             ("deep water and artificial pressure", Both(WithDeepWater((ref SolverSettings s) => { }), WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f)), false, false),
             ("deep water in a large box", Both(WithDeepWater((ref SolverSettings s) => { }), s => s.Configure(new Vector3(12f, 12f, 12f), 0.1f, 600)), false, false),
+            ("sleep in deep water", WithDeepWater((ref SolverSettings s) => s.sleepSpeed = 0.02f), false, false),
             ("particles drawn", s => { }, true, false),
             ("particles and domain drawn", s => { }, true, true),
         };
@@ -41,14 +42,9 @@ namespace Host.Tests
             FluidSimulation simulation = Build(name);
             PlayerLoop.Frame(FrameTime);
 
-            GpuWork.Log = new List<string>();
-            PlayerLoop.Frame(FrameTime);
-            List<string> asked = GpuWork.Log.Select(Short).OrderBy(entry => entry).ToList();
-            GpuWork.Log = null;
+            List<string> asked = Footprint.Of(() => PlayerLoop.Frame(FrameTime)).Work;
 
-            var explained = simulation.Describe().SelectMany(stage => stage.Kernels)
-                .SelectMany(kernel => Enumerable.Repeat(Short(kernel.kernel), kernel.perStep)).OrderBy(entry => entry).ToList();
-            Assert.That(asked, Is.EqualTo(explained));
+            Assert.That(asked, Is.EqualTo(Footprint.Explained(simulation.Describe())));
         }
 
         [TestCaseSource(nameof(SceneNames))]
@@ -69,7 +65,7 @@ namespace Host.Tests
             FluidSimulation simulation = Build("everything off");
             PlayerLoop.Frame(FrameTime);
             List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
-            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Coarse correction", "Vorticity confinement", "Statistics", "Budget", "Rendering" }));
+            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Resting regions", "Coarse correction", "Vorticity confinement", "Statistics", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }
@@ -232,13 +228,6 @@ namespace Host.Tests
                 fluid.AddComponent<DomainRenderer>();
             fluid.SetActive(true);
             return simulation;
-        }
-
-        // "…/PrefixSum.compute (SumTiles)" and "PrefixSum.compute: SumTiles [variant]" both become "PrefixSum.compute SumTiles"; of a draw, its file.
-        static string Short(string entry)
-        {
-            Match match = Regex.Match(entry, @"(\w+\.compute)\W+(\w+)|(\w+\.shader)");
-            return match.Groups[3].Success ? match.Groups[3].Value : $"{match.Groups[1].Value} {match.Groups[2].Value}";
         }
     }
 }

@@ -39,6 +39,9 @@ namespace Rill
         [Tooltip("Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 64 in hard impacts; what does not fit is reported.")]
         [Range(16, 256)] public int neighborCapacity;
 
+        [Tooltip("Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.")]
+        [Range(0f, 1f)] public float sleepSpeed;
+
         public static SolverSettings Default => new SolverSettings
         {
             iterations = 4,
@@ -93,6 +96,7 @@ namespace Rill
             Limit.Clamp("softness", ref softness, 1e-6f, 1f, Default.softness, ref problem);
             Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);
             Limit.Clamp("neighbor capacity", ref neighborCapacity, 16, 256, ref problem);
+            Limit.Clamp("sleep speed", ref sleepSpeed, 0f, 1f, Default.sleepSpeed, ref problem);
             return problem == null;
         }
     }

@@ -14,7 +14,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
         readonly int buildList, buildListDeep, solveLambda, displace, displaceWithPressure, displaceDeep, displaceDeepWithPressure;
-        readonly LocalKeyword twoLists;
+        readonly LocalKeyword twoLists, sleep;
 
         public DensityConstraint(SolverLayout layout)
         {
@@ -26,6 +26,7 @@ namespace Rill
             displaceDeep = shader.FindKernel("DisplaceDeep");
             displaceDeepWithPressure = shader.FindKernel("DisplaceDeepWithPressure");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             Lists = new NeighborLists(layout);
         }
 
@@ -33,15 +34,17 @@ namespace Rill
 
         /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up.</summary>
         /// <param name="coarse">Adds its density correction to the first iteration; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse, RestingRegions resting = null)
         {
-            RecordList(cmd, constants, particles, search, coarse);
+            RecordList(cmd, constants, particles, search, coarse, resting);
             coarse?.RecordDensity(cmd, constants);
             for (int i = 0; i < iterations; i++)
             {
                 if (i > 0)
                 {
                     cmd.BeginSample(LambdaMarker);
+                    RestingRegions.Bind(cmd, shader, sleep, solveLambda, resting);
+                    cmd.SetComputeBufferParam(shader, solveLambda, Ids.StartPositions, particles.Start);
                     Dispatch(cmd, solveLambda, particles, particles.Predicted, particles.Current);
                     cmd.EndSample(LambdaMarker);
                 }
@@ -53,6 +56,7 @@ namespace Rill
                     kernel = artificialPressure ? displaceDeepWithPressure : displaceDeep;
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
                 }
+                RestingRegions.Bind(cmd, shader, sleep, kernel, resting);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
                 Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted);
                 cmd.EndSample(DisplaceMarker);
@@ -60,7 +64,7 @@ namespace Rill
         }
 
         /// <summary>Records the list and the first multipliers, at Predicted, into Current; their errors into the bins of the coarse grid.</summary>
-        public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse)
+        public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null)
         {
             int build = coarse != null ? buildListDeep : buildList;
             cmd.BeginSample(ListMarker);
@@ -71,6 +75,8 @@ namespace Rill
                 cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
                 cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, coarse.Bins);
             }
+            RestingRegions.Bind(cmd, shader, sleep, build, resting);
+            cmd.SetComputeBufferParam(shader, build, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, search.CellStarts);
             Dispatch(cmd, build, particles, particles.Predicted, particles.Current);
             cmd.EndSample(ListMarker);
@@ -79,18 +85,21 @@ namespace Rill
         public void Dispose() => Lists.Dispose();
 
         /// <param name="deep">Whether a coarse correction runs.</param>
-        public StageDescription Describe(in StepInput input, bool deep)
+        /// <param name="resting">Null for none.</param>
+        public StageDescription Describe(in StepInput input, bool deep, RestingRegions resting)
         {
+            string variant = RestingRegions.Variant(Lists.Variant, resting);
             int substeps = input.settings.substeps, iterations = input.settings.iterations;
-            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps");
-            stage.Kernel("DensityConstraint", deep ? "BuildListDeep" : "BuildList", substeps, Lists.Variant);
+            string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
+            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, neighbor lists in {lists}, artificial pressure is {input.material.artificialPressure}");
+            stage.Kernel("DensityConstraint", deep ? "BuildListDeep" : "BuildList", substeps, variant);
             if (iterations > 1)
-                stage.Kernel("DensityConstraint", "SolveLambda", substeps * (iterations - 1), Lists.Variant);
+                stage.Kernel("DensityConstraint", "SolveLambda", substeps * (iterations - 1), variant);
             string pressure = input.material.artificialPressure > 0f ? "WithPressure" : "";
             if (deep)
-                stage.Kernel("DensityConstraint", "DisplaceDeep" + pressure, substeps, Lists.Variant);
+                stage.Kernel("DensityConstraint", "DisplaceDeep" + pressure, substeps, variant);
             if (!deep || iterations > 1)
-                stage.Kernel("DensityConstraint", "Displace" + pressure, substeps * (deep ? iterations - 1 : iterations), Lists.Variant);
+                stage.Kernel("DensityConstraint", "Displace" + pressure, substeps * (deep ? iterations - 1 : iterations), variant);
             Lists.Describe(stage);
             return stage;
         }

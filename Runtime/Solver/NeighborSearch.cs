@@ -14,6 +14,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
         readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather;
+        readonly LocalKeyword sleep;
         readonly int cells;
         readonly PrefixSum prefixSum;
         GraphicsBuffer cellHistogram, cellRanks;
@@ -26,6 +27,7 @@ namespace Rill
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel("Gather");
 
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             cells = layout.CellTotal;
             cellHistogram = GpuBuffer.Structured<uint>("Rill.CellHistogram", cells + 1);    // first: too many cells leave nothing behind
             prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), cells + 1);
@@ -43,7 +45,8 @@ namespace Rill
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
         /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse)
+        /// <param name="resting">Whose particles stay where they are; null for none.</param>
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null)
         {
             cmd.BeginSample(Marker);
             if (coarse != null)
@@ -51,8 +54,9 @@ namespace Rill
                 cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
                 cmd.SetComputeBufferParam(shader, countCellsDeep, CoarseIds.Displacements, coarse.Displacements);
             }
-            RecordOrder(cmd, constants, particles, coarse != null ? countCellsDeep : countCells);
+            RecordOrder(cmd, constants, particles, coarse != null ? countCellsDeep : countCells, resting);
 
+            RestingRegions.Bind(cmd, shader, sleep, gather, resting);
             cmd.SetComputeBufferParam(shader, gather, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, gather, Ids.CellStarts, CellStarts);
             cmd.SetComputeBufferParam(shader, gather, Ids.Positions, particles.Current);
@@ -69,7 +73,7 @@ namespace Rill
         /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
         public void RecordOrderAtRest(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
         {
-            RecordOrder(cmd, constants, particles, countCellsAtRest);
+            RecordOrder(cmd, constants, particles, countCellsAtRest, null);
         }
 
         public void Dispose()
@@ -84,13 +88,14 @@ namespace Rill
         }
 
         /// <param name="deep">Whether a coarse correction runs.</param>
-        public StageDescription Describe(in SolverSettings settings, bool deep)
+        /// <param name="resting">Null for none.</param>
+        public StageDescription Describe(in SolverSettings settings, bool deep, RestingRegions resting)
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
-            stage.Kernel("NeighborSearch", deep ? "CountCellsDeep" : "CountCells", settings.substeps);
+            stage.Kernel("NeighborSearch", deep ? "CountCellsDeep" : "CountCells", settings.substeps, RestingRegions.Variant(null, resting));
             prefixSum.Describe(stage, settings.substeps);
-            stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps);
-            stage.Kernel("NeighborSearch", "Gather", settings.substeps);
+            stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps, RestingRegions.Variant(null, resting));
+            stage.Kernel("NeighborSearch", "Gather", settings.substeps, RestingRegions.Variant(null, resting));
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);
@@ -98,8 +103,9 @@ namespace Rill
             return stage;
         }
 
-        void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, int countKernel)
+        void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, int countKernel, RestingRegions resting)
         {
+            RestingRegions.Bind(cmd, shader, sleep, countKernel, resting);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
 
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Current);

@@ -58,6 +58,13 @@ namespace Rill
             (Ids, SortedIds) = (SortedIds, Ids);
         }
 
+        /// <summary>A stage that changed places with the velocities has left them in a buffer of its own.</summary>
+        public void NameVelocities()
+        {
+            if (Velocities != null)
+                Velocities.name = "Rill.Velocities";
+        }
+
         public void Dispose()
         {
             GpuBuffer.Release(ref Current);

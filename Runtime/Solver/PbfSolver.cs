@@ -24,6 +24,7 @@ namespace Rill
         readonly VelocityUpdate velocityUpdate;
         CoarseCorrection coarseCorrection;
         VorticityConfinement vorticityConfinement;
+        RestingRegions restingRegions;
         StatisticsPass statistics;
 
         GraphicsBuffer constants;
@@ -74,12 +75,16 @@ namespace Rill
         /// <summary>What carries the pressure of deep water; null while no step has needed it.</summary>
         public CoarseCorrection Coarse => coarseCorrection;
 
+        /// <summary>What lets water at rest sleep; null while the settings do without.</summary>
+        public RestingRegions Resting => restingRegions;
+
         /// <summary>Removes all particles and resets the counters, at once.</summary>
         public void Clear()
         {
             stepIndex = 0;
             statistics?.Forget();
             ReleaseCoarse();        // whether the next water is deep is decided anew
+            restingRegions?.Wake();
             added = 0;
             lowestAdded = float.MaxValue;
             highestAdded = float.MinValue;
@@ -110,6 +115,7 @@ namespace Rill
                 }
             }
             emission.Trim();
+            restingRegions?.Wake();
         }
 
         /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
@@ -118,12 +124,14 @@ namespace Rill
             stepIndex++;
             UploadConstants(cmd, input, Crowding);
             CoarseCorrection coarse = CoarseFor(input);
+            RestingRegions resting = RestingFor(input);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
+                resting?.Record(cmd, constants, particles, Layout, input);
                 coarse?.RecordProjection(cmd, constants, particles);
-                neighborSearch.RecordSort(cmd, constants, particles, coarse);
-                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse);
-                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input);
+                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting);
+                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting);
+                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting);
                 if (VorticityConfinement.IsNeeded(input))
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists);
                 particles.Advance();
@@ -169,10 +177,11 @@ namespace Rill
             return new List<StageDescription>
             {
                 state,
+                RestingRegions.Describe(restingRegions, input),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
-                neighborSearch.Describe(input.settings, coarseCorrection != null),
-                densityConstraint.Describe(input, coarseCorrection != null),
-                velocityUpdate.Describe(input, densityConstraint.Lists),
+                neighborSearch.Describe(input.settings, coarseCorrection != null, restingRegions),
+                densityConstraint.Describe(input, coarseCorrection != null, restingRegions),
+                velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists),
                 StatisticsPass.Describe(statistics, statisticsInterval),
             };
@@ -184,6 +193,7 @@ namespace Rill
             emission?.Dispose();
             neighborSearch?.Dispose();
             densityConstraint?.Dispose();
+            ReleaseResting();
             ReleaseCoarse();
             ReleaseVorticity();
             ReleaseStatistics();
@@ -222,6 +232,20 @@ namespace Rill
             return coarseCorrection ??= new CoarseCorrection(Layout, cellSize);
         }
 
+        RestingRegions RestingFor(in StepInput input)
+        {
+            if (RestingRegions.IsNeeded(input))
+                return restingRegions ??= new RestingRegions(Layout);
+            ReleaseResting();
+            return null;
+        }
+
+        void ReleaseResting()
+        {
+            restingRegions?.Dispose();
+            restingRegions = null;
+        }
+
         void ReleaseCoarse()
         {
             coarseCorrection?.Dispose();
@@ -230,8 +254,11 @@ namespace Rill
 
         void ReleaseVorticity()
         {
-            vorticityConfinement?.Dispose();
+            if (vorticityConfinement == null)
+                return;
+            vorticityConfinement.Dispose();
             vorticityConfinement = null;
+            particles.NameVelocities();
         }
 
         VorticityConfinement Vorticity => vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);

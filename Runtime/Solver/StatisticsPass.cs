@@ -105,6 +105,9 @@ namespace Rill
             if (stage == null)
                 return description;
             description.Kernel("NeighborSearch", "CountCellsAtRest", 0);
+            foreach (string kernel in new[] { "SumTiles", "ScanTileSums", "ScanTiles" })
+                description.Kernel("PrefixSum", kernel, 0);
+            description.Kernel("NeighborSearch", "ScatterOrder", 0);
             description.Kernel("Statistics", "Measure", 0);
             description.Kernel("Statistics", "Reduce", 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);

@@ -11,13 +11,14 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
         readonly int update, updateViscous;
-        readonly LocalKeyword twoLists;
+        readonly LocalKeyword twoLists, sleep;
 
         public VelocityUpdate()
         {
             update = shader.FindKernel("UpdateVelocity");
             updateViscous = shader.FindKernel("UpdateVelocityViscous");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
 
         /// <summary>Whether the pass visits the neighbors: for viscosity or for the density, unless a later stage does both.</summary>
@@ -26,12 +27,13 @@ namespace Rill
             return (input.material.viscosity > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
         }
 
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null)
         {
             bool visits = VisitsNeighbors(input);
             int kernel = visits ? updateViscous : update;
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.Bind(cmd, shader, sleep, kernel, resting);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (visits)
                 lists.Bind(cmd, shader, kernel);
@@ -44,14 +46,15 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        public StageDescription Describe(in StepInput input, NeighborLists lists)
+        /// <param name="resting">Null for none.</param>
+        public StageDescription Describe(in StepInput input, NeighborLists lists, RestingRegions resting)
         {
             bool visits = VisitsNeighbors(input);
             string reason = visits
                 ? input.material.viscosity > 0f ? $"with XSPH: viscosity is {input.material.viscosity}" : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: viscosity is 0";
             var stage = new StageDescription("Velocity update", true, reason);
-            stage.Kernel("VelocityUpdate", visits ? "UpdateVelocityViscous" : "UpdateVelocity", input.settings.substeps, lists.Variant);
+            stage.Kernel("VelocityUpdate", visits ? "UpdateVelocityViscous" : "UpdateVelocity", input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
             return stage;
         }
 

@@ -12,6 +12,7 @@ namespace Rill.Editor.Tests
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsAtRest", "ScatterOrder", "Gather")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
+        [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]
         [TestCase("Statistics", "Measure", "Reduce")]
         [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]
         [TestCase("VorticityConfinement", "Curl", "Confine")]

@@ -40,6 +40,19 @@ namespace Rill.Tests
             Assert.That(settings.relaxation, Is.EqualTo(expected));
         }
 
+        [TestCase(-1f, 0f)]
+        [TestCase(0.02f, 0.02f)]
+        [TestCase(3f, 1f)]
+        [TestCase(float.NaN, 0f)]
+        public void The_speed_below_which_water_sleeps_is_clamped_and_never_by_default(float given, float expected)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            Assert.That(settings.sleepSpeed, Is.Zero);
+            settings.sleepSpeed = given;
+            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"sleep speed {given} is outside 0 to 1; using {expected}.");
+            Assert.That(settings.sleepSpeed, Is.EqualTo(expected));
+        }
+
         [TestCase(0f, 1, 1)]
         [TestCase(0.27f, 1, 1)]
         [TestCase(0.6f, 1, 1)]

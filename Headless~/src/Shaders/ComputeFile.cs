@@ -63,7 +63,7 @@ namespace Host.Shaders
 
         CompileRequest Request(Kernel kernel, ICollection<string> enabledKeywords) => new CompileRequest
         {
-            Name = $"{Path} ({kernel.Name})",
+            Name = $"{Path} ({string.Join(", ", keywords.All.Where(name => enabledKeywords != null && enabledKeywords.Contains(name)).Prepend(kernel.Name))})",
             Stage = ShaderStage.Compute,
             Target = Target,
             EntryPoint = kernel.Name,

@@ -19,8 +19,9 @@ namespace Host.Fluids
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.Automatic };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
+            var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, stages };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, stages };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -29,6 +30,7 @@ namespace Host.Fluids
                 settings.relaxation = parsed.GetValue(relaxation);
                 settings.deepWater = parsed.GetValue(deep);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
+                settings.sleepSpeed = parsed.GetValue(sleep);
                 using var session = new Session(Session.Root());
                 Experiment run = Experiment.Run(ExperimentScene.Parse(parsed.GetValue(scene)), ExperimentFigures.Input(settings), parsed.GetValue(seconds), parsed.GetValue(every));
                 Print(run, session.DescribeDevice(), parsed.GetValue(stages));

@@ -1,0 +1,275 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Host.Assets;
+using NUnit.Framework;
+using Rill;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.Rendering;
+using UnityEngine.SceneManagement;
+using UnityEngine.TestTools;
+
+namespace Host.Tests
+{
+    /// <summary>That a scene runs what it needs and nothing else, by what the device was given and what memory is alive.</summary>
+    public class LeftOutTests : GraphicsFixture
+    {
+        const float FrameTime = 1f / 60f, Spacing = 0.1f;
+        const int Iterations = 4;
+
+        // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors" };
+
+        // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
+        static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
+        {
+            ("nothing", null, s => { }, new string[0]),
+            ("deep water", null, Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), new[]
+            {
+                "+1 CoarseGrid.compute BinFlow", "+1 CoarseGrid.compute FindDivergence", "+1 CoarseGrid.compute DisplaceFlow", "+1 CoarseGrid.compute FindErrors",
+                "+1 CoarseGrid.compute DisplaceErrors", "+2 CoarseGrid.compute ExtendDisplacements", "+2 CoarseSolver.compute *", "+1 Rill.Coarse.*",
+                "-1 NeighborSearch.compute CountCells", "+1 NeighborSearch.compute CountCellsDeep",
+                "-1 DensityConstraint.compute BuildList", "+1 DensityConstraint.compute BuildListDeep",
+                "-1 DensityConstraint.compute Displace", "+1 DensityConstraint.compute DisplaceDeep",
+            }),
+            ("vorticity", null, Material((ref FluidMaterial v) => v.vorticity = 1f), new[]
+            {
+                "+1 VorticityConfinement.compute Curl", "+1 VorticityConfinement.compute Confine", "+1 Rill.Curl *", "+1 Rill.Confined *",
+                "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity",      // XSPH moves into Confine
+            }),
+            ("viscosity off", null, Inviscid, new[] { "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity" }),
+            ("artificial pressure", null, Material((ref FluidMaterial v) => v.artificialPressure = 0.1f), new[]
+            {
+                $"-{Iterations} DensityConstraint.compute Displace", $"+{Iterations} DensityConstraint.compute DisplaceWithPressure",
+            }),
+            ("sleep", null, Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), new[] { "+1 RestingRegions.compute MeasureMotion", "+1 RestingRegions.compute CountQuiet", "+1 RestingRegions.compute Spread", "+1 Rill.Regions.*" }
+                .Concat(InVariant(RestingRegions.Keyword, "NeighborSearch.compute CountCells", "NeighborSearch.compute ScatterOrder", "NeighborSearch.compute Gather", "DensityConstraint.compute BuildList", "VelocityUpdate.compute UpdateVelocityViscous"))
+                .Append($"-{Iterations} DensityConstraint.compute Displace").Append($"+{Iterations} DensityConstraint.compute Displace {RestingRegions.Keyword}")
+                .Append($"-{Iterations - 1} DensityConstraint.compute SolveLambda").Append($"+{Iterations - 1} DensityConstraint.compute SolveLambda {RestingRegions.Keyword}").ToArray()),
+            ("statistics", null, s => s.StatisticsInterval = 1, new[]
+            {
+                "+1 Statistics.compute Measure", "+1 Statistics.compute Reduce", "+1 Rill.Statistics.*",
+                "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
+            }),
+            ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
+            ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
+            ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute Displace" }),
+        };
+
+        public static IEnumerable<string> FeatureNames => Features.Select(feature => feature.Name);
+
+        [TestCaseSource(nameof(FeatureNames))]
+        public void Turning_a_feature_on_changes_its_own_passes_buffers_and_variants_and_no_other_and_turning_it_off_undoes_it(string name)
+        {
+            var feature = Features.Single(candidate => candidate.Name == name);
+            FluidSimulation simulation = Pool();
+            feature.Before?.Invoke(simulation);
+            SolverSettings settings = simulation.Settings;
+            FluidMaterial material = simulation.Material;
+            Footprint before = FullestFrame();
+
+            feature.Change(simulation);
+            List<string> changes = FullestFrame().Since(before);
+            AssertExactly(changes, feature.Expected);
+
+            simulation.Settings = settings;
+            simulation.Material = material;
+            simulation.StatisticsInterval = 0;
+            simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Speed;
+            for (int i = 0; i < 4; i++)
+                PlayerLoop.Frame(FrameTime);        // what was read back arrives
+            Assert.That(FullestFrame().Since(before), Is.Empty);
+        }
+
+        [Test]
+        public void A_measurement_dispatches_what_is_explained_and_nothing_else()
+        {
+            FluidSimulation simulation = Pool();
+            Footprint before = FullestFrame();
+            simulation.StatisticsInterval = 1;
+            var expected = FullestFrame().Since(before).Where(change => change.Contains(".compute"));
+            Assert.That(simulation.Describe().SelectMany(stage => stage.Kernels).Where(kernel => kernel.perStep == 0).Select(kernel => "+1 " + Footprint.Short(kernel.kernel)), Is.EquivalentTo(expected));
+        }
+
+        [Test]
+        public void A_pass_and_a_buffer_too_many_are_seen()
+        {
+            FluidSimulation simulation = Pool();
+            Footprint before = FullestFrame();
+            simulation.gameObject.AddComponent<Intruder>();
+            List<string> changes = FullestFrame().Since(before);
+            Assert.That(changes, Is.SupersetOf(new[] { "+1 PrefixSum.compute ScanTiles", $"+1 {Intruder.BufferName} 32" }));
+            Assert.Throws<AssertionException>(() => AssertExactly(changes, new string[0]));
+            Assert.Throws<AssertionException>(() => AssertExactly(new List<string>(), new[] { "+1 PrefixSum.compute *" }), "what is missing is seen too");
+        }
+
+        [Test]
+        public void A_capacity_beyond_one_list_buffer_changes_the_variant_of_the_kernels_that_read_lists_and_nothing_else()
+        {
+            Footprint one = StepWithLists(long.MaxValue), two = StepWithLists(2 * 128 * 64 * sizeof(uint));
+            string[] kernels = one.Work.Where(entry => entry.StartsWith("DensityConstraint") || entry.StartsWith("VelocityUpdate")).ToArray();
+            Assert.That(kernels.Distinct().Count(), Is.EqualTo(4));
+            var expected = kernels.GroupBy(entry => entry).SelectMany(entry => new[] { $"-{entry.Count()} {entry.Key}", $"+{entry.Count()} {entry.Key} {NeighborLists.TwoListsKeyword}" });
+            AssertExactly(two.Since(one), expected.Append("-1 Rill.Neighbors *").Append("+1 Rill.Neighbors *").Append("+1 Rill.MoreNeighbors *"));
+            Assert.That(Unneeded(one), Is.Empty);
+            Assert.That(Unneeded(two), Has.Member("DensityConstraint.compute BuildList " + NeighborLists.TwoListsKeyword).And.Some.StartsWith("Rill.MoreNeighbors"));
+        }
+
+        [TestCase("Still Pool", false)]
+        [TestCase("Column", true)]
+        [TestCase("Dam Break", true)]
+        public void A_sample_runs_what_it_explains_and_the_coarse_solve_only_where_the_water_is_deep(string sample, bool deep)
+        {
+            InSample(sample, simulation =>
+            {
+                PlayerLoop.Frame(FrameTime);
+                Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the second: none of the samples measures before the fourth
+                List<StageDescription> stages = simulation.Describe();
+                Assert.That(frame.Work, Is.EqualTo(Footprint.Explained(stages)));
+                StageDescription coarse = stages.Single(stage => stage.Name == "Coarse correction");
+                Assert.That(coarse.IsUsed, Is.EqualTo(deep), coarse.Reason);
+                Assert.That(coarse.Reason, Does.Match(@"^water \d+ layers deep, (more than|at most) \d+"));
+                Assert.That(Unneeded(frame).Any(), Is.EqualTo(deep), string.Join("\n", Unneeded(frame)));
+            });
+        }
+
+        [TestCase("deep water")]
+        [TestCase("vorticity")]
+        [TestCase("artificial pressure")]
+        [TestCase("sleep")]
+        public void What_a_shallow_pool_leaves_out_would_be_seen_if_it_ran(string name)
+        {
+            FluidSimulation simulation = Pool();
+            Assert.That(Unneeded(FullestFrame()), Is.Empty);
+            Features.Single(feature => feature.Name == name).Change(simulation);
+            Assert.That(Unneeded(FullestFrame()), Is.Not.Empty);
+        }
+
+        static IEnumerable<string> InVariant(string keyword, params string[] kernels) => kernels.SelectMany(kernel => new[] { $"-1 {kernel}", $"+1 {kernel} {keyword}" });
+
+        static IEnumerable<string> Unneeded(Footprint footprint) => footprint.Work.Concat(footprint.Buffers).Where(entry => NotForAShallowPool.Any(entry.Contains));
+
+        static void AssertExactly(List<string> changes, IEnumerable<string> expected)
+        {
+            var left = new List<string>(changes);
+            foreach (string text in expected)
+            {
+                bool Matches(string change) => text.EndsWith('*') ? change.StartsWith(text.TrimEnd('*')) : change == text;
+                Assert.That(left.RemoveAll(Matches), Is.GreaterThan(0), $"{text} is not among\n{string.Join("\n", changes)}");
+            }
+            Assert.That(left, Is.Empty);
+        }
+
+        // The frame with most work of several: with statistics not each has a measurement.
+        static Footprint FullestFrame()
+        {
+            PlayerLoop.Frame(FrameTime);
+            return Enumerable.Range(0, 4).Select(_ => Footprint.Of(() => PlayerLoop.Frame(FrameTime))).OrderByDescending(frame => frame.Work.Count).First();
+        }
+
+        // 8 x 3 x 8 particles on the floor of a box that they fill, drawn.
+        static FluidSimulation Pool()
+        {
+            var fluid = new GameObject("Fluid");
+            fluid.SetActive(false);
+            var simulation = fluid.AddComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(8f, 8f, 8f) * Spacing, Spacing, 192);
+            simulation.StatisticsInterval = 0;
+            Settings((ref SolverSettings v) => v.iterations = Iterations)(simulation);
+            var water = new GameObject("Water");
+            water.transform.SetParent(fluid.transform, false);
+            water.transform.localPosition = new Vector3(0f, -2.5f, 0f) * Spacing;
+            water.AddComponent<FluidVolume>().Size = new Vector3(8f, 3f, 8f) * Spacing;
+            fluid.AddComponent<ParticleRenderer>();
+            new GameObject("Camera").AddComponent<Camera>().transform.position = new Vector3(0f, 0f, -4f);
+            fluid.SetActive(true);
+            return simulation;
+        }
+
+        static Footprint StepWithLists(long largestBinding)
+        {
+            StepInput input = new StepInput { timeStep = FrameTime, gravity = new float3(0f, -9.81f, 0f), settings = SolverSettings.Default, material = FluidMaterial.Water };
+            using var solver = new PbfSolver(new SolverLayout(8f * Spacing, Spacing, 500, 64, 1f, largestBinding));
+            using (var places = new NativeArray<float4>(1, Allocator.Persistent))
+                solver.Add(places, places);
+            using var commands = new CommandBuffer { name = "step" };
+            solver.Step(commands, input);
+            return Footprint.Of(() => Graphics.ExecuteCommandBuffer(commands));
+        }
+
+        static void InSample(string sample, Action<FluidSimulation> test)
+        {
+            LocatedScene located = Session.Locate(sample);
+            var assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly }, strict: true);
+            IAssetSource assetsBefore = Player.Assets;
+            Func<string, Scene> loaderBefore = SceneManager.SceneLoader;
+            Player.Assets = assets;
+            SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
+            try
+            {
+                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
+                test(UnityEngine.Object.FindObjectOfType<FluidSimulation>());
+            }
+            finally
+            {
+                SceneManager.UnloadEverything();
+                assets.ReloadAll();
+                Player.Assets = assetsBefore;
+                SceneManager.SceneLoader = loaderBefore;
+            }
+        }
+
+        delegate void SettingsChange(ref SolverSettings settings);
+        delegate void MaterialChange(ref FluidMaterial material);
+
+        static Action<FluidSimulation> Settings(SettingsChange change) => simulation =>
+        {
+            SolverSettings settings = simulation.Settings;
+            change(ref settings);
+            simulation.Settings = settings;
+        };
+
+        static Action<FluidSimulation> Material(MaterialChange change) => simulation =>
+        {
+            FluidMaterial material = simulation.Material;
+            change(ref material);
+            simulation.Material = material;
+        };
+
+        static void Inviscid(FluidSimulation simulation) => Material((ref FluidMaterial v) => v.viscosity = 0f)(simulation);
+
+        static void ColorByDensity(FluidSimulation simulation) => simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
+
+        /// <summary>Work that no stage of the fluid answers for.</summary>
+        sealed class Intruder : MonoBehaviour
+        {
+            public const string BufferName = "Planted.Counts";
+            PrefixSum sum;
+            GraphicsBuffer counts, sums;
+            CommandBuffer commands;
+
+            void OnEnable()
+            {
+                sum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), 8);
+                counts = GpuBuffer.Structured<uint>(BufferName, 8);
+                sums = GpuBuffer.Structured<uint>("Planted.Sums", 8);
+                counts.SetData(new uint[8]);
+                commands = new CommandBuffer { name = "Intruder" };
+                sum.Record(commands, counts, sums, 8);
+            }
+
+            void Update() => Graphics.ExecuteCommandBuffer(commands);
+
+            void OnDisable()
+            {
+                sum.Dispose();
+                GpuBuffer.Release(ref counts);
+                GpuBuffer.Release(ref sums);
+                commands.Dispose();
+            }
+        }
+    }
+}

@@ -1,0 +1,157 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// Lets water that has come to rest sleep, by regions of the box: its particles stay where they are and most of a
+    /// step's passes skip them. Made when first needed.
+    /// </summary>
+    sealed class RestingRegions : IDisposable
+    {
+        /// <summary>Side of a region, d; kRegionSize in RestingRegions.hlsl.</summary>
+        public const float RegionSize = 8f;
+
+        /// <summary>How long a region is at rest before it sleeps, s.</summary>
+        public const float Delay = 0.5f;
+
+        /// <summary>Speed of one particle that wakes its region, over that of a region: well above the jitter of water at rest.</summary>
+        public const float JitterRatio = 25f;
+
+        /// <summary>Keyword of the kernels that leave out what sleeps.</summary>
+        public const string Keyword = "RILL_SLEEP";
+
+        const int MotionStride = 5;             // kMotionStride in RestingRegions.compute
+        const float GravityChange = 0.01f;      // share of it that wakes everything
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("RestingRegions");
+        readonly int measureMotion, countQuiet, spread;
+        readonly int total;
+        GraphicsBuffer motion, quietSteps, states;
+        StepInput last;
+        bool wake = true;
+
+        public RestingRegions(SolverLayout layout)
+        {
+            measureMotion = shader.FindKernel("MeasureMotion");
+            countQuiet = shader.FindKernel("CountQuiet");
+            spread = shader.FindKernel("Spread");
+            int3 counts = math.max((int3)math.ceil(layout.DomainSize / RegionSize), 1);
+            total = counts.x * counts.y * counts.z;
+            motion = GpuBuffer.Structured<uint>("Rill.Regions.Motion", (long)total * MotionStride);
+            quietSteps = GpuBuffer.Structured<uint>("Rill.Regions.QuietSteps", total);
+            states = GpuBuffer.Structured<uint>("Rill.Regions.States", total);
+            motion.SetData(new uint[total * MotionStride]);
+            quietSteps.SetData(new uint[total]);
+        }
+
+        /// <summary>uint [regions], 0 asleep, 1 asleep beside what is awake, 2 awake; x first.</summary>
+        public GraphicsBuffer States => states;
+
+        /// <summary>Confined vortices are there to keep moving, so with them nothing sleeps.</summary>
+        public static bool IsNeeded(in StepInput input) => input.settings.sleepSpeed > 0f && !VorticityConfinement.IsNeeded(input);
+
+        /// <summary>Wakes everything in the next step.</summary>
+        public void Wake() => wake = true;
+
+        /// <summary>Records what rests in this substep, from the particles at its start.</summary>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, SolverLayout layout, in StepInput input)
+        {
+            float dt = input.timeStep / input.settings.substeps;
+            float way = input.settings.sleepSpeed * dt / layout.Spacing;
+            wake |= HasChanged(input);
+            cmd.BeginSample(Marker);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeFloatParam(shader, Ids.RestingWay, way);
+            cmd.SetComputeFloatParam(shader, Ids.JitterWay, JitterRatio * way);
+            cmd.SetComputeIntParam(shader, Ids.StepsToSleep, (int)math.ceil(Delay / dt));
+            cmd.SetComputeIntParam(shader, Ids.WakeAll, wake ? 1 : 0);
+
+            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Motion, motion);
+            cmd.SetComputeBufferParam(shader, measureMotion, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, measureMotion, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+
+            cmd.SetComputeBufferParam(shader, countQuiet, Ids.Motion, motion);
+            cmd.SetComputeBufferParam(shader, countQuiet, Ids.QuietSteps, quietSteps);
+            CoarseGrid.Dispatch(cmd, shader, countQuiet, total);
+
+            cmd.SetComputeBufferParam(shader, spread, Ids.QuietSteps, quietSteps);
+            cmd.SetComputeBufferParam(shader, spread, Ids.States, states);
+            CoarseGrid.Dispatch(cmd, shader, spread, total);
+            cmd.EndSample(Marker);
+            wake = false;
+        }
+
+        /// <summary>Records the keyword, and for a kernel what it looks up; with no regions, that there are none.</summary>
+        public static void Bind(CommandBuffer cmd, ComputeShader shader, in LocalKeyword keyword, int kernel, RestingRegions regions)
+        {
+            cmd.SetKeyword(shader, keyword, regions != null);
+            if (regions != null)
+                cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, regions.states);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref motion);
+            GpuBuffer.Release(ref quietSteps);
+            GpuBuffer.Release(ref states);
+        }
+
+        /// <param name="regions">The stage, or null where none was made.</param>
+        public static StageDescription Describe(RestingRegions regions, in StepInput input)
+        {
+            bool needed = IsNeeded(input);
+            string reason = needed ? $"what is slower than {input.settings.sleepSpeed} m/s for {Delay} s sleeps, in regions of {RegionSize} spacings"
+                : input.settings.sleepSpeed > 0f ? "vorticity confinement keeps the water moving" : "the sleep speed is 0";
+            var description = new StageDescription("Resting regions", needed, reason);
+            if (!needed || regions == null)
+                return description;
+            foreach (string kernel in new[] { "MeasureMotion", "CountQuiet", "Spread" })
+                description.Kernel("RestingRegions", kernel, input.settings.substeps);
+            description.Buffer("Rill.Regions.Motion", regions.motion);
+            description.Buffer("Rill.Regions.QuietSteps", regions.quietSteps);
+            description.Buffer("Rill.Regions.States", regions.states);
+            return description;
+        }
+
+        /// <summary>Enabled keywords of a kernel that leaves out what sleeps, for descriptions.</summary>
+        public static string Variant(string others, RestingRegions regions) => regions == null ? others : others == null ? Keyword : others + " " + Keyword;
+
+        // Rest is rest under these forces and settings.
+        bool HasChanged(in StepInput input)
+        {
+            SolverSettings settings = input.settings, settingsBefore = last.settings;
+            FluidMaterial material = input.material, materialBefore = last.material;
+            bool changed = math.distance(input.gravity, last.gravity) > GravityChange * math.length(last.gravity) || input.timeStep != last.timeStep
+                || settings.sleepSpeed != settingsBefore.sleepSpeed || settings.deepWater != settingsBefore.deepWater || settings.substeps != settingsBefore.substeps
+                || settings.iterations != settingsBefore.iterations || settings.relaxation != settingsBefore.relaxation || settings.softness != settingsBefore.softness
+                || material.viscosity != materialBefore.viscosity || material.allowedTension != materialBefore.allowedTension
+                || material.artificialPressure != materialBefore.artificialPressure || material.artificialPressureDistance != materialBefore.artificialPressureDistance;
+            if (changed)
+                last = input;
+            return changed;
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Motion = Shader.PropertyToID("_Motion");
+            public static readonly int QuietSteps = Shader.PropertyToID("_QuietSteps");
+            public static readonly int States = Shader.PropertyToID("_States");
+            public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int RestingWay = Shader.PropertyToID("_RestingWay");
+            public static readonly int JitterWay = Shader.PropertyToID("_JitterWay");
+            public static readonly int StepsToSleep = Shader.PropertyToID("_StepsToSleep");
+            public static readonly int WakeAll = Shader.PropertyToID("_Wake");
+        }
+    }
+}
