@@ -15,10 +15,10 @@ namespace Rill
         {
             float millions = particles / Million;
             // Sort, list with the first multiplier, velocity: a latency that no count saves, and a share by particle.
-            float substep = 0.043f + 0.69f * millions;
+            float substep = 0.044f + 0.507f * millions;
             if (deepWater)
-                substep += 0.117f + 0.13f * millions;
-            float displace = 0.006f + 0.086f * millions, multiplier = 0.006f + 0.084f * millions;
+                substep += 0.09f + 0.097f * millions;
+            float displace = 0.004f + 0.093f * millions, multiplier = 0.003f + 0.087f * millions;
             return substeps * (substep + iterations * displace + (iterations - 1) * multiplier);
         }
     }
