@@ -138,7 +138,7 @@ namespace Rill
             if (pbf == null || !pbf.TryGetStatistics(input, out statistics))
                 return false;
             statistics.relaxation = input.settings.relaxation;
-            statistics.relaxationClamped = input.settings.relaxation < effective.relaxation;
+            statistics.relaxationClamped = input.settings.relaxation != effective.relaxation;
             statistics.substeps = input.settings.substeps;
             statistics.droppedTime = clock.Dropped;
             return true;

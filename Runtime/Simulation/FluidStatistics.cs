@@ -61,7 +61,7 @@ namespace Rill
 
         /// <summary>Relaxation ω of the last step.</summary>
         public float relaxation;
-        /// <summary>Whether the ω asked for was above what was measured stable.</summary>
+        /// <summary>Whether the ω asked for was above what was measured stable, or below in deep water.</summary>
         public bool relaxationClamped;
         /// <summary>Substeps of the last step: more than asked for where gravity is strong, the step long or the spacing small.</summary>
         public int substeps;

@@ -10,6 +10,9 @@ namespace Rill
         /// <summary>Where over-relaxation ends in theory.</summary>
         const float LargestRelaxation = 2f;
 
+        /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see Documentation~/solver.md.</summary>
+        const float LeastDeepRelaxation = 0.3f;
+
         const int MaxSubsteps = 16;
 
         /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the coarse grid.</summary>
@@ -24,7 +27,7 @@ namespace Rill
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 
-        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8). Above 0.8 the fluid gets noisier.")]
+        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.")]
         [Range(0f, LargestRelaxation)] public float relaxation;
 
         [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do. More are taken where gravity would carry a particle more than 0.6 spacings in one.")]
@@ -68,9 +71,13 @@ namespace Rill
             return deepWater ? 0.8f : 0.3f;
         }
 
-        /// <summary>The relaxation that a simulation uses: the one asked for, or the largest stable one.</summary>
-        /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water.</param>
-        public float StableRelaxation(bool deepWater) => Math.Min(relaxation, MaxRelaxation(iterations, deepWater));
+        /// <summary>The relaxation that a simulation uses: the one asked for, or the nearest stable one.</summary>
+        /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water: then at least 0.3.</param>
+        public float StableRelaxation(bool deepWater)
+        {
+            float least = deepWater ? LeastDeepRelaxation : 0f;
+            return Math.Min(Math.Max(relaxation, least), MaxRelaxation(iterations, deepWater));
+        }
 
         /// <summary>Substeps that a simulation takes: those asked for, or as many as it needs for gravity to stay small in one.</summary>
         /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>

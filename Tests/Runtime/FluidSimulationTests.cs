@@ -230,6 +230,20 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Deep_water_without_relaxation_gains_no_energy_and_the_statistics_say_why()
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.relaxation = 0f;
+            FluidSimulation fluid = Dam(f => { f.StatisticsInterval = 1; f.Settings = settings; });
+            yield return Frames(8);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics first));
+            Assert.That(first.relaxationClamped);
+            yield return Frames(80);
+            Assert.That(fluid.TryGetStatistics(out FluidStatistics last));
+            Assert.That(last.Energy, Is.LessThan(first.Energy));
+        }
+
+        [UnityTest]
         public IEnumerator Gravity_too_strong_for_the_step_takes_more_substeps_and_the_statistics_say_so()
         {
             FluidSimulation fluid = Dam(f => f.StatisticsInterval = 1);

@@ -83,8 +83,18 @@ namespace Rill.Tests
             settings.iterations = iterations;
             settings.relaxation = 2f;
             Assert.That(settings.StableRelaxation(deepWater), Is.EqualTo(largest));
-            settings.relaxation = 0.2f;
-            Assert.That(settings.StableRelaxation(deepWater), Is.EqualTo(0.2f));
+            settings.relaxation = 0.3f;
+            Assert.That(settings.StableRelaxation(deepWater), Is.EqualTo(0.3f));
+        }
+
+        [TestCase(0f)]
+        [TestCase(0.29f)]
+        public void In_deep_water_no_less_relaxation_is_used_than_parts_what_the_grid_presses_together(float asked)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.relaxation = asked;
+            Assert.That(settings.StableRelaxation(deepWater: true), Is.EqualTo(0.3f));
+            Assert.That(settings.StableRelaxation(deepWater: false), Is.EqualTo(asked));
         }
 
         [TestCase(0, 1)]

@@ -4,7 +4,9 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Host.Report.Budget;
 using Host.Report.ErrorTime;
+using Host.Report.Extremes;
 using Host.Report.Thesis;
 using Host.Report.Methods;
 

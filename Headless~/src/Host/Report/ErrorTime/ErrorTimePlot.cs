@@ -17,8 +17,10 @@ namespace Host.Report.ErrorTime
             Panel(scene, Pareto.Front(scene.Where(r => r.Holds), r => r.Milliseconds, r => r.Unrest), unrest + ", last 2 s (m/s)", r => r.Unrest, 0.47, "set key off") +
             "unset multiplot\n";
 
-        static string Panel(List<SweepResult> scene, List<SweepResult> front, string label, Func<SweepResult, double> value, double left, string key)
+        static string Panel(List<SweepResult> all, List<SweepResult> front, string label, Func<SweepResult, double> value, double left, string key)
         {
+            List<SweepResult> scene = Within(Within(all, r => r.Milliseconds), value);
+            string off = scene.Count < all.Count ? $"; {all.Count - scene.Count} far worse off the plot" : "";
             object[] Point(SweepResult r) => new object[] { r.Milliseconds, value(r) };
             // A logarithmic axis has no place for zero.
             IEnumerable<object[]> Points(Func<SweepResult, bool> which) => scene.Where(r => which(r) && value(r) > 0).Select(Point);
@@ -30,7 +32,15 @@ namespace Host.Report.ErrorTime
                 .Add("using 1:2 with points pt 7 ps 0.6 lc rgb '#a9c9e2' title 'two-level, does not hold'", Points(r => !r.Holds && r.Setting.Deep))
                 .Add("using 1:2:3 with labels font ',8' left offset 0.6,0.5 notitle", front.Where(r => value(r) > 0).Select(r => new object[] { r.Milliseconds, value(r), $"{r.Setting.Substeps}x{r.Setting.Iterations}" }))
                 .Script(LogAxis.Script("x", scene.Select(r => r.Milliseconds)) + LogAxis.Script("y", scene.Select(value)) +
-                    $"set xlabel 'ms a step, dearer window'\nset ylabel '{label}'\nset format '%g'\nset lmargin at screen {left.ToString(CultureInfo.InvariantCulture)}\nset rmargin at screen {(left + 0.33).ToString(CultureInfo.InvariantCulture)}\n{key}\n");
+                    $"set xlabel 'ms a step, dearer window{off}'\nset ylabel '{label}'\nset format '%g'\nset lmargin at screen {left.ToString(CultureInfo.InvariantCulture)}\nset rmargin at screen {(left + 0.33).ToString(CultureInfo.InvariantCulture)}\n{key}\n");
+        }
+
+        // Without those that hold nothing and are so far beyond the rest that it would shrink to a dot.
+        static List<SweepResult> Within(List<SweepResult> scene, Func<SweepResult, double> value)
+        {
+            const double farBeyond = 20;
+            double limit = scene.Where(r => r.Holds).Select(value).DefaultIfEmpty(double.PositiveInfinity).Max() * farBeyond;
+            return scene.Where(r => r.Holds || value(r) <= limit).ToList();
         }
     }
 }

@@ -38,7 +38,7 @@ namespace Host.Report.Thesis
             var series = table.Rows.GroupBy(row => row.Number("relaxation")).OrderBy(group => group.Key).Select(group => (Relaxation: group.Key, Rows: group.OrderBy(row => row.Number("iterations")).ToArray())).ToList();
 
             page.Plot("thesis-density", "C+ while the water moves and jitter, against iterations, a line for each relaxation",
-                "set multiplot layout 1,2\n" + Panel(series, "C+, 0.2 to 2 s (%)", row => row.Number("error_moving") * 100, "set key off") + Panel(series, "jitter (m/s)", row => row.Number("jitter"), "set key inside top right") + "unset multiplot\n", 1200, 440);
+                "set multiplot layout 1,2\n" + Panel(series, "C+, 0.2 to 2 s (%)", row => row.Number("error_moving") * 100, "set key off") + Panel(series, "jitter (m/s)", row => row.Number("jitter"), "set key inside bottom right") + "unset multiplot\n", 1200, 440);
 
             page.Line(Text($"{first.Number("particles"):N0} particles, {first.Number("seconds"):0.#} s. C+ ({"mean of max(0, ρ/ρ0 − 1)"}: how far the water is denser than at rest) over 0.2 to 2 s, and jitter over the last 2 s, m/s:"));
             page.Line();

@@ -1,8 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
-using Host.Report.Extremes;
 
-namespace Host.Report
+namespace Host.Report.Extremes
 {
     /// <summary>Stiff and extreme cases, each against its bar, with the correction for deep water and without.</summary>
     sealed class ExtremesSection : ReportSection

@@ -4,7 +4,7 @@ using Host.Fluids;
 using Rill;
 using Unity.Mathematics;
 
-namespace Host.Report
+namespace Host.Report.Budget
 {
     /// <summary>What the budget rests on: error and time of each setting it may choose, and of some that it leaves out; and how it holds a target.</summary>
     sealed class BudgetSection : ReportSection

@@ -9,7 +9,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
-namespace Host.Report
+namespace Host.Report.Budget
 {
     /// <summary>Plays a dam with a budget that changes, and the number of steps in a frame with it, and notes what each frame took.</summary>
     sealed class BudgetLoop
