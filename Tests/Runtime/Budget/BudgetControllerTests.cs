@@ -47,7 +47,7 @@ namespace Rill.Tests
             var plant = new BudgetPlant
             {
                 Target = 2.5f, FramesLate = framesLate, Told = BudgetPlant.Noise(noise, 31u + (uint)framesLate),
-                Load = time => time < 5f || time >= 10f ? 1f : 2.1f,
+                Load = time => time < 5f || time >= 10f ? 1f : 2.2f,
             };
             plant.Run(15f);
             Assert.That(plant.Worst(1f, 5f), Is.LessThanOrEqualTo(1.1f));
