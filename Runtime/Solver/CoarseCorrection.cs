@@ -25,7 +25,6 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly int binFlow, findDivergence, displaceFlow;
         readonly int findErrors, displaceErrors, extendDisplacements;
-        readonly CoarseSolver solver;
         GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
@@ -39,7 +38,7 @@ namespace Rill
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
 
             Grid = new CoarseGrid(layout.DomainSize, cellSize);
-            solver = new CoarseSolver(Grid);
+            Solver = new CoarseSolver(Grid);
             Bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
             flow = GpuBuffer.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
             fill = GpuBuffer.Structured<float>("Rill.Coarse.Fill", Grid.Total);
@@ -60,7 +59,7 @@ namespace Rill
 
         public CoarseGrid Grid { get; }
 
-        public CoarseSolver Solver => solver;
+        public CoarseSolver Solver { get; }
 
         /// <summary><see cref="CoarseConstants"/>, which do not change.</summary>
         public GraphicsBuffer Constants { get; private set; }
@@ -99,7 +98,7 @@ namespace Rill
             cmd.DispatchCompute(shader, binFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
             RecordSource(cmd, findDivergence, flowPotential);
-            solver.Record(cmd, Constants, source, diagonal, flowPotential);
+            Solver.Record(cmd, Constants, source, diagonal, flowPotential);
             RecordDisplacements(cmd, displaceFlow, flowPotential);
             cmd.EndSample(ProjectionMarker);
         }
@@ -110,14 +109,14 @@ namespace Rill
             cmd.BeginSample(DensityMarker);
             BindConstants(cmd, constants);
             RecordSource(cmd, findErrors, errorPotential);
-            solver.Record(cmd, Constants, source, diagonal, errorPotential);
+            Solver.Record(cmd, Constants, source, diagonal, errorPotential);
             RecordDisplacements(cmd, displaceErrors, errorPotential);
             cmd.EndSample(DensityMarker);
         }
 
         public void Dispose()
         {
-            solver.Dispose();
+            Solver.Dispose();
             GpuBuffer.Release(ref flow);
             GpuBuffer.Release(ref fill);
             GpuBuffer.Release(ref source);
@@ -147,7 +146,7 @@ namespace Rill
             foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel, substeps);
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
-            stage.solver.Describe(description, 2 * substeps);
+            stage.Solver.Describe(description, 2 * substeps);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
             description.Buffer("Rill.Coarse.Fill", stage.fill);

@@ -43,9 +43,7 @@ namespace Rill
                 if (i > 0)
                 {
                     cmd.BeginSample(LambdaMarker);
-                    RestingRegions.Bind(cmd, shader, sleep, solveLambda, resting);
-                    cmd.SetComputeBufferParam(shader, solveLambda, Ids.StartPositions, particles.Start);
-                    Dispatch(cmd, solveLambda, particles, particles.Predicted, particles.Current);
+                    Dispatch(cmd, solveLambda, particles, particles.Predicted, particles.Current, resting);
                     cmd.EndSample(LambdaMarker);
                 }
 
@@ -56,9 +54,7 @@ namespace Rill
                     kernel = artificialPressure ? displaceDeepWithPressure : displaceDeep;
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
                 }
-                RestingRegions.Bind(cmd, shader, sleep, kernel, resting);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-                Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted);
+                Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted, resting);
                 cmd.EndSample(DisplaceMarker);
             }
         }
@@ -69,16 +65,15 @@ namespace Rill
             int build = coarse != null ? buildListDeep : buildList;
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (coarse != null)
             {
                 cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
                 cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, coarse.Bins);
             }
-            RestingRegions.Bind(cmd, shader, sleep, build, resting);
-            cmd.SetComputeBufferParam(shader, build, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, search.CellStarts);
-            Dispatch(cmd, build, particles, particles.Predicted, particles.Current);
+            Dispatch(cmd, build, particles, particles.Predicted, particles.Current, resting);
             cmd.EndSample(ListMarker);
         }
 
@@ -104,9 +99,11 @@ namespace Rill
             return stage;
         }
 
-        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to)
+        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to, RestingRegions resting)
         {
             Lists.Bind(cmd, shader, kernel);
+            resting?.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);

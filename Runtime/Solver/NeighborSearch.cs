@@ -56,7 +56,7 @@ namespace Rill
             }
             RecordOrder(cmd, constants, particles, coarse != null ? countCellsDeep : countCells, resting);
 
-            RestingRegions.Bind(cmd, shader, sleep, gather, resting);
+            resting?.Bind(cmd, shader, gather);
             cmd.SetComputeBufferParam(shader, gather, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, gather, Ids.CellStarts, CellStarts);
             cmd.SetComputeBufferParam(shader, gather, Ids.Positions, particles.Current);
@@ -105,7 +105,8 @@ namespace Rill
 
         void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, int countKernel, RestingRegions resting)
         {
-            RestingRegions.Bind(cmd, shader, sleep, countKernel, resting);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            resting?.Bind(cmd, shader, countKernel);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
 
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Current);

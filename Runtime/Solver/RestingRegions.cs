@@ -89,13 +89,11 @@ namespace Rill
             wake = false;
         }
 
-        /// <summary>Records the keyword, and for a kernel what it looks up; with no regions, that there are none.</summary>
-        public static void Bind(CommandBuffer cmd, ComputeShader shader, in LocalKeyword keyword, int kernel, RestingRegions regions)
-        {
-            cmd.SetKeyword(shader, keyword, regions != null);
-            if (regions != null)
-                cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, regions.states);
-        }
+        /// <summary>Records what a kernel looks up. The shader's keyword is set by <see cref="RecordKeyword"/>.</summary>
+        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel) => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, states);
+
+        /// <summary>Records the keyword, with no regions that there are none: another solver may have left the shared shader on the other variant.</summary>
+        public static void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword sleep, RestingRegions regions) => cmd.SetKeyword(shader, sleep, regions != null);
 
         public void Dispose()
         {

@@ -33,7 +33,8 @@ namespace Rill
             int kernel = visits ? updateViscous : update;
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.Bind(cmd, shader, sleep, kernel, resting);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            resting?.Bind(cmd, shader, kernel);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (visits)
                 lists.Bind(cmd, shader, kernel);
