@@ -61,7 +61,7 @@ namespace Host.Fluids
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", Windows.Select(w => w.Name))} or all.");
 
                 var scene = ExperimentScene.Dam(parsed.GetValue(particles));
-                var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = material };
+                var input = ExperimentFigures.Input(settings, material);
                 return Execute(scene, input, windows, parsed.GetValue(steps), parsed.GetValue(json), System.Console.Out);
             });
             return command;

@@ -14,9 +14,15 @@ namespace Host.Fluids
             "coincident", "escaped", "non_finite", "overflow", "ms_initial", "ms_moving", "ms_settled", "bytes",
         };
 
-        /// <summary>A step of 1/60 s of water under 9.81 m/s².</summary>
-        public static StepInput Input(in SolverSettings settings) =>
-            new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
+        /// <summary>m/s².</summary>
+        public const float Gravity = 9.81f;
+
+        /// <summary>A step of 1/60 s of water under gravity.</summary>
+        public static StepInput Input(in SolverSettings settings) => Input(settings, FluidMaterial.Water);
+
+        /// <summary>The same of another material.</summary>
+        public static StepInput Input(in SolverSettings settings, in FluidMaterial material) =>
+            new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -Gravity, 0f), settings = settings, material = material };
 
         /// <summary>One for each column. Energy is the highest over that of the start; coincident the most in the last 2 s; bytes are a particle's.</summary>
         public static object[] Of(Experiment run)

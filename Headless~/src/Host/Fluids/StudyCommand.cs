@@ -19,7 +19,7 @@ namespace Host.Fluids
     {
         static readonly float[] Relaxations = { 0.3f, 0.5f, 0.8f, 1f, 1.1f, 1.2f, 1.3f, 1.4f, 1.5f, 1.7f, 2f };
         static readonly int[] Iterations = { 1, 2, 3, 4, 8 };
-        const float Spacing = 0.05f, Step = 1f / 60f;
+        const float Spacing = 0.05f;
 
         // A block of this many particles at the low corner of a box of that many spacings.
         static readonly (string Name, int3 Block, int3 Box)[] Scenes =
@@ -63,7 +63,7 @@ namespace Host.Fluids
             settings.deepWater = DeepWater.Off;      // the limits of plain iterations
             settings.iterations = iterations;
             settings.relaxation = relaxation;       // not validated: what lies beyond the clamp is the question
-            var input = new StepInput { timeStep = Step, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
+            var input = ExperimentFigures.Input(settings);
 
             Experiment run = Experiment.Run(ExperimentScene.Block(name, block, box, Spacing), input, seconds, sampleEvery: 10);
             double start = run.Samples[0].Energy;

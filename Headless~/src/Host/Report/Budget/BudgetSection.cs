@@ -40,7 +40,7 @@ namespace Host.Report.Budget
                 {
                     SolverSettings settings = SolverSettings.Default;
                     (settings.substeps, settings.iterations, settings.relaxation, settings.deepWater) = (substeps, iterations, Relaxation, deep ? DeepWater.On : DeepWater.Off);
-                    var input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
+                    var input = ExperimentFigures.Input(settings);
                     Experiment experiment = Experiment.Run(scene, input, seconds, sampleEvery: 10);
                     table.Add(deep ? "deep" : "shallow", scene.Particles, substeps, iterations, Relaxation, onLadder.Contains((substeps, iterations)) ? 1 : 0,
                         experiment.Moving(s => s.densityError), experiment.Settled(s => s.densityError), experiment.Settled(s => s.jitter),

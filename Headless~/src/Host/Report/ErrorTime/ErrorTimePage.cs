@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 
 namespace Host.Report.ErrorTime
@@ -26,7 +25,7 @@ namespace Host.Report.ErrorTime
                 $"C+ is the mean of max(0, ρ/ρ0 − 1) over 0.2 to 2 s (*moving*) and over the last 2 s (*settled*); time is the median of steps 20 to 60 (*moving*) and of the last 100 (*settled*). Plots and fronts take the worse window of both. " +
                 "Noise is the rms speed of water that should stand still; where it still sloshes, jitter stands for it: the rms of velocity minus the neighbors' mean.");
             page.Line();
-            page.Line(Format($"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.LowestVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.HighestEnergy} of the start's (*gains energy*) and, in runs of {SweepResult.SettledAfter} s or more, the volume ends below {SweepResult.HighestVolume} (*boils*). The front is of those that hold: none is both cheaper and nearer to rest density."));
+            page.Line(FormattableString.Invariant($"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.LowestVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.HighestEnergy} of the start's (*gains energy*) and, in runs of {SweepResult.SettledAfter} s or more, the volume ends below {SweepResult.HighestVolume} (*boils*). The front is of those that hold: none is both cheaper and nearer to rest density."));
             page.Line();
             if (table.InSoftware)
             {
@@ -37,12 +36,12 @@ namespace Host.Report.ErrorTime
 
         static void Summarize(ReportPage page, List<List<SweepResult>> scenes)
         {
-            page.Line("The cheapest setting of each method that holds, by the C+ (worse window) that it may leave; ms a step, substeps x iterations, ω where it is not " + Format($"{SweepSetting.UsualRelaxation}") + ":");
+            page.Line("The cheapest setting of each method that holds, by the C+ (worse window) that it may leave; ms a step, substeps x iterations, ω where it is not " + FormattableString.Invariant($"{SweepSetting.UsualRelaxation}") + ":");
             page.Line();
-            page.Table(new[] { "scene", "method" }.Concat(Targets.Select(target => Format($"C+ ≤ {target * 100:0.#} %"))),
+            page.Table(new[] { "scene", "method" }.Concat(Targets.Select(target => FormattableString.Invariant($"C+ ≤ {target * 100:0.#} %"))),
                 from scene in scenes
                 from deep in new[] { false, true }
-                select new[] { Title(scene[0]), SweepSetting.Method(deep) }.Concat(Targets.Select(target => Cheapest(scene, deep, target) is { } best ? Format($"{best.Milliseconds:0.000} ({Counts(best.Setting)}{(best.Setting.Relaxation == SweepSetting.UsualRelaxation ? "" : Format($", ω {best.Setting.Relaxation}"))})") : "–")));
+                select new[] { Title(scene[0]), SweepSetting.Method(deep) }.Concat(Targets.Select(target => Cheapest(scene, deep, target) is { } best ? FormattableString.Invariant($"{best.Milliseconds:0.000} ({Counts(best.Setting)}{(best.Setting.Relaxation == SweepSetting.UsualRelaxation ? "" : FormattableString.Invariant($", ω {best.Setting.Relaxation}"))})") : "–")));
         }
 
         static void WriteScene(ReportPage page, List<SweepResult> scene, bool inSoftware)
@@ -61,8 +60,8 @@ namespace Host.Report.ErrorTime
             page.Table(new[] { "method", "substeps x iterations", "ω", "ms moving / settled", "C+ moving / settled", "p99.9", UnrestName(first) + " m/s", "volume", "coincident" },
                 front.Select(r => new[]
                 {
-                    SweepSetting.Method(r.Setting.Deep), Counts(r.Setting), Format($"{r.Setting.Relaxation:0.##}"), Format($"{r.MillisecondsMoving:0.000} / {r.MillisecondsSettled:0.000}"),
-                    Format($"{r.ErrorMoving * 100:0.00} / {r.ErrorSettled * 100:0.00} %"), Format($"{r.Error999:0.000}"), Format($"{r.Unrest:0.000}"), Format($"{r.Volume:0.000}"), Format($"{r.Coincident:0}"),
+                    SweepSetting.Method(r.Setting.Deep), Counts(r.Setting), FormattableString.Invariant($"{r.Setting.Relaxation:0.##}"), FormattableString.Invariant($"{r.MillisecondsMoving:0.000} / {r.MillisecondsSettled:0.000}"),
+                    FormattableString.Invariant($"{r.ErrorMoving * 100:0.00} / {r.ErrorSettled * 100:0.00} %"), FormattableString.Invariant($"{r.Error999:0.000}"), FormattableString.Invariant($"{r.Unrest:0.000}"), FormattableString.Invariant($"{r.Volume:0.000}"), FormattableString.Invariant($"{r.Coincident:0}"),
                 }));
             if (!inSoftware)
             {
@@ -79,11 +78,11 @@ namespace Host.Report.ErrorTime
                 text += $" What {fault.Key}: {string.Join("; ", fault.Select(r => r.Setting.ToString()))}.";
             SweepResult cut = scene.Find(r => r.Seconds < scene.Max(other => other.Seconds) - 0.1);
             if (cut != null)
-                text += Format($" ({cut.Setting} was run for {cut.Seconds:0.#} s only: its steps take {cut.Milliseconds:0.0} ms.)");
+                text += FormattableString.Invariant($" ({cut.Setting} was run for {cut.Seconds:0.#} s only: its steps take {cut.Milliseconds:0.0} ms.)");
             List<SweepResult> overflowed = scene.Where(r => r.Overflow > 0).ToList();
             if (overflowed.Count > 0)
-                text += Format($" Neighbor lists overflowed in {overflowed.Count} runs, for up to {overflowed.Max(r => r.Overflow):N0} particles ({overflowed.MaxBy(r => r.Overflow).Setting}).");
-            return text + $" Memory: {string.Join(" and ", scene.GroupBy(r => r.Setting.Deep).Select(method => Format($"{method.Max(r => r.Bytes):0} bytes a particle {SweepSetting.Method(method.Key)}")))}.";
+                text += FormattableString.Invariant($" Neighbor lists overflowed in {overflowed.Count} runs, for up to {overflowed.Max(r => r.Overflow):N0} particles ({overflowed.MaxBy(r => r.Overflow).Setting}).");
+            return text + $" Memory: {string.Join(" and ", scene.GroupBy(r => r.Setting.Deep).Select(method => FormattableString.Invariant($"{method.Max(r => r.Bytes):0} bytes a particle {SweepSetting.Method(method.Key)}")))}.";
         }
 
         static string Winner(List<SweepResult> scene, List<SweepResult> front)
@@ -91,30 +90,28 @@ namespace Host.Report.ErrorTime
             int deep = front.Count(r => r.Setting.Deep);
             string text = deep == front.Count ? "Two-level wins at every time" : deep == 0 ? "Plain wins at every time" : $"{deep} of the front's {front.Count} settings are two-level";
             SweepResult best = front[^1];
-            text += Format($": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.000} ms ({front[0].Setting}) to {best.Error * 100:0.00} % at {best.Milliseconds:0.000} ms ({best.Setting}).");
+            text += FormattableString.Invariant($": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.000} ms ({front[0].Setting}) to {best.Error * 100:0.00} % at {best.Milliseconds:0.000} ms ({best.Setting}).");
             if (deep > 0 && deep < front.Count)
                 text += string.Concat(new[] { false, true }.Select(method => CheaperAt(scene, method)));
             SweepResult other = Pareto.Front(scene.Where(r => r.Holds && r.Setting.Deep != best.Setting.Deep), r => r.Milliseconds, r => r.Error).LastOrDefault();
             string name = SweepSetting.Method(!best.Setting.Deep);
-            return text + (other == null ? $" No {name} setting holds this scene." : Format($" The least that {name} reaches is {other.Error * 100:0.00} % at {other.Milliseconds:0.000} ms ({other.Setting})."));
+            return text + (other == null ? $" No {name} setting holds this scene." : FormattableString.Invariant($" The least that {name} reaches is {other.Error * 100:0.00} % at {other.Milliseconds:0.000} ms ({other.Setting})."));
         }
 
         // " Plain is the cheaper one for C+ ≤ 3, 1 %."
         static string CheaperAt(List<SweepResult> scene, bool deep)
         {
             double Cost(bool method, double target) => Cheapest(scene, method, target)?.Milliseconds ?? double.PositiveInfinity;
-            string[] targets = Targets.Where(target => Cost(deep, target) < Cost(!deep, target)).Select(target => Format($"{target * 100:0.#}")).ToArray();
+            string[] targets = Targets.Where(target => Cost(deep, target) < Cost(!deep, target)).Select(target => FormattableString.Invariant($"{target * 100:0.#}")).ToArray();
             return targets.Length == 0 ? "" : $" For C+ ≤ {string.Join(", ", targets)} % {SweepSetting.Method(deep)} is cheaper.";
         }
 
         static SweepResult Cheapest(List<SweepResult> scene, bool deep, double target) => scene.Where(r => r.Holds && r.Setting.Deep == deep && r.Error <= target).MinBy(r => r.Milliseconds);
 
-        static string Title(SweepResult r) => Format($"{char.ToUpperInvariant(r.Scene[0])}{r.Scene[1..]}, {r.Particles:N0} particles{(r.Scene == "drop" ? " onto a pool of" : "")}{(r.Scene == "drop" ? "" : ",")} {r.Layers} layers");
+        static string Title(SweepResult r) => FormattableString.Invariant($"{char.ToUpperInvariant(r.Scene[0])}{r.Scene[1..]}, {r.Particles:N0} particles{(r.Scene == "drop" ? " onto a pool of" : "")}{(r.Scene == "drop" ? "" : ",")} {r.Layers} layers");
 
         static string UnrestName(SweepResult r) => r.IsStill ? "noise" : "jitter";
 
         static string Counts(SweepSetting setting) => $"{setting.Substeps} x {setting.Iterations}";
-
-        static string Format(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }
 }

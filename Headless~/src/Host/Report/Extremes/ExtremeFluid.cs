@@ -26,7 +26,7 @@ namespace Host.Report.Extremes
         /// <param name="spacing">m.</param>
         public ExtremeFluid(float3 box, float spacing, int capacity, SolverSettings settings)
         {
-            Input = new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = FluidMaterial.Water };
+            Input = ExperimentFigures.Input(settings);
             Solver = new PbfSolver(new SolverLayout(box * spacing, spacing, capacity, settings.neighborCapacity, settings.listMargin));
         }
 

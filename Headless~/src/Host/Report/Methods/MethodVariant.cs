@@ -1,4 +1,5 @@
 using System;
+using Host.Fluids;
 using Rill;
 using Unity.Mathematics;
 
@@ -35,7 +36,7 @@ namespace Host.Report.Methods
             settings.neighborCapacity = NeighborCapacity;
             FluidMaterial material = FluidMaterial.Water;
             material.viscosity = Viscosity;
-            return new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -9.81f, 0f), settings = settings, material = material };
+            return ExperimentFigures.Input(settings, material);
         }
 
         /// <summary>Passes over all neighbors in a step: the list, the iterations, the velocities. What a run costs where there is no time.</summary>

@@ -30,10 +30,10 @@ namespace Host.Report
             settings.substeps = substeps;
             settings.iterations = iterations;
             settings.deepWater = deepWater;
-            return new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -Gravity, 0f), settings = settings, material = FluidMaterial.Water };
+            return ExperimentFigures.Input(settings);
         }
 
-        public const float Gravity = 9.81f;
+        public const float Gravity = ExperimentFigures.Gravity;
 
         /// <summary>Steps taken.</summary>
         public int Steps { get; private set; }

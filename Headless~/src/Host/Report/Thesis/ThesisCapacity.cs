@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using Host.Fluids;
 using Host.Report.ErrorTime;
@@ -44,10 +43,10 @@ namespace Host.Report.Thesis
                     byIterations.Select(k => new object[] { k.Iterations, Particles(k.Points, Shares[i].Share * Frame) }).Where(point => !double.IsNaN((double)point[1])));
             page.Plot("thesis-capacity", "Particles that fit a share of a frame at 60 Hz against iterations", plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
 
-            page.Line(Text($"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(share => Text($"{share.Name} of the frame ({share.Share * Frame:0.00} ms)")))}:"));
+            page.Line(FormattableString.Invariant($"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(share => FormattableString.Invariant($"{share.Name} of the frame ({share.Share * Frame:0.00} ms)")))}:"));
             page.Line();
-            page.Table(new[] { "iterations" }.Concat(Shares.Select(share => $"particles in {share.Name}")).Concat(byIterations[0].Points.Select(p => Text($"ms at {p.Particles:N0}"))),
-                byIterations.Select(k => new[] { k.Iterations.ToString() }.Concat(Shares.Select(share => Count(k.Points, share.Share * Frame, least, most))).Concat(k.Points.Select(p => Text($"{p.Ms:0.000}")))));
+            page.Table(new[] { "iterations" }.Concat(Shares.Select(share => $"particles in {share.Name}")).Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
+                byIterations.Select(k => new[] { k.Iterations.ToString() }.Concat(Shares.Select(share => Count(k.Points, share.Share * Frame, least, most))).Concat(k.Points.Select(p => FormattableString.Invariant($"{p.Ms:0.000}")))));
             page.Line("The thesis draws the same curve for its hardware; its absolute counts belong to that and are not repeated here. " + Shape(byIterations));
             page.Line();
         }
@@ -70,8 +69,8 @@ namespace Host.Report.Thesis
         {
             double particles = Particles(points, milliseconds);
             if (!double.IsNaN(particles))
-                return Text($"{particles:N0}");
-            return points[0].Ms > milliseconds ? Text($"fewer than {least:N0}") : Text($"more than {most:N0}");
+                return FormattableString.Invariant($"{particles:N0}");
+            return points[0].Ms > milliseconds ? FormattableString.Invariant($"fewer than {least:N0}") : FormattableString.Invariant($"more than {most:N0}");
         }
 
         // A step is a fixed part and a part for each iteration: hence the hyperbola.
@@ -81,9 +80,7 @@ namespace Host.Report.Thesis
             (int manyIterations, var many) = byIterations[^1];
             (double particles, double fast) = few[^1];
             double perIteration = (many[^1].Ms - fast) / (manyIterations - fewIterations);
-            return Text($"Its shape follows from a step that has a fixed part and a part for each iteration: at {particles:N0} particles {perIteration:0.000} ms an iteration, {(fast - fewIterations * perIteration) / fast * 100:0} % of the step with {fewIterations} being fixed.");
+            return FormattableString.Invariant($"Its shape follows from a step that has a fixed part and a part for each iteration: at {particles:N0} particles {perIteration:0.000} ms an iteration, {(fast - fewIterations * perIteration) / fast * 100:0} % of the step with {fewIterations} being fixed.");
         }
-
-        static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using Host.Fluids;
 using Host.Report.ErrorTime;
@@ -40,12 +39,12 @@ namespace Host.Report.Thesis
             page.Plot("thesis-density", "C+ while the water moves and jitter, against iterations, a line for each relaxation",
                 "set multiplot layout 1,2\n" + Panel(series, "C+, 0.2 to 2 s (%)", row => row.Number("error_moving") * 100, "set key off") + Panel(series, "jitter (m/s)", row => row.Number("jitter"), "set key inside bottom right") + "unset multiplot\n", 1200, 440);
 
-            page.Line(Text($"{first.Number("particles"):N0} particles, {first.Number("seconds"):0.#} s. C+ ({"mean of max(0, ρ/ρ0 − 1)"}: how far the water is denser than at rest) over 0.2 to 2 s, and jitter over the last 2 s, m/s:"));
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {first.Number("seconds"):0.#} s. C+ ({"mean of max(0, ρ/ρ0 − 1)"}: how far the water is denser than at rest) over 0.2 to 2 s, and jitter over the last 2 s, m/s:"));
             page.Line();
             double[] shown = { series[0].Relaxation, series[series.Count / 2].Relaxation, series[^1].Relaxation };
             var columns = series.Where(s => shown.Contains(s.Relaxation)).ToList();
-            page.Table(new[] { "iterations" }.Concat(columns.Select(s => Text($"C+ at ω {s.Relaxation}"))).Concat(columns.Select(s => Text($"jitter at ω {s.Relaxation}"))),
-                columns[0].Rows.Select((row, i) => new[] { row["iterations"] }.Concat(columns.Select(s => Text($"{s.Rows[i].Number("error_moving") * 100:0.00} %"))).Concat(columns.Select(s => Text($"{s.Rows[i].Number("jitter"):0.000}")))));
+            page.Table(new[] { "iterations" }.Concat(columns.Select(s => FormattableString.Invariant($"C+ at ω {s.Relaxation}"))).Concat(columns.Select(s => FormattableString.Invariant($"jitter at ω {s.Relaxation}"))),
+                columns[0].Rows.Select((row, i) => new[] { row["iterations"] }.Concat(columns.Select(s => FormattableString.Invariant($"{s.Rows[i].Number("error_moving") * 100:0.00} %"))).Concat(columns.Select(s => FormattableString.Invariant($"{s.Rows[i].Number("jitter"):0.000}")))));
             Judge(page, series);
         }
 
@@ -58,10 +57,10 @@ namespace Host.Report.Thesis
             bool same = Math.Abs(fast / slow - 1) <= SameRate;
             page.Line("The thesis found that density falls towards that at rest both with iterations and with ω, and that ω makes it converge no faster.");
             page.Line();
-            page.Line(Text($"- With iterations: C+ falls in {byIterations.falls} of {byIterations.pairs} steps from one count to the next. {Agreement(byIterations)}"));
-            page.Line(Text($"- With ω: C+ falls in {byRelaxation.falls} of {byRelaxation.pairs} steps from one ω to the next. {Agreement(byRelaxation)}"));
-            page.Line(Text($"- Convergence: C+ falls as the iterations to the power {slow:0.00} at ω {series[0].Relaxation} and {fast:0.00} at ω {series[^1].Relaxation} (fit over all counts). {(same ? "Agrees: ω lowers the curve and does not make it steeper." : fast < slow ? "Does not agree: here the curve of the larger ω is steeper." : "Agrees, and more: the curve of the larger ω is flatter.")}"));
-            page.Line(Text($"- What the thesis did not show: at {series[0].Rows[^1]["iterations"]} iterations jitter is {series[0].Rows[^1].Number("jitter"):0.000} m/s at ω {series[0].Relaxation} and {series[^1].Rows[^1].Number("jitter"):0.000} at ω {series[^1].Relaxation}; {series.Sum(s => s.Rows.Count(row => row.Number("energy") > SweepResult.HighestEnergy))} of {series.Sum(s => s.Rows.Length)} runs gained energy (above {SweepResult.HighestEnergy} of the start's), and {series.Sum(s => s.Rows.Count(row => row.Number("volume_lowest") < SweepResult.LowestVolume))} were compressed below {SweepResult.LowestVolume} of their volume at some time."));
+            page.Line(FormattableString.Invariant($"- With iterations: C+ falls in {byIterations.falls} of {byIterations.pairs} steps from one count to the next. {Agreement(byIterations)}"));
+            page.Line(FormattableString.Invariant($"- With ω: C+ falls in {byRelaxation.falls} of {byRelaxation.pairs} steps from one ω to the next. {Agreement(byRelaxation)}"));
+            page.Line(FormattableString.Invariant($"- Convergence: C+ falls as the iterations to the power {slow:0.00} at ω {series[0].Relaxation} and {fast:0.00} at ω {series[^1].Relaxation} (fit over all counts). {(same ? "Agrees: ω lowers the curve and does not make it steeper." : fast < slow ? "Does not agree: here the curve of the larger ω is steeper." : "Agrees, and more: the curve of the larger ω is flatter.")}"));
+            page.Line(FormattableString.Invariant($"- What the thesis did not show: at {series[0].Rows[^1]["iterations"]} iterations jitter is {series[0].Rows[^1].Number("jitter"):0.000} m/s at ω {series[0].Relaxation} and {series[^1].Rows[^1].Number("jitter"):0.000} at ω {series[^1].Relaxation}; {series.Sum(s => s.Rows.Count(row => row.Number("energy") > SweepResult.HighestEnergy))} of {series.Sum(s => s.Rows.Length)} runs gained energy (above {SweepResult.HighestEnergy} of the start's), and {series.Sum(s => s.Rows.Count(row => row.Number("volume_lowest") < SweepResult.LowestVolume))} were compressed below {SweepResult.LowestVolume} of their volume at some time."));
             page.Line();
         }
 
@@ -81,10 +80,8 @@ namespace Host.Report.Thesis
         {
             var plot = new PlotData();
             for (int i = 0; i < series.Count; i++)
-                plot.Add(Text($"using 1:2 with linespoints ls {i + 1} title 'ω {series[i].Relaxation}'"), series[i].Rows.Select(row => new object[] { row.Number("iterations"), value(row) }));
+                plot.Add(FormattableString.Invariant($"using 1:2 with linespoints ls {i + 1} title 'ω {series[i].Relaxation}'"), series[i].Rows.Select(row => new object[] { row.Number("iterations"), value(row) }));
             return plot.Script(LogAxis.Script("x", series.SelectMany(s => s.Rows).Select(row => row.Number("iterations"))) + LogAxis.Script("y", series.SelectMany(s => s.Rows).Select(value)) + $"set xlabel 'iterations'\nset ylabel '{label}'\nset format '%g'\n{key}\n");
         }
-
-        static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }
 }

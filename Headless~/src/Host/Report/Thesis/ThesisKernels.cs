@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using Host.Fluids;
 using Host.Report.ErrorTime;
@@ -40,15 +39,15 @@ namespace Host.Report.Thesis
                 plot.Add($"using 2:xtic(1) title 'here, {windows[i]}' ls {i + 1}", Thesis.Select((kernel, k) => new object[] { kernel.Kernel, shares[windows[i]][k] }));
             page.Plot("thesis-kernels", "Share of each kernel in a step: the thesis's and this solver's", plot.Script("set style data histograms\nset style fill solid 0.85\nset boxwidth 0.9\nset ylabel 'share of the step (%)'\nset yrange [0:*]\n"));
 
-            page.Line(Text($"{first.Number("particles"):N0} particles, {Iterations} iterations, per cent of a step{(table.InSoftware ? " (of a CPU: no kernel's share on a GPU follows)" : "")}:"));
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, per cent of a step{(table.InSoftware ? " (of a CPU: no kernel's share on a GPU follows)" : "")}:"));
             page.Line();
             page.Table(new[] { "" }.Concat(Thesis.Select(kernel => kernel.Kernel)).Append("step, ms"),
-                windows.Select(window => shares[window].Select(share => Text($"{share:0.0}")).Prepend("here, " + window).Append(Text($"{Milliseconds(table, window):0.000}")))
-                    .Prepend(Thesis.Select(kernel => Text($"{kernel.Share:0.0}")).Prepend("thesis").Append("")));
+                windows.Select(window => shares[window].Select(share => FormattableString.Invariant($"{share:0.0}")).Prepend("here, " + window).Append(FormattableString.Invariant($"{Milliseconds(table, window):0.000}")))
+                    .Prepend(Thesis.Select(kernel => FormattableString.Invariant($"{kernel.Share:0.0}")).Prepend("thesis").Append("")));
             page.Line("The first λ is solved in the pass that builds the neighbor list; here it is taken to cost what each later λ costs and counted there, the rest of that pass as neighbor search. XSPH is part of velocity.");
             page.Line();
             string dearest = Thesis[Array.IndexOf(shares["initial"], shares["initial"].Max())].Kernel;
-            page.Line(Text($"In the thesis {Thesis[0].Kernel} is the dearest part, at {Thesis[0].Share} %. Here it is {dearest}, at {shares["initial"].Max():0.0} % of the initial block's step{(dearest == Thesis[0].Kernel ? ": the same." : $": not the same; λ takes {shares["initial"][0]:0.0} %.")}"));
+            page.Line(FormattableString.Invariant($"In the thesis {Thesis[0].Kernel} is the dearest part, at {Thesis[0].Share} %. Here it is {dearest}, at {shares["initial"].Max():0.0} % of the initial block's step{(dearest == Thesis[0].Kernel ? ": the same." : $": not the same; λ takes {shares["initial"][0]:0.0} %.")}"));
             page.Line();
         }
 
@@ -61,7 +60,5 @@ namespace Host.Report.Thesis
             double[] parts = { lambda * Iterations, ms["Rill.Sort"] + ms["Rill.List"] - lambda, ms["Rill.Displace"], ms["Rill.Velocity"] };
             return parts.Append(ms["step"] - parts.Sum()).Select(part => part / ms["step"] * 100).ToArray();
         }
-
-        static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }
 }

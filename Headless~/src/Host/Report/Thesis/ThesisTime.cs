@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.Linq;
 using Host.Fluids;
 using Host.Report.ErrorTime;
@@ -37,23 +36,21 @@ namespace Host.Report.Thesis
 
             var plot = new PlotData();
             for (int i = 0; i < series.Count; i++)
-                plot.Add(Text($"using 1:2 with lines ls {i + 1} title 'ω {series[i].Relaxation}'"), series[i].Rows.Select(row => new object[] { row.Number("time_s"), row.Number("error") * 100 }));
+                plot.Add(FormattableString.Invariant($"using 1:2 with lines ls {i + 1} title 'ω {series[i].Relaxation}'"), series[i].Rows.Select(row => new object[] { row.Number("time_s"), row.Number("error") * 100 }));
             page.Plot("thesis-time", "C+ over time, a line for each relaxation", plot.Script("set xlabel 'time (s)'\nset ylabel 'C+ (%)'\nset yrange [0:*]\n"));
 
-            page.Line(Text($"{first.Number("particles"):N0} particles, {Iterations} iterations, {end:0.#} s:"));
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, {end:0.#} s:"));
             page.Line();
             page.Table(new[] { "ω", "C+, second half", "its spread", "highest C+", "highest energy / start's" }, series.Select(s =>
             {
                 double[] late = s.Rows.Where(row => row.Number("time_s") > end / 2).Select(row => row.Number("error")).ToArray();
                 double mean = late.Average();
-                return new[] { Text($"{s.Relaxation}"), Text($"{mean * 100:0.00} %"), Text($"± {Math.Sqrt(late.Average(e => (e - mean) * (e - mean))) * 100:0.00} %"), Text($"{s.Rows.Max(row => row.Number("error")) * 100:0.00} %"), Text($"{s.Rows.Max(row => row.Number("energy")):0.000}") };
+                return new[] { FormattableString.Invariant($"{s.Relaxation}"), FormattableString.Invariant($"{mean * 100:0.00} %"), FormattableString.Invariant($"± {Math.Sqrt(late.Average(e => (e - mean) * (e - mean))) * 100:0.00} %"), FormattableString.Invariant($"{s.Rows.Max(row => row.Number("error")) * 100:0.00} %"), FormattableString.Invariant($"{s.Rows.Max(row => row.Number("energy")):0.000}") };
             }));
             double[] means = series.Select(s => s.Rows.Where(row => row.Number("time_s") > end / 2).Average(row => row.Number("error"))).ToArray();
             bool falls = means.Zip(means.Skip(1), (before, next) => next < before).All(fell => fell);
-            page.Line("That density falls towards that at rest with ω, the thesis's finding, is held against the second half of each run. " + (falls ? "It agrees: each larger ω leaves less." : Text($"It does not agree throughout: the least is left by ω {series[Array.IndexOf(means, means.Min())].Relaxation}.")));
+            page.Line("That density falls towards that at rest with ω, the thesis's finding, is held against the second half of each run. " + (falls ? "It agrees: each larger ω leaves less." : FormattableString.Invariant($"It does not agree throughout: the least is left by ω {series[Array.IndexOf(means, means.Min())].Relaxation}.")));
             page.Line();
         }
-
-        static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }
 }
