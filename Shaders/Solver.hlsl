@@ -141,4 +141,11 @@ void WallDensity(float3 p, out float density, out float3 gradient)
     gradient = float3(free.y * free.z, free.x * free.z, free.x * free.y) * (lowSlope * (1.0 - high) - highSlope * (1.0 - low));
 }
 
+// The same with what colliders add: xyz its gradient, w the density.
+void AddBoundary(float4 boundary, inout float density, inout float3 gradient)
+{
+    gradient = gradient * (1.0 - boundary.w) + boundary.xyz * (1.0 - density);
+    density = 1.0 - (1.0 - density) * (1.0 - boundary.w);
+}
+
 #endif

@@ -13,14 +13,17 @@ namespace Rill
         static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.Displace");
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
-        readonly int buildList, buildListDeep, solveLambda, displace, displaceWithPressure, displaceDeep, displaceDeepWithPressure;
+        readonly int buildList, buildListDeep, buildListBeside, buildListDeepBeside, solveLambda, solveLambdaBeside, displace, displaceWithPressure, displaceDeep, displaceDeepWithPressure;
         readonly LocalKeyword twoLists, sleep;
 
         public DensityConstraint(SolverLayout layout)
         {
             buildList = shader.FindKernel("BuildList");
             buildListDeep = shader.FindKernel("BuildListDeep");
+            buildListBeside = shader.FindKernel("BuildListBeside");
+            buildListDeepBeside = shader.FindKernel("BuildListDeepBeside");
             solveLambda = shader.FindKernel("SolveLambda");
+            solveLambdaBeside = shader.FindKernel("SolveLambdaBeside");
             displace = shader.FindKernel("Displace");
             displaceWithPressure = shader.FindKernel("DisplaceWithPressure");
             displaceDeep = shader.FindKernel("DisplaceDeep");
@@ -34,16 +37,19 @@ namespace Rill
 
         /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up.</summary>
         /// <param name="coarse">Adds its density correction to the first iteration; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse, RestingRegions resting = null)
+        /// <param name="colliders">Add to the density and keep the particles outside; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
-            RecordList(cmd, constants, particles, search, coarse, resting);
+            RecordList(cmd, constants, particles, search, coarse, resting, colliders);
             coarse?.RecordDensity(cmd, constants);
             for (int i = 0; i < iterations; i++)
             {
                 if (i > 0)
                 {
                     cmd.BeginSample(LambdaMarker);
-                    Dispatch(cmd, solveLambda, particles, particles.Predicted, particles.Current, resting);
+                    int solve = colliders != null ? solveLambdaBeside : solveLambda;
+                    BindBoundary(cmd, solve, colliders);
+                    Dispatch(cmd, solve, particles, particles.Predicted, particles.Current, resting);
                     cmd.EndSample(LambdaMarker);
                 }
 
@@ -56,13 +62,15 @@ namespace Rill
                 }
                 Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted, resting);
                 cmd.EndSample(DisplaceMarker);
+                colliders?.RecordPass(cmd, particles, i == iterations - 1, resting);
             }
         }
 
         /// <summary>Records the list and the first multipliers, at Predicted, into Current; their errors into the bins of the coarse grid.</summary>
-        public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null)
+        public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
-            int build = coarse != null ? buildListDeep : buildList;
+            int build = colliders == null ? coarse != null ? buildListDeep : buildList : coarse != null ? buildListDeepBeside : buildListBeside;
+            BindBoundary(cmd, build, colliders);
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -81,15 +89,17 @@ namespace Rill
 
         /// <param name="deep">Whether a coarse correction runs.</param>
         /// <param name="resting">Null for none.</param>
-        public StageDescription Describe(in StepInput input, bool deep, RestingRegions resting)
+        /// <param name="colliders">Null for none.</param>
+        public StageDescription Describe(in StepInput input, bool deep, RestingRegions resting, Colliders colliders)
         {
             string variant = RestingRegions.Variant(Lists.Variant, resting);
             int substeps = input.settings.substeps, iterations = input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
             var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, neighbor lists in {lists}, artificial pressure is {input.material.artificialPressure}");
-            stage.Kernel("DensityConstraint", deep ? "BuildListDeep" : "BuildList", substeps, variant);
+            string beside = colliders != null ? "Beside" : "";
+            stage.Kernel("DensityConstraint", (deep ? "BuildListDeep" : "BuildList") + beside, substeps, variant);
             if (iterations > 1)
-                stage.Kernel("DensityConstraint", "SolveLambda", substeps * (iterations - 1), variant);
+                stage.Kernel("DensityConstraint", "SolveLambda" + beside, substeps * (iterations - 1), variant);
             string pressure = input.material.artificialPressure > 0f ? "WithPressure" : "";
             if (deep)
                 stage.Kernel("DensityConstraint", "DisplaceDeep" + pressure, substeps, variant);
@@ -97,6 +107,12 @@ namespace Rill
                 stage.Kernel("DensityConstraint", "Displace" + pressure, substeps * (deep ? iterations - 1 : iterations), variant);
             Lists.Describe(stage);
             return stage;
+        }
+
+        void BindBoundary(CommandBuffer cmd, int kernel, Colliders colliders)
+        {
+            if (colliders != null)
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
         }
 
         void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to, RestingRegions resting)
@@ -116,6 +132,7 @@ namespace Rill
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }

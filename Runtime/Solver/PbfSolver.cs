@@ -23,6 +23,7 @@ namespace Rill
         readonly DensityConstraint densityConstraint;
         readonly VelocityUpdate velocityUpdate;
         CoarseCorrection coarseCorrection;
+        Colliders colliders;
         VorticityConfinement vorticityConfinement;
         RestingRegions restingRegions;
         StatisticsPass statistics;
@@ -125,15 +126,19 @@ namespace Rill
             UploadConstants(cmd, input, Crowding);
             CoarseCorrection coarse = CoarseFor(input);
             RestingRegions resting = RestingFor(input);
+            Colliders obstacles = CollidersFor(input);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
                 resting?.Record(cmd, constants, particles, Layout, input);
+                obstacles?.RecordSubstep(cmd, constants, input, substep, resting);
                 coarse?.RecordProjection(cmd, constants, particles);
-                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting);
-                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting);
-                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting);
+                obstacles?.RecordPaths(cmd, particles, coarse, resting);
+                neighborSearch.RecordSort(cmd, constants, particles, obstacles == null ? coarse : null, resting);
+                obstacles?.RecordBoundary(cmd, particles, resting);
+                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
+                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles);
                 if (VorticityConfinement.IsNeeded(input))
-                    Vorticity.Record(cmd, constants, particles, densityConstraint.Lists);
+                    Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
                 particles.Advance();
             }
             if (!VorticityConfinement.IsNeeded(input))
@@ -145,7 +150,8 @@ namespace Rill
         {
             statistics ??= new StatisticsPass(Layout.Capacity);
             UploadConstants(cmd, input, 1f);
-            statistics.Record(cmd, constants, particles, neighborSearch);
+            colliders?.RecordBoundaryAtRest(cmd, constants, particles);
+            statistics.Record(cmd, constants, particles, neighborSearch, colliders);
         }
 
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
@@ -179,11 +185,12 @@ namespace Rill
                 state,
                 RestingRegions.Describe(restingRegions, input),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
-                neighborSearch.Describe(input.settings, coarseCorrection != null, restingRegions),
-                densityConstraint.Describe(input, coarseCorrection != null, restingRegions),
-                velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions),
-                VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists),
-                StatisticsPass.Describe(statistics, statisticsInterval),
+                Colliders.Describe(colliders, input, coarseCorrection != null),
+                neighborSearch.Describe(input.settings, coarseCorrection != null && colliders == null, restingRegions),
+                densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
+                velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
+                VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
+                StatisticsPass.Describe(statistics, statisticsInterval, colliders),
             };
         }
 
@@ -195,6 +202,7 @@ namespace Rill
             densityConstraint?.Dispose();
             ReleaseResting();
             ReleaseCoarse();
+            ReleaseColliders();
             ReleaseVorticity();
             ReleaseStatistics();
             GpuBuffer.Release(ref constants);
@@ -238,6 +246,27 @@ namespace Rill
                 return restingRegions ??= new RestingRegions(Layout);
             ReleaseResting();
             return null;
+        }
+
+        Colliders CollidersFor(in StepInput input)
+        {
+            if (!Colliders.IsNeeded(input))
+            {
+                if (colliders != null)
+                    restingRegions?.Wake();
+                ReleaseColliders();
+                return null;
+            }
+            colliders ??= new Colliders(Layout);
+            if (colliders.Disturb(input.colliders))
+                restingRegions?.Wake();
+            return colliders;
+        }
+
+        void ReleaseColliders()
+        {
+            colliders?.Dispose();
+            colliders = null;
         }
 
         void ReleaseResting()

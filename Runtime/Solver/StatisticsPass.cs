@@ -14,7 +14,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Statistics");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
-        readonly int measure, reduce;
+        readonly int measure, measureBeside, reduce;
         readonly Action<AsyncGPUReadbackRequest> onRead;
         GraphicsBuffer partials, histogram, results;
         NativeArray<uint> arriving, latest;
@@ -25,6 +25,7 @@ namespace Rill
         public StatisticsPass(int capacity)
         {
             measure = shader.FindKernel("Measure");
+            measureBeside = shader.FindKernel("MeasureBeside");
             reduce = shader.FindKernel("Reduce");
             int groups = (capacity + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
@@ -46,20 +47,27 @@ namespace Rill
         public NativeArray<uint> Latest => latest;
 
         /// <summary>Records the measuring of the current state.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search)
+        /// <param name="colliders">Whose boundary lies ready at rest; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, Colliders colliders = null)
         {
             cmd.BeginSample(Marker);
             search.RecordOrderAtRest(cmd, constants, particles);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
 
-            cmd.SetComputeBufferParam(shader, measure, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, measure, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, measure, Ids.Order, search.Order);
-            cmd.SetComputeBufferParam(shader, measure, Ids.CellStarts, search.CellStarts);
-            cmd.SetComputeBufferParam(shader, measure, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, measure, Ids.Partials, partials);
-            cmd.SetComputeBufferParam(shader, measure, Ids.Histogram, histogram);
-            cmd.DispatchCompute(shader, measure, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            int kernel = colliders == null ? measure : measureBeside;
+            if (colliders != null)
+            {
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, colliders.Distances);
+            }
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, search.Order);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Partials, partials);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Histogram, histogram);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
             cmd.SetComputeBufferParam(shader, reduce, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, reduce, Ids.Partials, partials);
@@ -99,7 +107,8 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        public static StageDescription Describe(StatisticsPass stage, int interval)
+        /// <param name="colliders">Null for none.</param>
+        public static StageDescription Describe(StatisticsPass stage, int interval, Colliders colliders)
         {
             var description = new StageDescription("Statistics", interval > 0, interval > 0 ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
             if (stage == null)
@@ -108,7 +117,9 @@ namespace Rill
             foreach (string kernel in new[] { "SumTiles", "ScanTileSums", "ScanTiles" })
                 description.Kernel("PrefixSum", kernel, 0);
             description.Kernel("NeighborSearch", "ScatterOrder", 0);
-            description.Kernel("Statistics", "Measure", 0);
+            if (colliders != null)
+                description.Kernel("Colliders", "FindBoundaryAtRest", 0);
+            description.Kernel("Statistics", colliders == null ? "Measure" : "MeasureBeside", 0);
             description.Kernel("Statistics", "Reduce", 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);
             description.Buffer("Rill.Statistics.Histogram", stage.histogram);
@@ -131,6 +142,8 @@ namespace Rill
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Order = Shader.PropertyToID("_Order");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
+            public static readonly int Distances = Shader.PropertyToID("_Distances");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Partials = Shader.PropertyToID("_Partials");
             public static readonly int Histogram = Shader.PropertyToID("_Histogram");

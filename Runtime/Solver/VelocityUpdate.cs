@@ -10,13 +10,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Velocity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
-        readonly int update, updateViscous;
+        readonly int update, updateViscous, updateViscousBeside;
         readonly LocalKeyword twoLists, sleep;
 
         public VelocityUpdate()
         {
             update = shader.FindKernel("UpdateVelocity");
             updateViscous = shader.FindKernel("UpdateVelocityViscous");
+            updateViscousBeside = shader.FindKernel("UpdateVelocityViscousBeside");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
@@ -27,10 +28,10 @@ namespace Rill
             return (input.material.viscosity > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
         }
 
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null, Colliders colliders = null)
         {
             bool visits = VisitsNeighbors(input);
-            int kernel = visits ? updateViscous : update;
+            int kernel = !visits ? update : colliders == null ? updateViscous : updateViscousBeside;
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -38,6 +39,8 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (visits)
                 lists.Bind(cmd, shader, kernel);
+            if (kernel == updateViscousBeside)
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
@@ -48,14 +51,15 @@ namespace Rill
         }
 
         /// <param name="resting">Null for none.</param>
-        public StageDescription Describe(in StepInput input, NeighborLists lists, RestingRegions resting)
+        /// <param name="colliders">Null for none.</param>
+        public StageDescription Describe(in StepInput input, NeighborLists lists, RestingRegions resting, Colliders colliders)
         {
             bool visits = VisitsNeighbors(input);
             string reason = visits
                 ? input.material.viscosity > 0f ? $"with XSPH: viscosity is {input.material.viscosity}" : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: viscosity is 0";
             var stage = new StageDescription("Velocity update", true, reason);
-            stage.Kernel("VelocityUpdate", visits ? "UpdateVelocityViscous" : "UpdateVelocity", input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
+            stage.Kernel("VelocityUpdate", !visits ? "UpdateVelocity" : colliders == null ? "UpdateVelocityViscous" : "UpdateVelocityViscousBeside", input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
             return stage;
         }
 
@@ -64,6 +68,7 @@ namespace Rill
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
         }

@@ -12,7 +12,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Vorticity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VorticityConfinement");
-        readonly int curlKernel, confineKernel;
+        readonly int curlKernel, confineKernel, confineBesideKernel;
         readonly LocalKeyword twoLists;
         GraphicsBuffer curl, confined;
 
@@ -20,6 +20,7 @@ namespace Rill
         {
             curlKernel = shader.FindKernel("Curl");
             confineKernel = shader.FindKernel("Confine");
+            confineBesideKernel = shader.FindKernel("ConfineBeside");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             curl = GpuBuffer.Structured<float4>("Rill.Curl", capacity);
             confined = GpuBuffer.Structured<float4>("Rill.Confined", capacity);
@@ -31,14 +32,17 @@ namespace Rill
         public static bool IsNeeded(in StepInput input) => input.material.vorticity > 0f;
 
         /// <summary>Records both passes; the particles' velocity buffer and this stage's output change places.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, Colliders colliders = null)
         {
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             Dispatch(cmd, curlKernel, particles, lists);
-            cmd.SetComputeBufferParam(shader, confineKernel, Ids.Confined, confined);
-            Dispatch(cmd, confineKernel, particles, lists);
+            int confine = colliders == null ? confineKernel : confineBesideKernel;
+            if (colliders != null)
+                cmd.SetComputeBufferParam(shader, confine, Ids.Boundary, colliders.Boundary);
+            cmd.SetComputeBufferParam(shader, confine, Ids.Confined, confined);
+            Dispatch(cmd, confine, particles, lists);
             cmd.EndSample(Marker);
             (particles.Velocities, confined) = (confined, particles.Velocities);
         }
@@ -50,14 +54,14 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        public static StageDescription Describe(VorticityConfinement stage, in StepInput input, NeighborLists lists)
+        public static StageDescription Describe(VorticityConfinement stage, in StepInput input, NeighborLists lists, Colliders colliders)
         {
             bool needed = IsNeeded(input);
             var description = new StageDescription("Vorticity confinement", needed, $"vorticity is {input.material.vorticity} m/s");
             if (needed)
             {
                 description.Kernel("VorticityConfinement", "Curl", input.settings.substeps, lists.Variant);
-                description.Kernel("VorticityConfinement", "Confine", input.settings.substeps, lists.Variant);
+                description.Kernel("VorticityConfinement", colliders == null ? "Confine" : "ConfineBeside", input.settings.substeps, lists.Variant);
             }
             if (stage != null)
             {
@@ -83,6 +87,7 @@ namespace Rill
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Curl = Shader.PropertyToID("_Curl");
             public static readonly int Confined = Shader.PropertyToID("_Confined");
+            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }

@@ -1,0 +1,17 @@
+namespace Rill
+{
+    /// <summary>Shape of a <see cref="FluidCollider"/>; the constants of the same names in Colliders.hlsl.</summary>
+    public enum ColliderShape
+    {
+        /// <summary>A ball.</summary>
+        Sphere,
+        /// <summary>A box with any three sides.</summary>
+        Box,
+        /// <summary>A cylinder along y with half a ball at both ends.</summary>
+        Capsule,
+        /// <summary>All below an endless plane; y points out of it.</summary>
+        Plane,
+        /// <summary>What a signed distance field describes.</summary>
+        Mesh,
+    }
+}

@@ -1,0 +1,41 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>A solid obstacle over the time of a frame. Lengths in d, in the domain's frame.</summary>
+    struct ColliderMotion
+    {
+        public ColliderShape shape;
+        /// <summary>Sphere: x radius. Box: half sides. Capsule: x radius, y half its straight part. Mesh: half sides of its field's volume.</summary>
+        public float3 size;
+        /// <summary>At the start and at the end of the frame.</summary>
+        public RigidPose start, end;
+        /// <summary>Share of the velocity along the surface that what touches loses in 1/60 s.</summary>
+        public float friction;
+        /// <summary>Share of the velocity into the surface that is given back.</summary>
+        public float bounce;
+        public bool insideOut, carriesDensity;
+        /// <summary>Signed distances of a mesh, lowest corner first; null for other kinds.</summary>
+        public Texture3D field;
+        /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>
+        public float voxel, fieldUnit;
+
+        /// <summary>Of a ball around its place that holds all of it; of a plane, which has no end, 1.</summary>
+        public float Radius
+        {
+            get
+            {
+                switch (shape)
+                {
+                    case ColliderShape.Sphere: return size.x;
+                    case ColliderShape.Capsule: return size.x + size.y;
+                    case ColliderShape.Plane: return 1f;
+                    default: return math.length(size);
+                }
+            }
+        }
+
+        public bool Moves => math.any(start.position != end.position) || math.any(start.rotation.value != end.rotation.value);
+    }
+}

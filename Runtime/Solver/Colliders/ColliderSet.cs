@@ -1,0 +1,26 @@
+namespace Rill
+{
+    /// <summary>The obstacles of a frame, in an order that stays while they do.</summary>
+    sealed class ColliderSet
+    {
+        /// <summary>Most obstacles of one simulation.</summary>
+        public const int Most = 256;
+
+        public readonly ColliderMotion[] Items = new ColliderMotion[Most];
+        public int Count;
+
+        /// <summary>Grows when an obstacle came, went or changed: what rests has to wake.</summary>
+        public int Version;
+
+        public bool Moves
+        {
+            get
+            {
+                for (int i = 0; i < Count; i++)
+                    if (Items[i].Moves)
+                        return true;
+                return false;
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>A collider in a substep, as Colliders.hlsl has it, member by member; lengths in d, in the domain's frame.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct ColliderState
+    {
+        public float4 rotation;
+        public float4 lastRotation;
+        public float3 position;
+        public uint kind;
+        public float3 lastPosition;
+        public uint flags;
+        public float3 size;
+        public float sweep;
+        public float3 fieldScale;
+        public float fieldUnit;
+        public float3 fieldCenter;
+        public float voxel;
+        public float friction;
+        public float bounce;
+        public float radius;
+        public float unused;
+
+        const uint InsideOut = 1, CarriesDensity = 2;       // kInsideOut, kCarriesDensity
+        const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
+
+        /// <param name="motion">Over a frame.</param>
+        /// <param name="from">Share of the frame at which the substep starts.</param>
+        /// <param name="to">And ends.</param>
+        /// <param name="timeStep">Length of the substep, s.</param>
+        /// <param name="brick">Where the atlas holds the field of a mesh.</param>
+        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, in FieldBrick brick)
+        {
+            RigidPose last = RigidPose.Between(motion.start, motion.end, from);
+            RigidPose pose = RigidPose.Between(motion.start, motion.end, to);
+            float radius = math.max(motion.Radius, 1f);
+            var state = new ColliderState
+            {
+                rotation = pose.rotation.value,
+                lastRotation = last.rotation.value,
+                position = pose.position,
+                kind = (uint)motion.shape,
+                lastPosition = last.position,
+                flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u),
+                size = motion.size,
+                sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * radius,
+                friction = 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep),
+                bounce = motion.bounce,
+                radius = radius,
+            };
+            if (motion.shape == ColliderShape.Mesh)
+            {
+                state.size = motion.size - 0.5f * motion.voxel;       // to the centres of the outermost voxels
+                state.voxel = motion.voxel;
+                state.fieldUnit = motion.fieldUnit;
+                state.fieldScale = brick.VoxelShare / motion.voxel;
+                state.fieldCenter = brick.Center;
+            }
+            return state;
+        }
+    }
+}

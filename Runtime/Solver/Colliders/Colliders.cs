@@ -1,0 +1,249 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Solid obstacles: ends ways at surfaces, keeps the particles outside, and adds what lies behind a surface to the density. Made when first needed.</summary>
+    sealed class Colliders : IDisposable
+    {
+        const float SmallestCell = 4f;          // d
+        const int MostCells = 1 << 17;
+        const int WordBits = 32;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
+        readonly int binColliders, collidePaths, collidePathsDeep, findBoundary, findBoundaryAtRest, collide, collideLast;
+        readonly FieldAtlas fields;
+        readonly int3 cells;
+        readonly float cellSize;
+        GraphicsBuffer constants, states, masks, boundary, insets;
+        NativeArray<ColliderConstants> constantsUpload;
+        NativeArray<ColliderState> statesUpload;
+        int words;
+        int seenVersion = -1;
+
+        public Colliders(SolverLayout layout)
+        {
+            binColliders = shader.FindKernel("BinColliders");
+            collidePaths = shader.FindKernel("CollidePaths");
+            collidePathsDeep = shader.FindKernel("CollidePathsDeep");
+            findBoundary = shader.FindKernel("FindBoundary");
+            findBoundaryAtRest = shader.FindKernel("FindBoundaryAtRest");
+            collide = shader.FindKernel("Collide");
+            collideLast = shader.FindKernel("CollideLast");
+
+            cellSize = SmallestCell;
+            while (Cells(layout.DomainSize, cellSize) > MostCells)
+                cellSize *= 1.25f;
+            cells = (int3)math.ceil(layout.DomainSize / cellSize);
+            fields = new FieldAtlas(shader);
+            constants = GpuBuffer.Constants<ColliderConstants>("Rill.Colliders.Constants");
+            states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
+            boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
+            insets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
+            constantsUpload = new NativeArray<ColliderConstants>(1, Allocator.Persistent);
+            statesUpload = new NativeArray<ColliderState>(ColliderSet.Most, Allocator.Persistent);
+        }
+
+        public static bool IsNeeded(in StepInput input) => input.colliders != null && input.colliders.Count > 0;
+
+        /// <summary>float4 [capacity], what the colliders add to the density of a particle: xyz its gradient, 1/d; w relative to rest.</summary>
+        public GraphicsBuffer Boundary => boundary;
+
+        /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
+        public GraphicsBuffer Distances => insets;
+
+        /// <summary>Whether an obstacle came, went, changed or moves: what rests has to wake.</summary>
+        public bool Disturb(ColliderSet set)
+        {
+            bool changed = set.Version != seenVersion;
+            seenVersion = set.Version;
+            return changed || set.Moves;
+        }
+
+        /// <summary>Records where the obstacles are in a substep.</summary>
+        /// <exception cref="ArgumentException">The fields of the meshes do not fit a texture.</exception>
+        public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, RestingRegions resting)
+        {
+            ColliderSet set = input.colliders;
+            fields.Hold(set);
+            Reserve((set.Count + WordBits - 1) / WordBits);
+            int substeps = input.settings.substeps;
+            float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)substeps);
+            float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)substeps);
+            for (int i = 0; i < set.Count; i++)
+            {
+                FieldBrick brick = set.Items[i].shape == ColliderShape.Mesh ? fields.Brick(set.Items[i].field) : default;
+                statesUpload[i] = ColliderState.For(set.Items[i], from, to, input.timeStep / substeps, brick);
+            }
+            constantsUpload[0] = new ColliderConstants
+            {
+                cells = (uint3)cells,
+                words = (uint)words,
+                cellSize = cellSize,
+                inverseCellSize = 1f / cellSize,
+                count = (uint)set.Count,
+                rests = resting != null ? 1u : 0u,
+            };
+            cmd.BeginSample(Marker);
+            cmd.SetBufferData(constants, constantsUpload);
+            cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
+            cmd.SetComputeConstantBufferParam(shader, Ids.Constants, constants, 0, constants.stride);
+            BindShapes(cmd, binColliders);
+            CoarseGrid.Dispatch(cmd, shader, binColliders, cells.x * cells.y * cells.z * words);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records the ways of the particles up to the surfaces they meet; in deep water with the displacement of the projection, which the sort then does without.</summary>
+        public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting)
+        {
+            int kernel = coarse != null ? collidePathsDeep : collidePaths;
+            cmd.BeginSample(Marker);
+            Bind(cmd, kernel, particles, resting);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            if (coarse != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
+            }
+            cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records <see cref="Boundary"/> at the sorted, predicted positions.</summary>
+        public void RecordBoundary(CommandBuffer cmd, ParticleBuffers particles, RestingRegions resting)
+        {
+            cmd.BeginSample(Marker);
+            Bind(cmd, findBoundary, particles, resting);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Predicted, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Insets, insets);
+            cmd.DispatchCompute(shader, findBoundary, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records the contacts after a pass of the constraint: from Current, with its multipliers, to Predicted.</summary>
+        /// <param name="last">Whether it is the last one of the substep.</param>
+        public void RecordPass(CommandBuffer cmd, ParticleBuffers particles, bool last, RestingRegions resting)
+        {
+            int kernel = last ? collideLast : collide;
+            cmd.BeginSample(Marker);
+            Bind(cmd, kernel, particles, resting);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, boundary);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Insets, insets);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records <see cref="Boundary"/> at the current positions, in their order, for a measurement.</summary>
+        public void RecordBoundaryAtRest(CommandBuffer cmd, GraphicsBuffer solverConstants, ParticleBuffers particles)
+        {
+            cmd.BeginSample(Marker);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
+            cmd.SetComputeConstantBufferParam(shader, Ids.Constants, constants, 0, constants.stride);
+            Bind(cmd, findBoundaryAtRest, particles, null);
+            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Boundary, boundary);
+            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Distances, insets);       // free between steps
+            cmd.DispatchCompute(shader, findBoundaryAtRest, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose()
+        {
+            fields.Dispose();
+            GpuBuffer.Release(ref constants);
+            GpuBuffer.Release(ref states);
+            GpuBuffer.Release(ref masks);
+            GpuBuffer.Release(ref boundary);
+            GpuBuffer.Release(ref insets);
+            constantsUpload.Dispose();
+            statesUpload.Dispose();
+        }
+
+        /// <param name="colliders">The stage, or null where none was made.</param>
+        /// <param name="deep">Whether a coarse correction runs.</param>
+        public static StageDescription Describe(Colliders colliders, in StepInput input, bool deep)
+        {
+            bool needed = IsNeeded(input);
+            var description = new StageDescription("Colliders", needed, needed ? $"{input.colliders.Count} of them in the domain" : "no collider is in the domain");
+            if (!needed || colliders == null)
+                return description;
+            int substeps = input.settings.substeps;
+            description.Kernel("Colliders", "BinColliders", substeps);
+            description.Kernel("Colliders", deep ? "CollidePathsDeep" : "CollidePaths", substeps);
+            description.Kernel("Colliders", "FindBoundary", substeps);
+            if (input.settings.iterations > 1)
+                description.Kernel("Colliders", "Collide", substeps * (input.settings.iterations - 1));
+            description.Kernel("Colliders", "CollideLast", substeps);
+            description.Buffer("Rill.Colliders.Constants", colliders.constants);
+            description.Buffer("Rill.Colliders.States", colliders.states);
+            description.Buffer("Rill.Colliders.Masks", colliders.masks);
+            description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
+            description.Buffer("Rill.Colliders.Insets", colliders.insets);
+            description.Buffers.Add(("Rill.Colliders.Fields", colliders.fields.Bytes));
+            return description;
+        }
+
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, RestingRegions resting)
+        {
+            BindShapes(cmd, kernel);
+            if (resting != null)
+                resting.Bind(cmd, shader, kernel);
+            else
+                cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, masks);     // not read
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+        }
+
+        void BindShapes(CommandBuffer cmd, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Colliders, states);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.ColliderMasks, masks);
+            cmd.SetComputeTextureParam(shader, kernel, Ids.Fields, fields.Texture);
+        }
+
+        void Reserve(int wantedWords)
+        {
+            if (masks != null && wantedWords == words)
+                return;
+            GpuBuffer.Release(ref masks);
+            words = wantedWords;
+            masks = GpuBuffer.Structured<uint>("Rill.Colliders.Masks", (long)cells.x * cells.y * cells.z * words);
+        }
+
+        static float Cells(float3 domainSize, float size)
+        {
+            float3 counts = math.ceil(domainSize / size);
+            return counts.x * counts.y * counts.z;
+        }
+
+        static class Ids
+        {
+            public static readonly int Constants = Shader.PropertyToID("RillColliders");
+            public static readonly int Colliders = Shader.PropertyToID("_Colliders");
+            public static readonly int ColliderMasks = Shader.PropertyToID("_ColliderMasks");
+            public static readonly int Fields = Shader.PropertyToID("_Fields");
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Predicted = Shader.PropertyToID("_Predicted");
+            public static readonly int Before = Shader.PropertyToID("_Before");
+            public static readonly int Corrected = Shader.PropertyToID("_Corrected");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
+            public static readonly int Distances = Shader.PropertyToID("_Distances");
+            public static readonly int Insets = Shader.PropertyToID("_Insets");
+            public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+        }
+    }
+}

@@ -1,0 +1,23 @@
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>A place and an orientation.</summary>
+    struct RigidPose
+    {
+        public float3 position;
+        public quaternion rotation;
+
+        public RigidPose(float3 position, quaternion rotation)
+        {
+            this.position = position;
+            this.rotation = rotation;
+        }
+
+        /// <summary>At a share of the way from one to another.</summary>
+        public static RigidPose Between(in RigidPose from, in RigidPose to, float share)
+        {
+            return new RigidPose(math.lerp(from.position, to.position, share), math.slerp(from.rotation, to.rotation, share));
+        }
+    }
+}

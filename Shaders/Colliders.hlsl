@@ -1,0 +1,195 @@
+// Solid obstacles: their shapes as signed distances, their motion in a substep, and which of them are near a place.
+// Lengths in d, in the domain's frame. Include after Solver.hlsl.
+#ifndef RILL_COLLIDERS_INCLUDED
+#define RILL_COLLIDERS_INCLUDED
+
+// = ColliderState in ColliderState.cs, member by member.
+struct Collider
+{
+    float4 rotation;        // from its own frame to the domain's, quaternion
+    float4 lastRotation;    // the same at the start of the substep
+    float3 position;        // of its own frame's origin, d
+    uint kind;
+    float3 lastPosition;    // at the start of the substep, d
+    uint flags;
+    float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up
+    float sweep;            // furthest that a point of it moves in the substep, d
+    float3 fieldScale;      // from its own frame, d, to a share of the atlas
+    float fieldUnit;        // d, of one stored unit of distance
+    float3 fieldCenter;     // share of the atlas at its own frame's origin
+    float voxel;            // side of a voxel, d
+    float friction;         // share of the velocity along the surface that a substep takes from what touches
+    float bounce;           // share of the velocity into the surface that is given back
+    float radius;           // of a ball around position that holds all of it, d; at least 1
+    float unused;
+};
+
+// = ColliderConstants in ColliderConstants.cs, member by member.
+cbuffer RillColliders
+{
+    uint3 _ColliderCells;           // cells along x, y, z of the bins
+    uint _ColliderWords;            // words of a cell's mask: one bit for each collider
+    float _ColliderCellSize;        // d
+    float _InverseColliderCellSize; // 1/d
+    uint _ColliderCount;
+    uint _Rests;                    // whether what rests sleeps: _RegionStates holds something
+};
+
+static const uint kSphere = 0;
+static const uint kBox = 1;
+static const uint kCapsule = 2;
+static const uint kPlane = 3;
+static const uint kMesh = 4;
+
+static const uint kInsideOut = 1;           // the fluid is in it
+static const uint kCarriesDensity = 2;
+
+static const uint kNoCollider = 0xFFFFu;
+
+StructuredBuffer<Collider> _Colliders;
+Texture3D<float> _Fields;                   // the distances of all meshes, brick by brick; see FieldAtlas.cs
+SamplerState sampler_LinearClamp;
+
+// ---- frames
+
+float3 Rotate(float4 q, float3 v)
+{
+    return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
+}
+
+float3 Unrotate(float4 q, float3 v)
+{
+    return Rotate(float4(-q.xyz, q.w), v);
+}
+
+float3 ToCollider(Collider collider, float3 p)
+{
+    return Unrotate(collider.rotation, p - collider.position);
+}
+
+// The same at the start of the substep.
+float3 ToLastCollider(Collider collider, float3 p)
+{
+    return Unrotate(collider.lastRotation, p - collider.lastPosition);
+}
+
+float3 FromCollider(Collider collider, float3 local)
+{
+    return collider.position + Rotate(collider.rotation, local);
+}
+
+float3 FromLastCollider(Collider collider, float3 local)
+{
+    return collider.lastPosition + Rotate(collider.lastRotation, local);
+}
+
+// How the collider's matter that is at p at the end of the substep moved in it.
+float3 SurfaceMotion(Collider collider, float3 p)
+{
+    return p - FromLastCollider(collider, ToCollider(collider, p));
+}
+
+// ---- signed distances in a collider's own frame: xyz the direction in which the distance grows, w the distance
+
+float4 SphereDistance(float3 p, float radius)
+{
+    float lengthSquared = dot(p, p);
+    float inverse = lengthSquared > 1e-12 ? rsqrt(lengthSquared) : 0.0;
+    return float4(inverse > 0.0 ? p * inverse : float3(0.0, 1.0, 0.0), lengthSquared * inverse - radius);
+}
+
+float4 BoxDistance(float3 p, float3 halfSides)
+{
+    float3 side = p >= 0.0 ? 1.0 : -1.0;
+    float3 q = abs(p) - halfSides;
+    float3 beyond = max(q, 0.0);
+    float lengthSquared = dot(beyond, beyond);
+    if (lengthSquared > 0.0)
+    {
+        float inverse = rsqrt(lengthSquared);
+        return float4(side * beyond * inverse, lengthSquared * inverse);
+    }
+    float nearest = max(q.x, max(q.y, q.z));
+    float3 face = q.x == nearest ? float3(1.0, 0.0, 0.0) : q.y == nearest ? float3(0.0, 1.0, 0.0) : float3(0.0, 0.0, 1.0);
+    return float4(side * face, nearest);
+}
+
+float FieldDistance(Collider collider, float3 p)
+{
+    return _Fields.SampleLevel(sampler_LinearClamp, collider.fieldCenter + p * collider.fieldScale, 0.0) * collider.fieldUnit;
+}
+
+// Inside its volume by central differences. Outside it the surface is taken to be where the nearest place inside sees it.
+float4 MeshDistance(Collider collider, float3 p)
+{
+    float3 q = clamp(p, -collider.size, collider.size);
+    float3 low = max(q - 0.5 * collider.voxel, -collider.size);
+    float3 high = min(q + 0.5 * collider.voxel, collider.size);
+    float3 slope;
+    [unroll]
+    for (uint axis = 0; axis < 3; axis++)
+    {
+        float3 before = q, beyond = q;
+        before[axis] = low[axis];
+        beyond[axis] = high[axis];
+        slope[axis] = (FieldDistance(collider, beyond) - FieldDistance(collider, before)) / max(high[axis] - low[axis], 1e-6);
+    }
+    float steepness = dot(slope, slope);
+    float3 direction = steepness > 1e-8 ? slope * rsqrt(steepness) : float3(0.0, 1.0, 0.0);
+    float distance = FieldDistance(collider, q);
+    float3 fromSurface = p - q + direction * distance;
+    float lengthSquared = dot(fromSurface, fromSurface);
+    if (any(p != q) && lengthSquared > 0.0)
+        return float4(fromSurface * rsqrt(lengthSquared), sqrt(lengthSquared));
+    return float4(direction, distance);
+}
+
+float4 LocalDistance(Collider collider, float3 p)
+{
+    float4 result;
+    if (collider.kind == kSphere)
+        result = SphereDistance(p, collider.size.x);
+    else if (collider.kind == kBox)
+        result = BoxDistance(p, collider.size);
+    else if (collider.kind == kCapsule)
+        result = SphereDistance(p - float3(0.0, clamp(p.y, -collider.size.y, collider.size.y), 0.0), collider.size.x);
+    else if (collider.kind == kPlane)
+        result = float4(0.0, 1.0, 0.0, p.y);
+    else
+        result = MeshDistance(collider, p);
+    return (collider.flags & kInsideOut) != 0 ? -result : result;
+}
+
+// No further from the surface than this, signed: for steps along a path and for bins.
+float LeastDistance(Collider collider, float3 p)
+{
+    float3 q = clamp(p, -collider.size, collider.size);
+    float outside = length(p - q);
+    float distance;
+    if (collider.kind == kMesh)
+    {
+        distance = FieldDistance(collider, q);
+        distance = outside > 0.0 ? max(outside, distance - outside) : distance;
+        distance = (collider.flags & kInsideOut) != 0 ? -distance : distance;
+    }
+    else
+        distance = LocalDistance(collider, p).w;
+    return distance;
+}
+
+// In the domain's frame, at the end of the substep.
+float4 DomainDistance(Collider collider, float3 p)
+{
+    float4 local = LocalDistance(collider, ToCollider(collider, p));
+    return float4(Rotate(collider.rotation, local.xyz), local.w);
+}
+
+// ---- bins: a bit for each collider that comes near a cell within the substep
+
+uint ColliderCell(float3 p)
+{
+    uint3 cell = min(uint3(max(p * _InverseColliderCellSize, 0.0)), _ColliderCells - 1);
+    return ((cell.z * _ColliderCells.y + cell.y) * _ColliderCells.x + cell.x) * _ColliderWords;
+}
+
+#endif
