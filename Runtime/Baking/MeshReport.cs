@@ -1,0 +1,161 @@
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace Rill
+{
+    /// <summary>What a <see cref="MeshCheck"/> found, in numbers and in words.</summary>
+    public sealed class MeshReport
+    {
+        /// <summary>Holes of more than this share of the whole surface make a mesh an open surface.</summary>
+        public const double LargestHoleShare = 0.1;
+
+        // A volume below this share of the area's power 3/2 is none: both sides of a sheet.
+        const double LeastVolume = 1e-6;
+
+        internal MeshReport(TriangleMesh mesh, MeshEdges edges, int nonFiniteVertices, in SelfIntersections.Count intersections)
+        {
+            Name = mesh.Name;
+            Triangles = mesh.TriangleCount;
+            Vertices = mesh.Vertices.Length;
+            SubMeshes = mesh.SubMeshes;
+            SubMeshesWithoutTriangles = mesh.SubMeshesWithoutTriangles;
+            NonFiniteVertices = nonFiniteVertices;
+            NonFiniteTriangles = edges.NonFiniteTriangles;
+            DuplicateVertices = mesh.Vertices.Length - edges.Vertices;
+            ZeroAreaTriangles = edges.ZeroAreaTriangles;
+            BoundaryEdges = edges.BoundaryEdges;
+            Holes = edges.Holes;
+            NonManifoldEdges = edges.NonManifoldEdges;
+            InconsistentEdges = edges.InconsistentEdges;
+            FlippedTriangles = edges.TurnedTriangles;
+            SelfIntersections = intersections.Pairs;
+            SelfIntersectionsChecked = intersections.Checked;
+            Area = edges.Area;
+            SignedVolume = edges.SignedVolume;
+            HoleShare = edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Area) : 0;
+            Sign = SignOf(edges);
+            Problem = ProblemOf(mesh, edges);
+            Texts = Tell();
+        }
+
+        public string Name { get; }
+        public int Triangles { get; }
+        public int Vertices { get; }
+        public int SubMeshes { get; }
+
+        /// <summary>Submeshes of points or lines.</summary>
+        public int SubMeshesWithoutTriangles { get; }
+
+        /// <summary>Vertices with a coordinate that is no number or infinite, and triangles that use one.</summary>
+        public int NonFiniteVertices { get; }
+        public int NonFiniteTriangles { get; }
+
+        /// <summary>Vertices at the place of another, as seams of normals and textures make them.</summary>
+        public int DuplicateVertices { get; }
+
+        /// <summary>Triangles thinner than 1e-10 of their longest edge.</summary>
+        public int ZeroAreaTriangles { get; }
+
+        /// <summary>Edges that only one triangle has.</summary>
+        public int BoundaryEdges { get; }
+
+        /// <summary>Loops of boundary edges; loops that touch in a vertex are one.</summary>
+        public int Holes { get; }
+
+        /// <summary>Area of flat covers over the holes as a share of the whole surface with them; 0 for a closed mesh.</summary>
+        public double HoleShare { get; }
+
+        /// <summary>Edges that more than two triangles share.</summary>
+        public int NonManifoldEdges { get; }
+
+        /// <summary>Edges whose two triangles face different sides.</summary>
+        public int InconsistentEdges { get; }
+
+        /// <summary>Triangles that face the other side than most of what they hang together with.</summary>
+        public int FlippedTriangles { get; }
+
+        /// <summary>Pairs of triangles that cross each other, without those that share a vertex and without those in one plane.</summary>
+        public int SelfIntersections { get; }
+
+        /// <summary>Share of the pairs in question that were tested, 0 to 1: below 1 for meshes that would take too long.</summary>
+        public float SelfIntersectionsChecked { get; }
+
+        /// <summary>m².</summary>
+        public double Area { get; }
+
+        /// <summary>m³, with flipped triangles turned; negative for a mesh that is inside out. Means little for an open one.</summary>
+        public double SignedVolume { get; }
+
+        public bool IsInsideOut => Sign == MeshSdfSign.WindingNumber && SignedVolume < 0;
+
+        /// <summary>Whether no edge is open and no more than two triangles share one.</summary>
+        public bool IsWatertight => Triangles > 0 && BoundaryEdges == 0 && NonManifoldEdges == 0 && NonFiniteVertices == 0;
+
+        /// <summary>What the sign method Automatic comes to.</summary>
+        public MeshSdfSign Sign { get; }
+
+        /// <summary>Why the mesh cannot be baked, with the remedy; null if it can.</summary>
+        public string Problem { get; }
+
+        /// <summary>A sentence for everything found: what, in which number, and what the baker does about it. Empty for a mesh without a fault.</summary>
+        public IReadOnlyList<string> Texts { get; }
+
+        internal static MeshSdfSign SignOf(MeshEdges edges)
+        {
+            double share = edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Area) : 0;
+            bool hasVolume = System.Math.Abs(edges.SignedVolume) > LeastVolume * System.Math.Pow(edges.Area, 1.5);
+            return share <= LargestHoleShare && hasVolume ? MeshSdfSign.WindingNumber : MeshSdfSign.OpenShell;
+        }
+
+        /// <summary>Why triangles cannot be baked; null if they can.</summary>
+        internal static string ProblemOf(TriangleMesh mesh, MeshEdges edges)
+        {
+            if (mesh.TriangleCount == 0)
+                return $"'{mesh.Name}' has no triangles: there is nothing to bake.";
+            if (edges.NonFiniteTriangles > 0)
+                return $"'{mesh.Name}': {Number(edges.NonFiniteTriangles)} of {Number(mesh.TriangleCount)} triangles have vertices that are no finite numbers: repair the mesh.";
+            if (edges.ZeroAreaTriangles == mesh.TriangleCount)
+                return $"'{mesh.Name}': none of its {Number(mesh.TriangleCount)} triangles has an area: repair the mesh, or scale it up.";
+            return null;
+        }
+
+        List<string> Tell()
+        {
+            var texts = new List<string>();
+            if (Problem != null)
+                texts.Add(Problem);
+            if (SubMeshes > 1)
+                texts.Add($"{Number(SubMeshes)} submeshes: baked together as one surface.");
+            if (SubMeshesWithoutTriangles > 0)
+                texts.Add($"{Number(SubMeshesWithoutTriangles)} submeshes of points or lines: left out.");
+            if (NonFiniteVertices > 0 && NonFiniteTriangles == 0)
+                texts.Add($"{Number(NonFiniteVertices)} vertices are no finite numbers, but no triangle uses them: left out.");
+            if (DuplicateVertices > 0)
+                texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's place: taken as one to find edges; the distance is not touched.");
+            if (ZeroAreaTriangles > 0)
+                texts.Add($"{Number(ZeroAreaTriangles)} triangles have no area: left out.");
+            if (FlippedTriangles > 0)
+                texts.Add($"{Number(FlippedTriangles)} triangles face the other side than their neighbors, over {Number(InconsistentEdges)} edges: turned over.");
+            else if (InconsistentEdges > 0)
+                texts.Add($"{Number(InconsistentEdges)} edges have triangles that face different sides, and turning some over does not help: the sign may be wrong near them.");
+            if (IsInsideOut)
+                texts.Add("The mesh is inside out: turned over as a whole.");
+            if (NonManifoldEdges > 0)
+                texts.Add($"{Number(NonManifoldEdges)} edges have more than two triangles: the winding number copes with them; parts that meet there are not compared.");
+            if (Sign == MeshSdfSign.OpenShell)
+                texts.Add(HoleShare > 0
+                    ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleShare)} of the surface: baked as an open shell of a thickness. To close the holes instead, set the sign to winding number."
+                    : "The mesh has no volume: baked as an open shell of a thickness.");
+            else if (BoundaryEdges > 0)
+                texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleShare)} of the surface: closed smoothly. To keep the surface open, set the sign to open shell.");
+            if (SelfIntersections > 0)
+                texts.Add($"{Number(SelfIntersections)} pairs of triangles cross each other: inside is what is inside of any part, but the distance there is to the nearest triangle, even one that lies inside.");
+            if (SelfIntersectionsChecked < 1f)
+                texts.Add($"The mesh is large: {Percent(SelfIntersectionsChecked)} of it was looked through for triangles that cross each other.");
+            return texts;
+        }
+
+        static string Number(int value) => value.ToString("N0", CultureInfo.InvariantCulture);
+        static string Percent(double share) => (100 * share).ToString("0.#", CultureInfo.InvariantCulture) + " %";
+    }
+}

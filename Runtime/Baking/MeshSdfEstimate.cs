@@ -1,0 +1,59 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What a bake will make and take, told before it starts.</summary>
+    public readonly struct MeshSdfEstimate
+    {
+        // Two words a voxel on the GPU, one read back and one handed out.
+        const long WorkBytesPerVoxel = 16;
+        // Corners, first pairs, clusters; then the same arrays before they are uploaded, and the welded edges.
+        const long WorkBytesPerTriangle = 46 + 46 + 100;
+
+        internal MeshSdfEstimate(in SdfGrid grid, int triangles, in MeshSdfSettings settings)
+        {
+            Resolution = new Vector3Int(grid.Resolution.x, grid.Resolution.y, grid.Resolution.z);
+            VoxelSize = grid.VoxelSize;
+            Bounds = grid.Bounds;
+            TextureBytes = grid.VoxelCount * (settings.format == SdfFormat.Half ? 2 : 4);
+            WorkBytes = grid.VoxelCount * WorkBytesPerVoxel + triangles * WorkBytesPerTriangle;
+
+            Problem = null;
+            int largest = Mathf.Max(Resolution.x, Mathf.Max(Resolution.y, Resolution.z));
+            int most = Mathf.Min(MeshSdfSettings.MostResolution, SystemInfo.maxTexture3DSize);
+            long bytes = TotalBytes, cap = settings.memoryCap * 1024L * 1024L;
+            string size = $"{Resolution.x} x {Resolution.y} x {Resolution.z} voxels of {VoxelSize} m";
+            if (!(VoxelSize > 0f))
+                Problem = "The mesh has no size: its triangles lie in one point.";
+            else if (largest > most)
+                Problem = $"{size} are more than {most} a side: use larger voxels or a lower resolution.";
+            else if (bytes > cap)
+                Problem = $"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger voxels or a lower resolution, or raise the cap.";
+            else if (grid.VoxelCount * sizeof(uint) > GpuBuffer.LargestBinding)
+                Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds {Mega(GpuBuffer.LargestBinding)} MiB: use larger voxels or a lower resolution.";
+        }
+
+        /// <summary>Voxels along each axis.</summary>
+        public Vector3Int Resolution { get; }
+
+        /// <summary>Edge of a voxel, m.</summary>
+        public float VoxelSize { get; }
+
+        /// <summary>The volume that the voxels fill, m, in the frame of the mesh.</summary>
+        public Bounds Bounds { get; }
+
+        /// <summary>Of the voxels in the asset, on the GPU, and as many again off it; with 32 bits a voxel where the format is automatic.</summary>
+        public long TextureBytes { get; }
+
+        /// <summary>Taken by the bake and given back after it, on the GPU and off it.</summary>
+        public long WorkBytes { get; }
+
+        /// <summary>The most that is taken at once.</summary>
+        public long TotalBytes => WorkBytes + 2 * TextureBytes;
+
+        /// <summary>Why it cannot be baked, with the limit and the remedy; null if it can.</summary>
+        public string Problem { get; }
+
+        static string Mega(long bytes) => (bytes / (1024.0 * 1024.0)).ToString("N1", System.Globalization.CultureInfo.InvariantCulture);
+    }
+}

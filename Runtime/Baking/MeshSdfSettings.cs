@@ -1,0 +1,63 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>How a mesh is turned into a distance field.</summary>
+    [Serializable]
+    public struct MeshSdfSettings
+    {
+        public const int LeastResolution = 8, MostResolution = 1024;
+        public const int MostPadding = 64;
+
+        [Tooltip("Edge of a voxel, m. 0: from the resolution.")]
+        public float voxelSize;
+
+        [Tooltip("Voxels along the longest axis, padding included, where no voxel size is given. 8 to 1024.")]
+        [Range(LeastResolution, MostResolution)] public int resolution;
+
+        [Tooltip("Voxels around the mesh on every side. 1 to 64.")]
+        [Range(1, MostPadding)] public int padding;
+
+        [Tooltip("Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.")]
+        public int memoryCap;
+
+        [Tooltip("How inside is told from outside. Automatic: by the winding number, or as a shell where the mesh is open.")]
+        public MeshSdfSign sign;
+
+        [Tooltip("Thickness of the shell that an open surface becomes, m. 0: two voxels, the least that the grid resolves.")]
+        public float shellThickness;
+
+        [Tooltip("How voxels are stored. Automatic: 16 bits where that is accurate enough, else 32.")]
+        public SdfFormat format;
+
+        public static MeshSdfSettings Default => new MeshSdfSettings
+        {
+            resolution = 64,
+            padding = 3,
+            memoryCap = 1024,
+            sign = MeshSdfSign.Automatic,
+            format = SdfFormat.Automatic,
+        };
+
+        /// <summary>Whether a bake can run with these settings. Nothing is changed: a bake with others is refused.</summary>
+        /// <param name="problem">What is wrong, the limit and the remedy; null if nothing is.</param>
+        public readonly bool Validate(out string problem)
+        {
+            problem = null;
+            if (!IsFinite(voxelSize) || voxelSize < 0f)
+                Limit.Append(ref problem, $"Voxel size {voxelSize} m must be above 0, or 0 to take it from the resolution.");
+            if (resolution < LeastResolution || resolution > MostResolution)
+                Limit.Append(ref problem, $"Resolution {resolution} is outside {LeastResolution} to {MostResolution}: set it within.");
+            if (padding < 1 || padding > MostPadding)
+                Limit.Append(ref problem, $"Padding {padding} is outside 1 to {MostPadding} voxels: set it within.");
+            if (memoryCap < 1)
+                Limit.Append(ref problem, $"Memory cap {memoryCap} MiB must be at least 1.");
+            if (!IsFinite(shellThickness) || shellThickness < 0f)
+                Limit.Append(ref problem, $"Shell thickness {shellThickness} m must be above 0, or 0 for two voxels.");
+            return problem == null;
+        }
+
+        static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
+    }
+}

@@ -1,0 +1,89 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What a bake made: plain numbers. <see cref="SignedDistanceField.Apply"/> puts them into an asset.</summary>
+    public sealed class SdfBake
+    {
+        // Where the choice of a format is strict, voxels from the surface; what rounding may cost there and elsewhere, voxels.
+        const float StrictDistance = 2f, StrictError = 1e-3f, LooseError = 0.05f;
+
+        internal SdfBake(string name, in SdfGrid grid, float[] distances, in MeshSdfSettings settings, MeshSdfSign sign, int triangles)
+        {
+            Name = name;
+            Resolution = new Vector3Int(grid.Resolution.x, grid.Resolution.y, grid.Resolution.z);
+            VoxelSize = grid.VoxelSize;
+            Bounds = grid.Bounds;
+            Distances = distances;
+            Settings = settings;
+            Sign = sign;
+            ShellThickness = grid.Thickness;
+            TriangleCount = triangles;
+
+            HalfError = MeasureHalfError(out float near);
+            bool accurate = near <= StrictError * VoxelSize && HalfError <= LooseError * VoxelSize;
+            Format = settings.format != SdfFormat.Automatic ? settings.format : accurate ? SdfFormat.Half : SdfFormat.Float;
+        }
+
+        /// <summary>Of the mesh.</summary>
+        public string Name { get; }
+
+        /// <summary>Voxels along each axis.</summary>
+        public Vector3Int Resolution { get; }
+
+        /// <summary>Edge of a voxel, m.</summary>
+        public float VoxelSize { get; }
+
+        /// <summary>The volume that the voxels fill, m: the centre of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
+        public Bounds Bounds { get; }
+
+        /// <summary>Distance to the surface at the voxels' centres, m, negative inside; [(z * height + y) * width + x]. Not a copy.</summary>
+        public float[] Distances { get; }
+
+        /// <summary>As they were given.</summary>
+        public MeshSdfSettings Settings { get; }
+
+        /// <summary>The method that was used; never automatic.</summary>
+        public MeshSdfSign Sign { get; }
+
+        /// <summary>Of the shell that an open surface became, m; 0 for a solid.</summary>
+        public float ShellThickness { get; }
+
+        /// <summary>Triangles that were baked, without those of zero area.</summary>
+        public int TriangleCount { get; }
+
+        /// <summary>Largest error of any voxel that 16 bits make, m.</summary>
+        public float HalfError { get; }
+
+        /// <summary>How the voxels are stored; never automatic.</summary>
+        public SdfFormat Format { get; }
+
+        /// <summary>Largest error of any voxel that storing makes, m.</summary>
+        public float StorageError => Format == SdfFormat.Half ? HalfError : 0f;
+
+        /// <summary>The voxels as bits of 16, as <see cref="SdfFormat.Half"/> stores them.</summary>
+        public ushort[] ToHalf()
+        {
+            var bits = new ushort[Distances.Length];
+            for (int i = 0; i < bits.Length; i++)
+                bits[i] = Mathf.FloatToHalf(Distances[i]);
+            return bits;
+        }
+
+        float MeasureHalfError(out float near)
+        {
+            float most = 0f;
+            near = 0f;
+            foreach (float distance in Distances)
+            {
+                float error = math.abs(Mathf.HalfToFloat(Mathf.FloatToHalf(distance)) - distance);
+                most = math.max(most, error);
+                if (math.abs(distance) <= StrictDistance * VoxelSize)
+                    near = math.max(near, error);
+            }
+            return most;
+        }
+    }
+}

@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// Triangles to check and to bake: of a <see cref="Mesh"/>, of a file that something else read, or of several meshes
+    /// together. Lengths in metres, in the frame that the distance field will have.
+    /// </summary>
+    public sealed class TriangleMesh
+    {
+        /// <param name="name">For messages.</param>
+        /// <param name="vertices">m.</param>
+        /// <param name="triangles">Three indices of vertices a triangle, clockwise as seen from outside, as in Unity.</param>
+        /// <exception cref="ArgumentException">The indices are no whole number of triangles, or one is outside of the vertices.</exception>
+        public TriangleMesh(string name, Vector3[] vertices, int[] triangles)
+        {
+            Name = string.IsNullOrEmpty(name) ? "unnamed mesh" : name;
+            Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
+            Triangles = triangles ?? throw new ArgumentNullException(nameof(triangles));
+            if (triangles.Length % 3 != 0)
+                throw new ArgumentException($"'{Name}': {triangles.Length:N0} indices are no whole number of triangles; give three for each.", nameof(triangles));
+            for (int i = 0; i < triangles.Length; i++)
+                if ((uint)triangles[i] >= (uint)vertices.Length)
+                    throw new ArgumentException($"'{Name}': triangle {i / 3:N0} refers to vertex {triangles[i]:N0} of {vertices.Length:N0}.", nameof(triangles));
+        }
+
+        public string Name { get; }
+
+        /// <summary>m; not a copy.</summary>
+        public Vector3[] Vertices { get; }
+
+        /// <summary>Three indices of <see cref="Vertices"/> a triangle; not a copy.</summary>
+        public int[] Triangles { get; }
+
+        public int TriangleCount => Triangles.Length / 3;
+
+        /// <summary>Submeshes of the meshes that this was made of, with those of points and lines.</summary>
+        public int SubMeshes { get; private set; } = 1;
+
+        /// <summary>Of those, the ones of points and lines: they bound nothing and are left out.</summary>
+        public int SubMeshesWithoutTriangles { get; private set; }
+
+        /// <summary>All submeshes of a mesh; quads become two triangles each.</summary>
+        /// <exception cref="ArgumentNullException">There is no mesh.</exception>
+        /// <exception cref="ArgumentException">The mesh cannot be read by scripts.</exception>
+        public static TriangleMesh Of(Mesh mesh)
+        {
+            if (mesh == null)
+                throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
+            if (!mesh.isReadable)
+                throw new ArgumentException($"'{mesh.name}' cannot be read by scripts: switch Read/Write on in its import settings.", nameof(mesh));
+
+            var triangles = new List<int>();
+            var indices = new List<int>();
+            int withoutTriangles = 0;
+            for (int part = 0; part < mesh.subMeshCount; part++)
+            {
+                MeshTopology topology = mesh.GetTopology(part);
+                if (topology != MeshTopology.Triangles && topology != MeshTopology.Quads)
+                {
+                    withoutTriangles++;
+                    continue;
+                }
+                mesh.GetIndices(indices, part);
+                if (topology == MeshTopology.Triangles)
+                    triangles.AddRange(indices);
+                else
+                    for (int i = 0; i + 3 < indices.Count; i += 4)
+                    {
+                        triangles.Add(indices[i]);
+                        triangles.Add(indices[i + 1]);
+                        triangles.Add(indices[i + 2]);
+                        triangles.Add(indices[i]);
+                        triangles.Add(indices[i + 2]);
+                        triangles.Add(indices[i + 3]);
+                    }
+            }
+            return new TriangleMesh(mesh.name, mesh.vertices, triangles.ToArray()) { SubMeshes = mesh.subMeshCount, SubMeshesWithoutTriangles = withoutTriangles };
+        }
+
+        /// <summary>The mesh in another frame. A mirroring matrix keeps outside outside.</summary>
+        public TriangleMesh Transformed(Matrix4x4 matrix)
+        {
+            var vertices = new Vector3[Vertices.Length];
+            for (int i = 0; i < vertices.Length; i++)
+                vertices[i] = matrix.MultiplyPoint3x4(Vertices[i]);
+            var triangles = (int[])Triangles.Clone();
+            if (matrix.determinant < 0f)
+                for (int i = 0; i < triangles.Length; i += 3)
+                    (triangles[i + 1], triangles[i + 2]) = (triangles[i + 2], triangles[i + 1]);
+            return new TriangleMesh(Name, vertices, triangles) { SubMeshes = SubMeshes, SubMeshesWithoutTriangles = SubMeshesWithoutTriangles };
+        }
+
+        /// <summary>Several meshes as one: where closed ones overlap, inside is what is inside of any.</summary>
+        public static TriangleMesh Combine(string name, IReadOnlyList<TriangleMesh> meshes)
+        {
+            if (meshes == null)
+                throw new ArgumentNullException(nameof(meshes));
+            var vertices = new List<Vector3>();
+            var triangles = new List<int>();
+            int parts = 0, withoutTriangles = 0;
+            for (int m = 0; m < meshes.Count; m++)
+            {
+                int first = vertices.Count;
+                vertices.AddRange(meshes[m].Vertices);
+                foreach (int index in meshes[m].Triangles)
+                    triangles.Add(first + index);
+                parts += meshes[m].SubMeshes;
+                withoutTriangles += meshes[m].SubMeshesWithoutTriangles;
+            }
+            return new TriangleMesh(name, vertices.ToArray(), triangles.ToArray()) { SubMeshes = parts, SubMeshesWithoutTriangles = withoutTriangles };
+        }
+    }
+}

@@ -1,0 +1,192 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// Distance to the surface of a mesh at the centres of a grid of voxels, m, negative inside, in the frame of the mesh.
+    /// Made by <see cref="MeshSdfBaker"/>; a bake anew replaces the content and keeps the asset, so that references stay.
+    /// </summary>
+    public sealed class SignedDistanceField : ScriptableObject, ISerializationCallbackReceiver
+    {
+        /// <summary>Of what is serialized. An older asset is brought up to it as it loads; a newer one is refused.</summary>
+        public const int CurrentVersion = 1;
+
+        // No initial value: a file without the field keeps it, and is to be told from one of this version.
+        [SerializeField, HideInInspector] int version;
+        [SerializeField] Texture3D texture;
+        [SerializeField] Bounds bounds;
+        [SerializeField] float voxelSize;
+        [SerializeField] MeshSdfSign sign = MeshSdfSign.WindingNumber;
+        [SerializeField] float shellThickness;
+        [SerializeField] float storageError;
+        [SerializeField] string sourceMesh = "";
+        [SerializeField] MeshSdfSettings settings = MeshSdfSettings.Default;
+
+        /// <summary>Of the serialized content; above <see cref="CurrentVersion"/> in an asset of a newer package.</summary>
+        public int Version => version;
+
+        /// <summary>One channel, R16 or R32 float: distances, m. Its texel (x, y, z) is the voxel of that index. Null before the first bake.</summary>
+        public Texture3D Texture => texture;
+
+        /// <summary>The volume that the voxels fill, m: the centre of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
+        public Bounds Bounds => bounds;
+
+        /// <summary>Edge of a voxel, which is a cube, m.</summary>
+        public float VoxelSize => voxelSize;
+
+        /// <summary>Voxels along each axis.</summary>
+        public Vector3Int Resolution => texture != null ? new Vector3Int(texture.width, texture.height, texture.depth) : Vector3Int.zero;
+
+        /// <summary>How inside was told from outside.</summary>
+        public MeshSdfSign Sign => sign;
+
+        /// <summary>Of the shell that an open surface became, m; 0 for a solid.</summary>
+        public float ShellThickness => shellThickness;
+
+        /// <summary>Largest error of any voxel that the texture's format made, m, measured at the bake.</summary>
+        public float StorageError => storageError;
+
+        /// <summary>GUID of the mesh's asset as Unity writes it, 32 hexadecimal digits; empty where the mesh was none.</summary>
+        public string SourceMesh => sourceMesh;
+
+        /// <summary>What it was baked with, for baking it anew.</summary>
+        public MeshSdfSettings Settings => settings;
+
+        /// <summary>An asset in memory with the content of a bake. The caller saves or destroys it, and its texture with it.</summary>
+        public static SignedDistanceField Create(SdfBake bake, string sourceMesh = "")
+        {
+            var field = CreateInstance<SignedDistanceField>();
+            field.name = bake.Name;
+            field.Apply(bake, sourceMesh);
+            return field;
+        }
+
+        /// <summary>Replaces the content by that of a bake. The object stays, and the texture too where size and format do.</summary>
+        /// <param name="sourceMesh">GUID of the mesh's asset; empty if it has none.</param>
+        /// <returns>The texture that was replaced, which the caller destroys and, in the editor, takes out of the asset's file; null if it stayed.</returns>
+        public Texture3D Apply(SdfBake bake, string sourceMesh = "")
+        {
+            if (bake == null)
+                throw new ArgumentNullException(nameof(bake));
+
+            TextureFormat format = bake.Format == SdfFormat.Half ? TextureFormat.RHalf : TextureFormat.RFloat;
+            Texture3D replaced = null;
+            bool fits = texture != null && texture.isReadable && texture.format == format && texture.mipmapCount == 1 && Resolution == bake.Resolution;
+            if (!fits)
+            {
+                replaced = texture;
+                texture = new Texture3D(bake.Resolution.x, bake.Resolution.y, bake.Resolution.z, format, false)
+                {
+                    name = bake.Name + " Distances",
+                    wrapMode = TextureWrapMode.Clamp,
+                    filterMode = FilterMode.Bilinear,
+                };
+            }
+            if (format == TextureFormat.RHalf)
+                texture.SetPixelData(bake.ToHalf(), 0);
+            else
+                texture.SetPixelData(bake.Distances, 0);
+            // Stays readable: without its copy in memory the texture could not be saved, nor sampled by TrySample.
+            texture.Apply(false, false);
+
+            version = CurrentVersion;
+            bounds = bake.Bounds;
+            voxelSize = bake.VoxelSize;
+            sign = bake.Sign;
+            shellThickness = bake.ShellThickness;
+            storageError = bake.StorageError;
+            settings = bake.Settings;
+            this.sourceMesh = sourceMesh ?? "";
+            return replaced;
+        }
+
+        /// <summary>Distance at a point, m, trilinear between the voxels' centres. Outside of the bounds: the distance to them, plus the value where they are nearest.</summary>
+        /// <param name="local">In the frame of the mesh, m.</param>
+        /// <returns>False without a texture that can be read, or for a point that is not finite; the distance is then +infinity.</returns>
+        public bool TrySample(float3 local, out float distance)
+        {
+            distance = float.PositiveInfinity;
+            if (texture == null || !texture.isReadable || !(voxelSize > 0f) || !math.all(math.isfinite(local)))
+                return false;
+
+            float3 low = bounds.min, high = bounds.max;
+            float3 inside = math.clamp(local, low, high);
+            int3 last = new int3(texture.width, texture.height, texture.depth) - 1;
+            float3 at = math.clamp((inside - low) / voxelSize - 0.5f, 0f, last);
+            int3 a = math.min((int3)math.floor(at), last), b = math.min(a + 1, last);
+            float3 weight = at - a;
+
+            var voxels = new Voxels(texture);
+            float4 row = math.lerp(
+                new float4(voxels[a.x, a.y, a.z], voxels[a.x, b.y, a.z], voxels[a.x, a.y, b.z], voxels[a.x, b.y, b.z]),
+                new float4(voxels[b.x, a.y, a.z], voxels[b.x, b.y, a.z], voxels[b.x, a.y, b.z], voxels[b.x, b.y, b.z]), weight.x);
+            float2 plane = math.lerp(row.xz, row.yw, weight.y);
+            distance = math.lerp(plane.x, plane.y, weight.z) + math.distance(local, inside);
+            return true;
+        }
+
+        /// <summary>Whether the content can be used.</summary>
+        /// <param name="problem">What is wrong and what to do; null if nothing is.</param>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            if (version > CurrentVersion)
+                problem = $"'{name}' has version {version}, but this package reads up to {CurrentVersion}: update the package, or bake it anew.";
+            else if (texture == null)
+                problem = $"'{name}' has no distances: bake a mesh into it.";
+            else if (texture.format != TextureFormat.RHalf && texture.format != TextureFormat.RFloat)
+                problem = $"'{name}' has a texture of {texture.format}, not of one float a voxel: bake it anew.";
+            else if (!(voxelSize > 0f) || float.IsInfinity(voxelSize) || !Fits())
+                problem = $"'{name}' has bounds of {bounds.size} m, which its {Resolution} voxels of {voxelSize} m do not fill: bake it anew.";
+            return problem == null;
+        }
+
+        bool Fits()
+        {
+            float3 filled = voxelSize * new float3(texture.width, texture.height, texture.depth);
+            return math.all(math.isfinite((float3)bounds.center)) && math.all(math.abs((float3)bounds.size - filled) < 0.01f * voxelSize);
+        }
+
+        /// <summary>Brings the content of an older version up to this one.</summary>
+        void Migrate()
+        {
+            // Version 0 is what stood in files before the field was: it told no storage error, which is unknown, not 0.
+            if (version < 1)
+                storageError = float.NaN;
+            version = Math.Max(version, CurrentVersion);
+        }
+
+        void ISerializationCallbackReceiver.OnBeforeSerialize() { }
+
+        void ISerializationCallbackReceiver.OnAfterDeserialize() => Migrate();
+
+        /// <summary>The texture's copy in memory.</summary>
+        readonly struct Voxels
+        {
+            readonly NativeArray<ushort> halves;
+            readonly NativeArray<float> floats;
+            readonly int width, height;
+
+            public Voxels(Texture3D texture)
+            {
+                bool isHalf = texture.format == TextureFormat.RHalf;
+                halves = isHalf ? texture.GetPixelData<ushort>(0) : default;
+                floats = isHalf ? default : texture.GetPixelData<float>(0);
+                width = texture.width;
+                height = texture.height;
+            }
+
+            public float this[int x, int y, int z]
+            {
+                get
+                {
+                    int index = (z * height + y) * width + x;
+                    return halves.IsCreated ? Mathf.HalfToFloat(halves[index]) : floats[index];
+                }
+            }
+        }
+    }
+}
