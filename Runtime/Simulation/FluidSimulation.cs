@@ -208,6 +208,7 @@ namespace Rill
         {
             pbf?.Dispose();
             pbf = null;
+            ForgetColliders();
             ReleaseBudget();
             commands?.Dispose();
             commands = null;
@@ -250,10 +251,13 @@ namespace Rill
         /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
         void Simulate(int steps, float duration)
         {
+            CollectColliders();
             PrepareInput(duration);
             commands.Clear();
             for (int i = 0; i < steps; i++)
             {
+                input.frameFrom = i / (float)steps;
+                input.frameTo = (i + 1) / (float)steps;
                 budgeted?.BeginStep(commands);
                 pbf.Step(commands, input);
                 budgeted?.EndStep(commands);
@@ -294,6 +298,7 @@ namespace Rill
                 settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,
+                colliders = colliders,
             };
             NeedsDensity = false;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));

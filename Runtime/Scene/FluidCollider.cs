@@ -1,0 +1,193 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// A solid obstacle for every <see cref="FluidSimulation"/> whose box it reaches into. It follows its object: what moves between
+    /// two steps sweeps the water along, however fast; what is switched on where water is lets it out slowly.
+    /// </summary>
+    /// <remarks>
+    /// Sizes follow the object's scale: a box in all three sides, a sphere, a capsule and a mesh evenly. A simulation takes up
+    /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Collider")]
+    public sealed class FluidCollider : MonoBehaviour
+    {
+        [Tooltip("What the obstacle looks like to the water.")]
+        [SerializeField] ColliderShape shape = ColliderShape.Box;
+
+        [Tooltip("Middle of the shape in the object's frame, m. Not for a mesh, whose field has its place.")]
+        [SerializeField] Vector3 center;
+
+        [Tooltip("Sides of the box, m, above 0.")]
+        [SerializeField] Vector3 size = Vector3.one;
+
+        [Tooltip("Of the sphere or capsule, m, above 0.")]
+        [SerializeField] float radius = 0.5f;
+
+        [Tooltip("Of the capsule from end to end, along y, m. At least twice the radius.")]
+        [SerializeField] float height = 2f;
+
+        [Tooltip("Signed distances of the mesh.")]
+        [SerializeField] SignedDistanceField field;
+
+        [Tooltip("Whether the water is inside: an aquarium, a pipe.")]
+        [SerializeField] bool insideOut;
+
+        [Tooltip("Share of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
+        [Range(0f, 1f)]
+        [SerializeField] float friction;
+
+        [Tooltip("Share of the velocity into the surface that is given back. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float bounce;
+
+        [Tooltip("Whether the solid counts as water to the density of what touches it. Without, water thins out towards the surface.")]
+        [SerializeField] bool carriesDensity = true;
+
+        static readonly List<FluidCollider> enabledColliders = new List<FluidCollider>();
+
+        float3 lastPosition;
+        quaternion lastRotation = quaternion.identity;
+        float3 lastScale = 1f;
+        bool problemIsKnown;
+
+        /// <summary>Shape of the obstacle.</summary>
+        public ColliderShape Shape { get => shape; set => shape = value; }
+
+        /// <summary>Middle of the shape in the object's frame, m.</summary>
+        public Vector3 Center { get => center; set => center = value; }
+
+        /// <summary>Sides of the box, m.</summary>
+        public Vector3 Size { get => size; set => size = value; }
+
+        /// <summary>Of the sphere or capsule, m.</summary>
+        public float Radius { get => radius; set => radius = value; }
+
+        /// <summary>Of the capsule from end to end, m.</summary>
+        public float Height { get => height; set => height = value; }
+
+        /// <summary>Signed distances of the mesh.</summary>
+        public SignedDistanceField Field { get => field; set => field = value; }
+
+        /// <summary>Whether the water is inside.</summary>
+        public bool InsideOut { get => insideOut; set => insideOut = value; }
+
+        /// <summary>Share of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
+        public float Friction { get => friction; set { friction = value; OnValidate(); } }
+
+        /// <summary>Share of the velocity into the surface that is given back, 0 to 1.</summary>
+        public float Bounce { get => bounce; set { bounce = value; OnValidate(); } }
+
+        /// <summary>Whether the solid counts as water to the density of what touches it.</summary>
+        public bool CarriesDensity { get => carriesDensity; set => carriesDensity = value; }
+
+        /// <summary>Grows with each <see cref="Teleport"/>.</summary>
+        internal int Teleports { get; private set; }
+
+        /// <summary>All that are enabled, in the order in which they came.</summary>
+        internal static List<FluidCollider> Enabled => enabledColliders;
+
+        /// <summary>Call after moving the object to another place: it has not moved through the water between, which stays where it is.</summary>
+        public void Teleport() => Teleports++;
+
+        /// <summary>Clamps what is out of range.</summary>
+        /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            Limit.Finite("center", ref center, Vector3.zero, ref problem);
+            Limit.Finite("size", ref size, Vector3.one, ref problem);
+            Limit.Clamp("friction", ref friction, 0f, 1f, 0f, ref problem);
+            Limit.Clamp("bounce", ref bounce, 0f, 1f, 0f, ref problem);
+            return problem == null;
+        }
+
+        /// <summary>Shape and place now, in world space and metres; false, said once, where they make no obstacle.</summary>
+        /// <param name="motion">Its poses are both the present one.</param>
+        internal bool TryDescribe(out ColliderMotion motion)
+        {
+            motion = default;
+            string problem = FollowTransform();
+            RigidPose pose = new RigidPose(lastPosition + math.mul(lastRotation, lastScale * (float3)center), lastRotation);
+            float evenScale = math.cmax(lastScale);
+            motion = new ColliderMotion { shape = shape, friction = friction, bounce = bounce, insideOut = insideOut, carriesDensity = carriesDensity };
+            switch (shape)
+            {
+                case ColliderShape.Sphere:
+                    motion.size = radius * evenScale;
+                    problem ??= Positive("radius", radius);
+                    break;
+                case ColliderShape.Capsule:
+                    float scaled = radius * math.max(lastScale.x, lastScale.z);
+                    motion.size = new float3(scaled, math.max(0.5f * height * lastScale.y - scaled, 0f), 0f);
+                    problem ??= Positive("radius", radius) ?? Positive("height", height);
+                    break;
+                case ColliderShape.Box:
+                    motion.size = 0.5f * (float3)size * lastScale;
+                    problem ??= Positive("size", math.cmin(size));
+                    break;
+                case ColliderShape.Mesh:
+                    problem ??= DescribeField(ref motion, ref pose, evenScale);
+                    break;
+            }
+            motion.start = motion.end = pose;
+            Say(problem);
+            return problem == null;
+        }
+
+        void OnEnable() => enabledColliders.Add(this);
+
+        void OnDisable() => enabledColliders.Remove(this);
+
+        void OnValidate()
+        {
+            problemIsKnown = false;
+            if (!Validate(out string problem))
+                Debug.LogWarning($"Rill: FluidCollider '{name}': {problem}", this);
+        }
+
+        // Where the object is, or where it last was while that is no place.
+        string FollowTransform()
+        {
+            Vector3 position = transform.position, scale = transform.lossyScale;
+            Quaternion rotation = transform.rotation;
+            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w + scale.x + scale.y + scale.z;
+            if (float.IsNaN(sum) || float.IsInfinity(sum))
+                return $"its transform is not finite (position {position}, rotation {rotation}, scale {scale}). Set them to numbers.";
+            lastPosition = position;
+            lastRotation = rotation;
+            lastScale = math.abs((float3)scale);
+            return null;
+        }
+
+        string DescribeField(ref ColliderMotion motion, ref RigidPose pose, float scale)
+        {
+            if (field == null)
+                return "it is a mesh without a signed distance field. Bake one from the mesh and assign it.";
+            if (!field.Validate(out string problem))
+                return problem;
+            Bounds bounds = field.Bounds;
+            pose.position = lastPosition + math.mul(lastRotation, scale * (float3)bounds.center);
+            motion.size = scale * (float3)bounds.extents;
+            motion.voxel = scale * field.VoxelSize;
+            motion.fieldUnit = scale;
+            motion.field = field.Texture;
+            return math.cmax(lastScale) > 1.001f * math.cmin(lastScale) ? $"its scale {(Vector3)lastScale} is not the same along all axes, and distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
+        }
+
+        static string Positive(string what, float value) => value > 0f && !float.IsInfinity(value) ? null : $"its {what} is {value}. Set it above 0.";
+
+        void Say(string problem)
+        {
+            if (problem != null && !problemIsKnown)
+                Debug.LogError($"Rill: FluidCollider '{name}' is left out: {problem}", this);
+            problemIsKnown = problem != null;
+        }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void ForgetAll() => enabledColliders.Clear();
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    // Obstacles: those that reach into the box, in its frame, with how they moved since the last steps.
+    public sealed partial class FluidSimulation
+    {
+        readonly ColliderSet colliders = new ColliderSet();
+        FluidCollider[] colliderOwners, lastOwners;
+        ColliderMotion[] lastMotions;
+        int[] colliderTeleports, lastTeleports;
+        int lastColliderCount;
+        bool tooManyIsKnown;
+
+        /// <summary>Obstacles of the last steps.</summary>
+        internal int ColliderCount => colliders.Count;
+
+        /// <summary>Gathers the obstacles that can touch the fluid in the coming steps.</summary>
+        void CollectColliders()
+        {
+            if (FluidCollider.Enabled.Count == 0 && colliders.Count == 0)
+                return;
+            colliderOwners ??= new FluidCollider[ColliderSet.Most];
+            lastOwners ??= new FluidCollider[ColliderSet.Most];
+            lastMotions ??= new ColliderMotion[ColliderSet.Most];
+            colliderTeleports ??= new int[ColliderSet.Most];
+            lastTeleports ??= new int[ColliderSet.Most];
+            (colliderOwners, lastOwners) = (lastOwners, colliderOwners);
+            (colliderTeleports, lastTeleports) = (lastTeleports, colliderTeleports);
+            Array.Copy(colliders.Items, lastMotions, colliders.Count);
+            lastColliderCount = colliders.Count;
+            colliders.Count = 0;
+
+            GetPlace(out Vector3 place, out Quaternion rotation);
+            Quaternion toDomain = Quaternion.Inverse(rotation);
+            FluidCollider leftOut = null;
+            int leftOutCount = 0;
+            bool changed = false;
+            foreach (FluidCollider collider in FluidCollider.Enabled)
+            {
+                if (!collider.TryDescribe(out ColliderMotion motion))
+                    continue;
+                ToDomain(ref motion, place, toDomain);
+                int last = LastIndex(collider);
+                if (last >= 0 && lastTeleports[last] == collider.Teleports)
+                    motion.start = lastMotions[last].end;
+                if (!IsNear(motion))
+                    continue;
+                if (colliders.Count == ColliderSet.Most)
+                {
+                    leftOut = leftOut == null ? collider : leftOut;
+                    leftOutCount++;
+                    continue;
+                }
+                int index = colliders.Count++;
+                changed |= last != index || !SameShape(motion, lastMotions[last]);
+                colliders.Items[index] = motion;
+                colliderOwners[index] = collider;
+                colliderTeleports[index] = collider.Teleports;
+            }
+            if (changed || colliders.Count != lastColliderCount)
+                colliders.Version++;
+            SayTooMany(leftOut, leftOutCount);
+        }
+
+        void ForgetColliders() => colliders.Count = 0;
+
+        int LastIndex(FluidCollider collider)
+        {
+            int likely = colliders.Count;       // where it is as long as none before it came or went
+            if (likely < lastColliderCount && ReferenceEquals(lastOwners[likely], collider))
+                return likely;
+            return Array.IndexOf(lastOwners, collider, 0, lastColliderCount);
+        }
+
+        void ToDomain(ref ColliderMotion motion, Vector3 place, Quaternion toDomain)
+        {
+            motion.end = new RigidPose(ToDomain(motion.end.position, place, toDomain) / particleSpacing, math.mul(toDomain, motion.end.rotation));
+            motion.start = motion.end;
+            motion.size /= particleSpacing;
+            motion.voxel /= particleSpacing;
+            motion.fieldUnit /= particleSpacing;
+        }
+
+        // Whether it or its way comes near enough to be felt; what has no end, or holds the fluid, does.
+        bool IsNear(in ColliderMotion motion)
+        {
+            if (motion.shape == ColliderShape.Plane || motion.insideOut)
+                return true;
+            float3 size = (float3)domainSize / particleSpacing;
+            float3 nearest = math.clamp(motion.end.position, 0f, size);
+            float reach = motion.Radius + (float)LatticeKernels.Support + math.distance(motion.start.position, motion.end.position);
+            return math.distancesq(nearest, motion.end.position) < reach * reach;
+        }
+
+        static bool SameShape(in ColliderMotion a, in ColliderMotion b)
+        {
+            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && a.voxel == b.voxel && a.friction == b.friction
+                && a.bounce == b.bounce && a.insideOut == b.insideOut && a.carriesDensity == b.carriesDensity;
+        }
+
+        void SayTooMany(FluidCollider first, int count)
+        {
+            if (count > 0 && !tooManyIsKnown)
+                Debug.LogError($"Rill: FluidSimulation '{name}' takes {ColliderSet.Most} colliders at a time; {count} more are in its box and left out, '{first.name}' first. Merge meshes into one field, or disable colliders that the fluid does not reach.", this);
+            tooManyIsKnown = count > 0;
+        }
+    }
+}
