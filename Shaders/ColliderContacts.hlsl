@@ -17,6 +17,56 @@ struct Surfaces
     uint count;
 };
 
+// Share of the density behind a plane at distance s, negative beyond it, and its derivative.
+void Beyond(float s, out float share, out float slope)
+{
+    HalfSpace(abs(s), share, slope);
+    share = s < 0.0 ? _WallScale - share : share;
+}
+
+// The density that a box adds at p in its own frame, as if the kernel were a product along its axes: exact by its faces, and
+// much less at edges and corners than the half space behind them would be.
+void BoxDensity(float3 p, float3 halfSides, bool insideOut, out float density, out float3 gradient)
+{
+    float3 inside, slope;
+    [unroll]
+    for (uint axis = 0; axis < 3; axis++)
+    {
+        float low, lowSlope, high, highSlope;
+        Beyond(halfSides[axis] - p[axis], high, highSlope);
+        Beyond(halfSides[axis] + p[axis], low, lowSlope);
+        inside[axis] = saturate(1.0 - (low + high) / _WallScale);
+        slope[axis] = (highSlope - lowSlope) / _WallScale;
+    }
+    density = _WallScale * inside.x * inside.y * inside.z;
+    gradient = _WallScale * slope * float3(inside.y * inside.z, inside.x * inside.z, inside.x * inside.y);
+    if (insideOut)
+    {
+        density = _WallScale - density;
+        gradient = -gradient;
+    }
+}
+
+// The density that a collider adds at p, where it is 'contact.w' away along 'contact.xyz', and its gradient.
+void ColliderDensity(Collider collider, float3 p, float4 contact, out float density, out float3 gradient)
+{
+    if (collider.shape == kBox)
+    {
+        BoxDensity(ToCollider(collider, p), collider.size, (collider.flags & kInsideOut) != 0, density, gradient);
+        gradient = Rotate(collider.rotation, gradient);
+    }
+    else
+    {
+        float slope;
+        HalfSpace(contact.w, density, slope);
+        gradient = contact.xyz * slope;
+    }
+    // Of what is inside, as much as at the surface.
+    float surface, surfaceSlope;
+    HalfSpace(0.0, surface, surfaceSlope);
+    density = min(density, surface);
+}
+
 // What is left of a share of density beside surfaces that point the same way.
 float Unshared(Surfaces surfaces, float3 normal, float share)
 {
@@ -92,12 +142,13 @@ Surroundings FindSurroundings(float3 p)
             }
             if ((collider.flags & kCarriesDensity) == 0)
                 continue;
-            float full, slope;
-            HalfSpace(contact.w, full, slope);
+            float full;
+            float3 gradient;
+            ColliderDensity(collider, p, contact, full, gradient);
             float share = Unshared(surfaces, contact.xyz, full);
-            slope *= full > 0.0 ? share / full : 0.0;
             AddSurface(surfaces, contact.xyz, share);
-            result.boundary.xyz = result.boundary.xyz * (1.0 - share) + contact.xyz * (slope * free);
+            gradient *= full > 0.0 ? share / full : 0.0;
+            result.boundary.xyz = result.boundary.xyz * (1.0 - share) + gradient * free;
             free *= 1.0 - share;
         }
     }

@@ -9,7 +9,7 @@ struct Collider
     float4 rotation;        // from its own frame to the domain's, quaternion
     float4 lastRotation;    // the same at the start of the substep
     float3 position;        // of its own frame's origin, d
-    uint kind;
+    uint shape;
     float3 lastPosition;    // at the start of the substep, d
     uint flags;
     float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up
@@ -147,13 +147,13 @@ float4 MeshDistance(Collider collider, float3 p)
 float4 LocalDistance(Collider collider, float3 p)
 {
     float4 result;
-    if (collider.kind == kSphere)
+    if (collider.shape == kSphere)
         result = SphereDistance(p, collider.size.x);
-    else if (collider.kind == kBox)
+    else if (collider.shape == kBox)
         result = BoxDistance(p, collider.size);
-    else if (collider.kind == kCapsule)
+    else if (collider.shape == kCapsule)
         result = SphereDistance(p - float3(0.0, clamp(p.y, -collider.size.y, collider.size.y), 0.0), collider.size.x);
-    else if (collider.kind == kPlane)
+    else if (collider.shape == kPlane)
         result = float4(0.0, 1.0, 0.0, p.y);
     else
         result = MeshDistance(collider, p);
@@ -166,7 +166,7 @@ float LeastDistance(Collider collider, float3 p)
     float3 q = clamp(p, -collider.size, collider.size);
     float outside = length(p - q);
     float distance;
-    if (collider.kind == kMesh)
+    if (collider.shape == kMesh)
     {
         distance = FieldDistance(collider, q);
         distance = outside > 0.0 ? max(outside, distance - outside) : distance;

@@ -25,6 +25,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly int binFlow, findDivergence, displaceFlow;
         readonly int findErrors, displaceErrors, extendDisplacements;
+        readonly int findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids;
+        CoarseSolids solids;
         GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
@@ -36,6 +38,10 @@ namespace Rill
             findErrors = shader.FindKernel("FindErrors");
             displaceErrors = shader.FindKernel("DisplaceErrors");
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
+            findDivergenceSolids = shader.FindKernel("FindDivergenceSolids");
+            displaceFlowSolids = shader.FindKernel("DisplaceFlowSolids");
+            findErrorsSolids = shader.FindKernel("FindErrorsSolids");
+            displaceErrorsSolids = shader.FindKernel("DisplaceErrorsSolids");
 
             Grid = new CoarseGrid(layout.DomainSize, cellSize);
             Solver = new CoarseSolver(Grid);
@@ -86,6 +92,20 @@ namespace Rill
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
         public const float StaysAboveLayers = 3f;
 
+        /// <summary>Records what solid obstacles leave open of the grid in this substep; before the rest of it.</summary>
+        /// <param name="colliders">Null for none.</param>
+        public void RecordSolids(CommandBuffer cmd, GraphicsBuffer constants, Colliders colliders)
+        {
+            if (colliders == null)
+            {
+                solids?.Dispose();
+                solids = null;
+                return;
+            }
+            solids ??= new CoarseSolids(Grid);
+            solids.Record(cmd, constants, Constants, colliders);
+        }
+
         /// <summary>Records the projection: <see cref="Displacements"/> are what the prediction shall add to the flow.</summary>
         public void RecordProjection(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
         {
@@ -97,9 +117,9 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, binFlow, CoarseIds.Bins, Bins);
             cmd.DispatchCompute(shader, binFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
-            RecordSource(cmd, findDivergence, flowPotential);
-            Solver.Record(cmd, Constants, source, diagonal, flowPotential);
-            RecordDisplacements(cmd, displaceFlow, flowPotential);
+            RecordSource(cmd, solids == null ? findDivergence : findDivergenceSolids, flowPotential);
+            Solver.Record(cmd, Constants, source, diagonal, flowPotential, solids);
+            RecordDisplacements(cmd, solids == null ? displaceFlow : displaceFlowSolids, flowPotential);
             cmd.EndSample(ProjectionMarker);
         }
 
@@ -108,15 +128,17 @@ namespace Rill
         {
             cmd.BeginSample(DensityMarker);
             BindConstants(cmd, constants);
-            RecordSource(cmd, findErrors, errorPotential);
-            Solver.Record(cmd, Constants, source, diagonal, errorPotential);
-            RecordDisplacements(cmd, displaceErrors, errorPotential);
+            RecordSource(cmd, solids == null ? findErrors : findErrorsSolids, errorPotential);
+            Solver.Record(cmd, Constants, source, diagonal, errorPotential, solids);
+            RecordDisplacements(cmd, solids == null ? displaceErrors : displaceErrorsSolids, errorPotential);
             cmd.EndSample(DensityMarker);
         }
 
         public void Dispose()
         {
             Solver.Dispose();
+            solids?.Dispose();
+            solids = null;
             GpuBuffer.Release(ref flow);
             GpuBuffer.Release(ref fill);
             GpuBuffer.Release(ref source);
@@ -143,10 +165,13 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
-                description.Kernel("CoarseGrid", kernel, substeps);
+            string variant = stage.solids == null ? "" : "Solids";
+            description.Kernel("CoarseGrid", "BinFlow", substeps);
+            foreach (string kernel in new[] { "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
+                description.Kernel("CoarseGrid", kernel + variant, substeps);
+            stage.solids?.Describe(description, substeps);
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
-            stage.Solver.Describe(description, 2 * substeps);
+            stage.Solver.Describe(description, 2 * substeps, stage.solids != null);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
             description.Buffer("Rill.Coarse.Fill", stage.fill);
@@ -169,6 +194,7 @@ namespace Rill
         // What a kernel does not use is bound in vain and costs nothing.
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
+            solids?.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Bins, Bins);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);

@@ -13,19 +13,22 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
-        readonly int smooth, correctAndSmooth, restrictGrid, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
+        readonly int smooth, smoothSolids, correctAndSmooth, correctAndSmoothSolids, restrictGrid, restrictGridSolids, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
         GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
 
         public CoarseSolver(CoarseGrid grid)
         {
             this.grid = grid;
             smooth = shader.FindKernel("Smooth");
+            smoothSolids = shader.FindKernel("SmoothSolids");
             restrictGrid = shader.FindKernel("RestrictGrid");
+            restrictGridSolids = shader.FindKernel("RestrictGridSolids");
             smoothLevel = shader.FindKernel("SmoothLevel");
             restrictLevel = shader.FindKernel("RestrictLevel");
             correctAndSmoothLevel = shader.FindKernel("CorrectAndSmoothLevel");
             solveTail = shader.FindKernel("SolveTail");
             correctAndSmooth = shader.FindKernel("CorrectAndSmooth");
+            correctAndSmoothSolids = shader.FindKernel("CorrectAndSmoothSolids");
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
             residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
@@ -40,19 +43,26 @@ namespace Rill
         /// <param name="source">float [cells], right-hand side; kInactive where there is no potential.</param>
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
+        /// <param name="solids">What closes faces; null for nothing.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseSolids solids = null)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             for (int cycle = 0; cycle < Cycles; cycle++)
-                RecordCycle(cmd, source, diagonal, potential);
+                RecordCycle(cmd, source, diagonal, potential, solids);
         }
 
-        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
+        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseSolids solids)
         {
-            RecordSmooth(cmd, smooth, source, diagonal, potential, smoothed);
-            BindGrid(cmd, restrictGrid, source, diagonal, smoothed);
-            BindLevels(cmd, restrictGrid);
-            CoarseGrid.Dispatch(cmd, shader, restrictGrid, Children * grid.Cells(1));
+            int first = solids == null ? smooth : smoothSolids;
+            int restrict = solids == null ? restrictGrid : restrictGridSolids;
+            int last = solids == null ? correctAndSmooth : correctAndSmoothSolids;
+            solids?.Bind(cmd, shader, first);
+            solids?.Bind(cmd, shader, restrict);
+            solids?.Bind(cmd, shader, last);
+            RecordSmooth(cmd, first, source, diagonal, potential, smoothed);
+            BindGrid(cmd, restrict, source, diagonal, smoothed);
+            BindLevels(cmd, restrict);
+            CoarseGrid.Dispatch(cmd, shader, restrict, Children * grid.Cells(1));
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
@@ -66,16 +76,17 @@ namespace Rill
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
                 RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
 
-            cmd.SetComputeBufferParam(shader, correctAndSmooth, Ids.Corrections, corrections);
-            RecordSmooth(cmd, correctAndSmooth, source, diagonal, smoothed, potential);
+            cmd.SetComputeBufferParam(shader, last, Ids.Corrections, corrections);
+            RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
         }
 
-        public void Describe(StageDescription stage, int perStep)
+        public void Describe(StageDescription stage, int perStep, bool solids)
         {
             int levels = grid.FirstTailLevel - 1;
+            string variant = solids ? "Solids" : "";
             perStep *= Cycles;
-            stage.Kernel("CoarseSolver", "Smooth", perStep);
-            stage.Kernel("CoarseSolver", "RestrictGrid", perStep);
+            stage.Kernel("CoarseSolver", "Smooth" + variant, perStep);
+            stage.Kernel("CoarseSolver", "RestrictGrid" + variant, perStep);
             if (levels > 0)
             {
                 stage.Kernel("CoarseSolver", "SmoothLevel", levels * perStep);
@@ -83,7 +94,7 @@ namespace Rill
                 stage.Kernel("CoarseSolver", "CorrectAndSmoothLevel", levels * perStep);
             }
             stage.Kernel("CoarseSolver", "SolveTail", perStep);
-            stage.Kernel("CoarseSolver", "CorrectAndSmooth", perStep);
+            stage.Kernel("CoarseSolver", "CorrectAndSmooth" + variant, perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);
             stage.Buffer("Rill.Coarse.Residuals", residuals);

@@ -131,6 +131,7 @@ namespace Rill
             {
                 resting?.Record(cmd, constants, particles, Layout, input);
                 obstacles?.RecordSubstep(cmd, constants, input, substep, resting);
+                coarse?.RecordSolids(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
                 obstacles?.RecordPaths(cmd, particles, coarse, resting);
                 neighborSearch.RecordSort(cmd, constants, particles, obstacles == null ? coarse : null, resting);

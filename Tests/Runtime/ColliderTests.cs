@@ -68,13 +68,13 @@ namespace Rill.Tests
             return new TestFluid(new float3(18f, 24f, 18f) * Spacing, Spacing, 4000, settings);
         }
 
-        static ColliderMotion Still(ColliderShape kind, float3 size, float3 position, quaternion rotation)
+        internal static ColliderMotion Still(ColliderShape kind, float3 size, float3 position, quaternion rotation)
         {
             var pose = new RigidPose(position, rotation);
             return new ColliderMotion { shape = kind, size = size, start = pose, end = pose, carriesDensity = true };
         }
 
-        static void Use(TestFluid fluid, params ColliderMotion[] motions)
+        internal static void Use(TestFluid fluid, params ColliderMotion[] motions)
         {
             var set = new ColliderSet { Count = motions.Length, Version = 1 };
             motions.CopyTo(set.Items, 0);

@@ -37,6 +37,13 @@ namespace Rill.Tests
             return Add(block.positions.Select(p => corner + p.xyz * Spacing).ToArray(), velocity);
         }
 
+        /// <summary>Adds a block on a lattice but for what would lie in or too near to a shape. Lengths in d.</summary>
+        public TestFluid AddAround(ColliderMotion shape, float3 corner, float3 size)
+        {
+            ParticleState block = ParticleState.Lattice(0f, 0.5f, (int3)size, 0.02f);
+            return Add(block.positions.Select(p => corner + p.xyz).Where(p => Reference.Shapes.Distance(shape, p) >= 0.5).Select(p => p * Spacing).ToArray());
+        }
+
         public TestFluid Add(float3[] places, float3 velocity = default)
         {
             using (var positions = new NativeArray<float4>(places.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))

@@ -10,7 +10,7 @@ namespace Rill
         public float4 rotation;
         public float4 lastRotation;
         public float3 position;
-        public uint kind;
+        public uint shape;
         public float3 lastPosition;
         public uint flags;
         public float3 size;
@@ -42,7 +42,7 @@ namespace Rill
                 rotation = pose.rotation.value,
                 lastRotation = last.rotation.value,
                 position = pose.position,
-                kind = (uint)motion.shape,
+                shape = (uint)motion.shape,
                 lastPosition = last.position,
                 flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u),
                 size = motion.size,

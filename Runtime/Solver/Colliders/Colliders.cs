@@ -94,8 +94,7 @@ namespace Rill
             cmd.SetBufferData(constants, constantsUpload);
             cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
-            cmd.SetComputeConstantBufferParam(shader, Ids.Constants, constants, 0, constants.stride);
-            BindShapes(cmd, binColliders);
+            BindShapes(cmd, shader, binColliders);
             CoarseGrid.Dispatch(cmd, shader, binColliders, cells.x * cells.y * cells.z * words);
             cmd.EndSample(Marker);
         }
@@ -150,7 +149,6 @@ namespace Rill
         {
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
-            cmd.SetComputeConstantBufferParam(shader, Ids.Constants, constants, 0, constants.stride);
             Bind(cmd, findBoundaryAtRest, particles, null);
             cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Boundary, boundary);
@@ -197,7 +195,7 @@ namespace Rill
 
         void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, RestingRegions resting)
         {
-            BindShapes(cmd, kernel);
+            BindShapes(cmd, shader, kernel);
             if (resting != null)
                 resting.Bind(cmd, shader, kernel);
             else
@@ -205,11 +203,13 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
-        void BindShapes(CommandBuffer cmd, int kernel)
+        /// <summary>Records the obstacles of the substep as what a kernel reads.</summary>
+        public void BindShapes(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Colliders, states);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.ColliderMasks, masks);
-            cmd.SetComputeTextureParam(shader, kernel, Ids.Fields, fields.Texture);
+            cmd.SetComputeConstantBufferParam(reader, Ids.Constants, constants, 0, constants.stride);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.Colliders, states);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderMasks, masks);
+            cmd.SetComputeTextureParam(reader, kernel, Ids.Fields, fields.Texture);
         }
 
         void Reserve(int wantedWords)
