@@ -35,10 +35,16 @@ float3 SolidFlow(uint cell)
 
 #endif
 
-// Rays through the low faces that are open, and the open share of the cell's volume, in one word.
-uint PackOpen(uint3 rays, float volume)
+// Rays through the low faces that are open, the open share of the cell's volume, and the collider nearest to it, in one word.
+uint PackOpen(uint3 rays, float volume, uint owner)
 {
-    return uint(saturate(volume) * 255.0 + 0.5) | rays.x << 8 | rays.y << 11 | rays.z << 14;
+    return uint(saturate(volume) * 255.0 + 0.5) | rays.x << 8 | rays.y << 11 | rays.z << 14 | (owner & 0x1FFu) << 17;
+}
+
+// The collider nearest to a cell that is not all open, from its word.
+uint SolidOwner(uint bits)
+{
+    return bits >> 17;
 }
 
 // Open share of a cell's low face along an axis, from its word.

@@ -43,6 +43,7 @@ static const uint kMesh = 4;
 
 static const uint kInsideOut = 1;           // the fluid is in it
 static const uint kCarriesDensity = 2;
+static const uint kReacts = 4;              // what the fluid does to it is summed
 
 static const uint kNoCollider = 0xFFFFu;
 

@@ -47,8 +47,12 @@ namespace Rill
         [Tooltip("Whether the solid counts as water to the density of what touches it. Without, water thins out towards the surface.")]
         [SerializeField] bool carriesDensity = true;
 
+        [Tooltip("Whether what the water does to the obstacle is summed and brought back, a few frames late. Costs a little where on.")]
+        [SerializeField] bool measuresForce;
+
         static readonly List<FluidCollider> enabledColliders = new List<FluidCollider>();
 
+        readonly List<FluidForce> forces = new List<FluidForce>();
         float3 lastPosition;
         quaternion lastRotation = quaternion.identity;
         float3 lastScale = 1f;
@@ -84,6 +88,44 @@ namespace Rill
         /// <summary>Whether the solid counts as water to the density of what touches it.</summary>
         public bool CarriesDensity { get => carriesDensity; set => carriesDensity = value; }
 
+        /// <summary>Whether what the water does to the obstacle is summed and brought back.</summary>
+        public bool MeasuresForce { get => measuresForce; set => measuresForce = value; }
+
+        /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
+        public Vector3 Middle => transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
+
+        /// <summary>What all simulations did to the obstacle in the newest steps that are known, a few frames ago.</summary>
+        /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place, upwards.</param>
+        /// <param name="torque">Mean torque about <see cref="Middle"/>, N m.</param>
+        /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off.</returns>
+        public bool TryGetForce(out Vector3 force, out Vector3 torque)
+        {
+            force = torque = Vector3.zero;
+            bool known = false;
+            foreach (FluidForce part in forces)
+            {
+                if (part.From == null || !part.From.isActiveAndEnabled)
+                    continue;
+                force += part.Force;
+                torque += part.Torque;
+                known = true;
+            }
+            return known && measuresForce;
+        }
+
+        /// <summary>Takes a new result of a simulation in place of its last.</summary>
+        internal void Feel(in FluidForce force)
+        {
+            for (int i = 0; i < forces.Count; i++)
+            {
+                if (!ReferenceEquals(forces[i].From, force.From))
+                    continue;
+                forces[i] = force;
+                return;
+            }
+            forces.Add(force);
+        }
+
         /// <summary>Grows with each <see cref="Teleport"/>.</summary>
         internal int Teleports { get; private set; }
 
@@ -113,7 +155,7 @@ namespace Rill
             string problem = FollowTransform();
             RigidPose pose = new RigidPose(lastPosition + math.mul(lastRotation, lastScale * (float3)center), lastRotation);
             float evenScale = math.cmax(lastScale);
-            motion = new ColliderMotion { shape = shape, friction = friction, bounce = bounce, insideOut = insideOut, carriesDensity = carriesDensity };
+            motion = new ColliderMotion { shape = shape, friction = friction, bounce = bounce, insideOut = insideOut, carriesDensity = carriesDensity, reacts = measuresForce };
             switch (shape)
             {
                 case ColliderShape.Sphere:
@@ -140,7 +182,11 @@ namespace Rill
 
         void OnEnable() => enabledColliders.Add(this);
 
-        void OnDisable() => enabledColliders.Remove(this);
+        void OnDisable()
+        {
+            enabledColliders.Remove(this);
+            forces.Clear();
+        }
 
         void OnValidate()
         {

@@ -37,7 +37,7 @@ namespace Rill
             Quaternion toDomain = Quaternion.Inverse(rotation);
             FluidCollider leftOut = null;
             int leftOutCount = 0;
-            bool changed = false;
+            bool changed = false, reordered = false;
             foreach (FluidCollider collider in FluidCollider.Enabled)
             {
                 if (!collider.TryDescribe(out ColliderMotion motion))
@@ -55,6 +55,7 @@ namespace Rill
                     continue;
                 }
                 int index = colliders.Count++;
+                reordered |= last != index;
                 changed |= last != index || !SameShape(motion, lastMotions[last]);
                 colliders.Items[index] = motion;
                 colliderOwners[index] = collider;
@@ -62,6 +63,8 @@ namespace Rill
             }
             if (changed || colliders.Count != lastColliderCount)
                 colliders.Version++;
+            if (reordered)
+                colliders.Order++;
             SayTooMany(leftOut, leftOutCount);
         }
 

@@ -271,8 +271,10 @@ namespace Rill
                 pbf.RecordStatistics(commands, input);
             else if (statisticsInterval <= 0 && !pbf.StatisticsPending)     // releasing a pending one would wait for the GPU
                 pbf.ReleaseStatistics();
+            ColliderReactions reactions = TakeReactions();
             Graphics.ExecuteCommandBuffer(commands);
 
+            reactions?.Request();
             if (measures)
             {
                 pbf.RequestStatistics();

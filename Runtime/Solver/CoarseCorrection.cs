@@ -25,7 +25,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly int binFlow, findDivergence, displaceFlow;
         readonly int findErrors, displaceErrors, extendDisplacements;
-        readonly int findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids;
+        readonly int findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids, reactToFlow, reactToErrors;
         CoarseSolids solids;
         GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
@@ -42,6 +42,8 @@ namespace Rill
             displaceFlowSolids = shader.FindKernel("DisplaceFlowSolids");
             findErrorsSolids = shader.FindKernel("FindErrorsSolids");
             displaceErrorsSolids = shader.FindKernel("DisplaceErrorsSolids");
+            reactToFlow = shader.FindKernel("ReactToFlow");
+            reactToErrors = shader.FindKernel("ReactToErrors");
 
             Grid = new CoarseGrid(layout.DomainSize, cellSize);
             Solver = new CoarseSolver(Grid);
@@ -120,6 +122,7 @@ namespace Rill
             RecordSource(cmd, solids == null ? findDivergence : findDivergenceSolids, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, solids);
             RecordDisplacements(cmd, solids == null ? displaceFlow : displaceFlowSolids, flowPotential);
+            RecordReaction(cmd, reactToFlow, flowPotential);
             cmd.EndSample(ProjectionMarker);
         }
 
@@ -131,6 +134,7 @@ namespace Rill
             RecordSource(cmd, solids == null ? findErrors : findErrorsSolids, errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, solids);
             RecordDisplacements(cmd, solids == null ? displaceErrors : displaceErrorsSolids, errorPotential);
+            RecordReaction(cmd, reactToErrors, errorPotential);
             cmd.EndSample(DensityMarker);
         }
 
@@ -170,6 +174,11 @@ namespace Rill
             foreach (string kernel in new[] { "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel + variant, substeps);
             stage.solids?.Describe(description, substeps);
+            if (stage.solids?.Reacting != null)
+            {
+                description.Kernel("CoarseGrid", "ReactToFlow", substeps);
+                description.Kernel("CoarseGrid", "ReactToErrors", substeps);
+            }
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
             stage.Solver.Describe(description, 2 * substeps, stage.solids != null);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
@@ -217,6 +226,17 @@ namespace Rill
             Dispatch(cmd, kernel);
             cmd.SetComputeBufferParam(shader, extendDisplacements, Ids.CellDisplacements, Displacements);
             Dispatch(cmd, extendDisplacements);
+        }
+
+        void RecordReaction(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
+        {
+            if (solids?.Reacting == null)
+                return;
+            BindCells(cmd, kernel, potential);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
+            solids.Reacting.BindShapes(cmd, shader, kernel);
+            solids.Reacting.Reactions.Bind(cmd, shader, kernel);
+            Dispatch(cmd, kernel);
         }
 
         void Dispatch(CommandBuffer cmd, int kernel) => CoarseGrid.Dispatch(cmd, shader, kernel, Grid.Total);

@@ -79,6 +79,9 @@ namespace Rill
         /// <summary>What lets water at rest sleep; null while the settings do without.</summary>
         public RestingRegions Resting => restingRegions;
 
+        /// <summary>What the fluid does to colliders; null where none wants to know.</summary>
+        public ColliderReactions Reactions => colliders?.Reactions;
+
         /// <summary>Removes all particles and resets the counters, at once.</summary>
         public void Clear()
         {

@@ -32,6 +32,7 @@ namespace Rill
         /// <summary>Records what is open in this substep.</summary>
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, GraphicsBuffer coarseConstants, Colliders colliders)
         {
+            Reacting = colliders.Reactions != null ? colliders : null;
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
@@ -48,6 +49,9 @@ namespace Rill
             cmd.SetComputeBufferParam(reader, kernel, Ids.OpenShares, open);
             cmd.SetComputeBufferParam(reader, kernel, Ids.SolidFlow, flow);
         }
+
+        /// <summary>Sums the pressure on the solids; null where none wants to know.</summary>
+        public Colliders Reacting { get; private set; }
 
         public void Describe(StageDescription description, int substeps)
         {

@@ -16,6 +16,8 @@ namespace Rill
         /// <summary>Share of the velocity into the surface that is given back.</summary>
         public float bounce;
         public bool insideOut, carriesDensity;
+        /// <summary>Whether what the fluid does to it is summed.</summary>
+        public bool reacts;
         /// <summary>Signed distances of a mesh, lowest corner first; null for other kinds.</summary>
         public Texture3D field;
         /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>

@@ -12,6 +12,21 @@ namespace Rill
         /// <summary>Grows when an obstacle came, went or changed: what rests has to wake.</summary>
         public int Version;
 
+        /// <summary>Grows when they got other numbers.</summary>
+        public int Order;
+
+        /// <summary>Whether one wants to know what the fluid does to it.</summary>
+        public bool Reacts
+        {
+            get
+            {
+                for (int i = 0; i < Count; i++)
+                    if (Items[i].reacts)
+                        return true;
+                return false;
+            }
+        }
+
         public bool Moves
         {
             get

@@ -24,7 +24,7 @@ namespace Rill
         public float radius;
         public float unused;
 
-        const uint InsideOut = 1, CarriesDensity = 2;       // kInsideOut, kCarriesDensity
+        const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4;       // as in Colliders.hlsl
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
         /// <param name="motion">Over a frame.</param>
@@ -44,7 +44,7 @@ namespace Rill
                 position = pose.position,
                 shape = (uint)motion.shape,
                 lastPosition = last.position,
-                flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u),
+                flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u) | (motion.reacts ? Reacts : 0u),
                 size = motion.size,
                 sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * radius,
                 friction = 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep),

@@ -17,7 +17,8 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
-        readonly int binColliders, collidePaths, collidePathsDeep, findBoundary, findBoundaryAtRest, collide, collideLast;
+        readonly int binColliders, findBoundary, findBoundaryAtRest;
+        readonly int[] collidePaths, collidePathsDeep, collide, collideLast;        // without and with reactions
         readonly FieldAtlas fields;
         readonly int3 cells;
         readonly float cellSize;
@@ -25,17 +26,18 @@ namespace Rill
         NativeArray<ColliderConstants> constantsUpload;
         NativeArray<ColliderState> statesUpload;
         int words;
-        int seenVersion = -1;
+        int seenVersion = -1, seenOrder;
+        ColliderReactions reactions;
 
         public Colliders(SolverLayout layout)
         {
             binColliders = shader.FindKernel("BinColliders");
-            collidePaths = shader.FindKernel("CollidePaths");
-            collidePathsDeep = shader.FindKernel("CollidePathsDeep");
+            collidePaths = Kernels("CollidePaths");
+            collidePathsDeep = Kernels("CollidePathsDeep");
             findBoundary = shader.FindKernel("FindBoundary");
             findBoundaryAtRest = shader.FindKernel("FindBoundaryAtRest");
-            collide = shader.FindKernel("Collide");
-            collideLast = shader.FindKernel("CollideLast");
+            collide = Kernels("Collide");
+            collideLast = Kernels("CollideLast");
 
             cellSize = SmallestCell;
             while (Cells(layout.DomainSize, cellSize) > MostCells)
@@ -57,6 +59,9 @@ namespace Rill
 
         /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
         public GraphicsBuffer Distances => insets;
+
+        /// <summary>What the fluid does to them; null where none wants to know.</summary>
+        public ColliderReactions Reactions => reactions;
 
         /// <summary>Whether an obstacle came, went, changed or moves: what rests has to wake.</summary>
         public bool Disturb(ColliderSet set)
@@ -91,6 +96,7 @@ namespace Rill
                 rests = resting != null ? 1u : 0u,
             };
             cmd.BeginSample(Marker);
+            RecordReactions(cmd, set, input.timeStep / substeps);
             cmd.SetBufferData(constants, constantsUpload);
             cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
@@ -102,7 +108,7 @@ namespace Rill
         /// <summary>Records the ways of the particles up to the surfaces they meet; in deep water with the displacement of the projection, which the sort then does without.</summary>
         public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting)
         {
-            int kernel = coarse != null ? collidePathsDeep : collidePaths;
+            int kernel = (coarse != null ? collidePathsDeep : collidePaths)[reactions != null ? 1 : 0];
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
@@ -132,7 +138,7 @@ namespace Rill
         /// <param name="last">Whether it is the last one of the substep.</param>
         public void RecordPass(CommandBuffer cmd, ParticleBuffers particles, bool last, RestingRegions resting)
         {
-            int kernel = last ? collideLast : collide;
+            int kernel = (last ? collideLast : collide)[reactions != null ? 1 : 0];
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Current);
@@ -160,6 +166,7 @@ namespace Rill
         public void Dispose()
         {
             fields.Dispose();
+            reactions?.Dispose();
             GpuBuffer.Release(ref constants);
             GpuBuffer.Release(ref states);
             GpuBuffer.Release(ref masks);
@@ -178,12 +185,14 @@ namespace Rill
             if (!needed || colliders == null)
                 return description;
             int substeps = input.settings.substeps;
+            string variant = colliders.reactions != null ? "React" : "";
             description.Kernel("Colliders", "BinColliders", substeps);
-            description.Kernel("Colliders", deep ? "CollidePathsDeep" : "CollidePaths", substeps);
+            description.Kernel("Colliders", (deep ? "CollidePathsDeep" : "CollidePaths") + variant, substeps);
             description.Kernel("Colliders", "FindBoundary", substeps);
             if (input.settings.iterations > 1)
-                description.Kernel("Colliders", "Collide", substeps * (input.settings.iterations - 1));
-            description.Kernel("Colliders", "CollideLast", substeps);
+                description.Kernel("Colliders", "Collide" + variant, substeps * (input.settings.iterations - 1));
+            description.Kernel("Colliders", "CollideLast" + variant, substeps);
+            colliders.reactions?.Describe(description);
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
             description.Buffer("Rill.Colliders.Masks", colliders.masks);
@@ -200,6 +209,7 @@ namespace Rill
                 resting.Bind(cmd, shader, kernel);
             else
                 cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, masks);     // not read
+            reactions?.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
@@ -211,6 +221,27 @@ namespace Rill
             cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderMasks, masks);
             cmd.SetComputeTextureParam(reader, kernel, Ids.Fields, fields.Texture);
         }
+
+        // Sums are there while a collider wants them, and begin anew when the colliders get other numbers.
+        void RecordReactions(CommandBuffer cmd, ColliderSet set, float timeStep)
+        {
+            if (!set.Reacts)
+            {
+                if (reactions != null && !reactions.IsPending)
+                {
+                    reactions.Dispose();
+                    reactions = null;
+                }
+                return;
+            }
+            reactions ??= new ColliderReactions(shader);
+            if (seenOrder != set.Order)
+                reactions.Forget(cmd);
+            seenOrder = set.Order;
+            reactions.Passed(timeStep);
+        }
+
+        int[] Kernels(string name) => new[] { shader.FindKernel(name), shader.FindKernel(name + "React") };
 
         void Reserve(int wantedWords)
         {

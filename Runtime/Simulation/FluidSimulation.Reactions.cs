@@ -1,0 +1,55 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    // What the fluid does to obstacles: asked for after the steps of a frame, handed to them when it has come.
+    public sealed partial class FluidSimulation
+    {
+        FluidCollider[] takenOwners;
+        float[] takenRadii;
+        int takenCount;
+        double takenImpulse;        // N s of a displacement of one particle by d
+        Quaternion takenRotation;
+
+        /// <summary>Records the handing over of the sums, unless earlier ones are on their way.</summary>
+        /// <returns>What to request after the commands ran; null for nothing.</returns>
+        ColliderReactions TakeReactions()
+        {
+            ColliderReactions reactions = pbf.Reactions;
+            if (reactions == null || reactions.IsPending)
+                return null;
+            takenOwners ??= new FluidCollider[ColliderSet.Most];
+            takenRadii ??= new float[ColliderSet.Most];
+            reactions.Arrived ??= OnReactions;
+            takenCount = colliders.Count;
+            Array.Copy(colliderOwners, takenOwners, takenCount);
+            for (int i = 0; i < takenCount; i++)
+                takenRadii[i] = math.max(colliders.Items[i].Radius, 1f) + 1f;
+            GetPlace(out _, out takenRotation);
+            double spacing = particleSpacing;
+            takenImpulse = material.density * spacing * spacing * spacing * spacing * input.settings.substeps / FixedStep;
+            reactions.RecordTake(commands);
+            return reactions;
+        }
+
+        void OnReactions()
+        {
+            ColliderReactions reactions = pbf?.Reactions;
+            if (reactions == null || !(reactions.Duration > 0f))
+                return;
+            double scale = -takenImpulse / reactions.Duration;
+            for (int i = 0; i < takenCount; i++)
+            {
+                FluidCollider owner = takenOwners[i];
+                if (owner == null || !owner.MeasuresForce)
+                    continue;
+                reactions.Get(i, out double3 sum, out double3 moment);
+                var force = (Vector3)(float3)(sum * scale);
+                var torque = (Vector3)(float3)(moment * (scale * particleSpacing * takenRadii[i]));
+                owner.Feel(new FluidForce(this, takenRotation * force, takenRotation * torque));
+            }
+        }
+    }
+}

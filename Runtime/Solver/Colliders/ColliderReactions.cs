@@ -1,0 +1,122 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What the fluid does to colliders: summed on the GPU over steps, brought back without waiting. Made when a collider wants to know.</summary>
+    sealed class ColliderReactions : IDisposable
+    {
+        const int Stride = 13;                  // kReactionStride in Reactions.hlsl
+        const double Scale = 65536.0;           // kReactionScale
+        const int Words = Stride * ColliderSet.Most;
+
+        readonly ComputeShader shader;
+        readonly int take;
+        readonly Action<AsyncGPUReadbackRequest> onRead;
+        GraphicsBuffer sums, taken;
+        NativeArray<uint> arriving, zeros;
+        float time, takenTime;
+        int generation, pendingGeneration;
+        bool disposed;
+
+        public ColliderReactions(ComputeShader shader)
+        {
+            this.shader = shader;
+            take = shader.FindKernel("TakeReactions");
+            sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
+            taken = GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words);
+            arriving = new NativeArray<uint>(Words, Allocator.Persistent);
+            zeros = new NativeArray<uint>(Words, Allocator.Persistent);
+            sums.SetData(zeros);
+            onRead = OnRead;
+        }
+
+        /// <summary>Called with each result when it has come; read it with <see cref="Get"/>.</summary>
+        public Action Arrived;
+
+        /// <summary>Whether a result is on its way; sums go on meanwhile.</summary>
+        public bool IsPending { get; private set; }
+
+        /// <summary>Fluid time over which the newest result was summed, s; 0 before the first.</summary>
+        public float Duration { get; private set; }
+
+        /// <summary>Records the sums as what a kernel adds to.</summary>
+        public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.Reactions, sums);
+
+        /// <summary>Tells of a step that added to the sums.</summary>
+        public void Passed(float stepTime) => time += stepTime;
+
+        /// <summary>Records that sums begin anew, as the colliders have other numbers now; what is on its way is dropped.</summary>
+        public void Forget(CommandBuffer cmd)
+        {
+            cmd.SetBufferData(sums, zeros);
+            time = 0f;
+            generation++;
+        }
+
+        /// <summary>Records the handing over of the sums; call <see cref="Request"/> after the commands ran.</summary>
+        public void RecordTake(CommandBuffer cmd)
+        {
+            takenTime = time;
+            time = 0f;
+            cmd.SetComputeIntParam(shader, Ids.ReactionWords, Words);
+            cmd.SetComputeBufferParam(shader, take, Ids.Reactions, sums);
+            cmd.SetComputeBufferParam(shader, take, Ids.Taken, taken);
+            CoarseGrid.Dispatch(cmd, shader, take, Words);
+        }
+
+        public void Request()
+        {
+            IsPending = true;
+            pendingGeneration = generation;
+            AsyncGPUReadback.RequestIntoNativeArray(ref arriving, taken, onRead);
+        }
+
+        /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its radius + 1.</summary>
+        public void Get(int index, out double3 sum, out double3 moment)
+        {
+            int at = index * Stride;
+            sum = new double3(Signed(at), Signed(at + 2), Signed(at + 4));
+            moment = new double3(Signed(at + 6), Signed(at + 8), Signed(at + 10));
+        }
+
+        public void Describe(StageDescription description)
+        {
+            description.Kernel("Colliders", "TakeReactions", 0);
+            description.Buffer("Rill.Colliders.Reactions", sums);
+            description.Buffer("Rill.Colliders.Taken", taken);
+        }
+
+        public void Dispose()
+        {
+            disposed = true;
+            if (IsPending)
+                AsyncGPUReadback.WaitAllRequests();     // it writes into memory that is about to go
+            GpuBuffer.Release(ref sums);
+            GpuBuffer.Release(ref taken);
+            arriving.Dispose();
+            zeros.Dispose();
+        }
+
+        double Signed(int at) => (long)((ulong)arriving[at + 1] << 32 | arriving[at]) / Scale;
+
+        void OnRead(AsyncGPUReadbackRequest request)
+        {
+            IsPending = false;
+            if (disposed || request.hasError || pendingGeneration != generation)
+                return;
+            Duration = takenTime;
+            Arrived?.Invoke();
+        }
+
+        static class Ids
+        {
+            public static readonly int Reactions = Shader.PropertyToID("_Reactions");
+            public static readonly int Taken = Shader.PropertyToID("_Taken");
+            public static readonly int ReactionWords = Shader.PropertyToID("_ReactionWords");
+        }
+    }
+}

@@ -1,0 +1,82 @@
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine.Rendering;
+
+namespace Rill.Tests
+{
+    /// <summary>What the fluid does to obstacles: as much as they do to it, and what Archimedes says.</summary>
+    public class ColliderReactionTests
+    {
+        const float Spacing = 0.05f;
+
+        [Test]
+        public void An_impact_gives_an_obstacle_the_momentum_that_the_fluid_loses([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        {
+            using (TestFluid fluid = Box(DeepWater.Off))
+            {
+                fluid.Input.gravity = 0f;
+                fluid.AddBlock(new float3(4f, 13f, 13f) * Spacing, 6f * Spacing, new float3(2.5f, 0f, 0f));
+                Use(fluid, ColliderTests.Still(shape, 4f, new float3(17f, 17f, 16f), quaternion.Euler(0.2f, 0.3f, 0.1f)));
+                float3 before = fluid.Measure().momentum;
+                float3 impulse = 0f;
+                for (int i = 0; i < 18; i++)     // then the fastest reach the walls
+                {
+                    fluid.Step();
+                    impulse += Take(fluid, out _) * fluid.Solver.Reactions.Duration;
+                }
+                float3 lost = before - fluid.MeasureWhole().momentum;
+                Assert.That(math.length(lost), Is.GreaterThan(0.2f * math.length(before)), "an impact worth the name");
+                Assert.That(math.distance(impulse, lost), Is.LessThan(0.01f * math.length(lost)));
+            }
+        }
+
+        [Test]
+        public void Still_water_lifts_an_obstacle_by_the_weight_of_the_water_in_its_place([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape, [Values(5f, 7.3f)] float size)
+        {
+            using (TestFluid fluid = Box(DeepWater.On))
+            {
+                ColliderMotion obstacle = ColliderTests.Still(shape, size, new float3(15f, 11f, 17f), quaternion.Euler(0.3f, 0.2f, 0.1f));
+                fluid.AddAround(obstacle, 0f, new float3(32f, 25f, 32f));
+                Use(fluid, obstacle);
+                fluid.Step(60);
+                Take(fluid, out _);
+                fluid.Step(60);
+                float3 force = Take(fluid, out float3 torque);
+                float volume = (shape == ColliderShape.Sphere ? 4f / 3f * math.PI : 8f) * math.pow(size * Spacing, 3);
+                float weight = fluid.Input.material.density * 9.81f * volume;
+                Assert.That(force.y, Is.EqualTo(weight).Within(0.05f * weight));
+                Assert.That(math.length(force.xz), Is.LessThan(0.05f * weight));
+                Assert.That(math.length(torque), Is.LessThan(0.05f * weight * size * Spacing));
+            }
+        }
+
+        static TestFluid Box(DeepWater deepWater)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = deepWater;
+            settings.iterations = 2;
+            return new TestFluid(32f * Spacing, Spacing, 26000, settings);
+        }
+
+        static void Use(TestFluid fluid, ColliderMotion motion)
+        {
+            motion.reacts = true;
+            ColliderTests.Use(fluid, motion);
+        }
+
+        // Mean force on the only collider since the last call, N, and torque, N m.
+        static float3 Take(TestFluid fluid, out float3 torque)
+        {
+            ColliderReactions reactions = fluid.Solver.Reactions;
+            GpuTest.Run(reactions.RecordTake);
+            reactions.Request();
+            AsyncGPUReadback.WaitAllRequests();
+            reactions.Get(0, out double3 sum, out double3 moment);
+            float substep = fluid.Input.timeStep / fluid.Input.settings.substeps;
+            double mass = fluid.Input.material.density * math.pow(Spacing, 3);
+            double scale = -mass * Spacing / (substep * reactions.Duration);
+            torque = (float3)(moment * scale * Spacing * (fluid.Input.colliders.Items[0].Radius + 1f));
+            return (float3)(sum * scale);
+        }
+    }
+}
