@@ -21,7 +21,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -54,6 +54,19 @@ namespace Host.Tests
                 "+1 Statistics.compute Measure", "+1 Statistics.compute Reduce", "+1 Rill.Statistics.*",
                 "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
             }),
+            ("a collider", null, s => AddCollider(s, false), WithCollider("")),
+            ("a collider whose force is measured", null, s => AddCollider(s, true), WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
+            ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
+            {
+                "+1 Rill.Colliders.*", "+1 Colliders.compute BinColliders", "+1 Colliders.compute CollidePathsDeep", "+1 Colliders.compute FindBoundary",
+                $"+{Iterations - 1} Colliders.compute Collide", "+1 Colliders.compute CollideLast", "+1 CoarseSolids.compute OpenCells",
+                "+1 Rill.Coarse.OpenShares *", "+1 Rill.Coarse.SolidFlow *",
+                "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCells",      // the way to a surface begins with the displacement
+                "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepBeside",
+            }
+                .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside")).Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside"))
+                .Concat(new[] { "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "Solids")))
+                .Concat(new[] { "Smooth", "RestrictGrid", "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "Solids"))).ToArray()),
             ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
             ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute Displace" }),
@@ -78,6 +91,8 @@ namespace Host.Tests
             simulation.Settings = settings;
             simulation.Material = material;
             simulation.StatisticsInterval = 0;
+            foreach (FluidCollider collider in FluidCollider.Enabled.ToArray())
+                UnityEngine.Object.DestroyImmediate(collider.gameObject);
             simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Speed;
             for (int i = 0; i < 4; i++)
                 PlayerLoop.Frame(FrameTime);        // what was read back arrives
@@ -140,12 +155,34 @@ namespace Host.Tests
         [TestCase("vorticity")]
         [TestCase("artificial pressure")]
         [TestCase("sleep")]
+        [TestCase("a collider")]
         public void What_a_shallow_pool_leaves_out_would_be_seen_if_it_ran(string name)
         {
             FluidSimulation simulation = Pool();
             Assert.That(Unneeded(FullestFrame()), Is.Empty);
             Features.Single(feature => feature.Name == name).Change(simulation);
             Assert.That(Unneeded(FullestFrame()), Is.Not.Empty);
+        }
+
+        static IEnumerable<string> Instead(int count, string kernel, string suffix) => new[] { $"-{count} {kernel}", $"+{count} {kernel}{suffix}" };
+
+        static string[] WithCollider(string react)
+        {
+            return new[]
+            {
+                "+1 Rill.Colliders.*", "+1 Colliders.compute BinColliders", "+1 Colliders.compute CollidePaths" + react, "+1 Colliders.compute FindBoundary",
+                $"+{Iterations - 1} Colliders.compute Collide" + react, "+1 Colliders.compute CollideLast" + react,
+            }
+                .Concat(Instead(1, "DensityConstraint.compute BuildList", "Beside")).Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside"))
+                .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside")).ToArray();
+        }
+
+        static void AddCollider(FluidSimulation simulation, bool measuresForce)
+        {
+            var collider = new GameObject("Obstacle").AddComponent<FluidCollider>();
+            collider.transform.position = simulation.transform.position;
+            collider.Size = 3f * Spacing * Vector3.one;
+            collider.MeasuresForce = measuresForce;
         }
 
         static IEnumerable<string> InVariant(string keyword, params string[] kernels) => kernels.SelectMany(kernel => new[] { $"-1 {kernel}", $"+1 {kernel} {keyword}" });

@@ -1,0 +1,168 @@
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>Obstacles as components: where they are in a simulation's frame, how they move, what is said of bad ones.</summary>
+    public class FluidColliderTests
+    {
+        GameObject water;
+        FluidSimulation simulation;
+
+        [SetUp]
+        public void MakeSimulation()
+        {
+            water = new GameObject("Water");
+            water.SetActive(false);
+            water.transform.SetPositionAndRotation(new Vector3(3f, 2f, -1f), Quaternion.Euler(0f, 30f, 0f));
+            simulation = water.AddComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(1f, 1f, 1f), 0.05f, 4000);
+            simulation.StatisticsInterval = 0;
+            var volume = new GameObject("Volume").AddComponent<FluidVolume>();
+            volume.transform.SetParent(water.transform, false);
+            volume.transform.localPosition = new Vector3(0f, -0.25f, 0f);
+            volume.Size = new Vector3(1f, 0.5f, 1f);
+            water.SetActive(true);
+        }
+
+        [TearDown]
+        public void DestroyAll()
+        {
+            foreach (FluidCollider collider in FluidCollider.Enabled.ToArray())
+                Object.DestroyImmediate(collider.transform.root.gameObject);
+            Object.DestroyImmediate(water);
+        }
+
+        [Test]
+        public void A_collider_is_where_its_object_is_in_the_frame_of_the_domain()
+        {
+            FluidCollider collider = Make(ColliderShape.Box, simulation.DomainToWorld.MultiplyPoint3x4(new Vector3(4f, 6f, 8f)));
+            collider.transform.rotation = water.transform.rotation * Quaternion.Euler(0f, 0f, 20f);
+            collider.transform.localScale = new Vector3(0.1f, 0.2f, 0.3f);
+            simulation.Advance(simulation.FixedStep);
+
+            ColliderMotion motion = simulation.Input.colliders.Items[0];
+            Assert.That(simulation.ColliderCount, Is.EqualTo(1));
+            Assert.That(math.distance(motion.end.position, new float3(4f, 6f, 8f)), Is.LessThan(1e-3f));
+            Assert.That(math.distance(motion.size, new float3(1f, 2f, 3f)), Is.LessThan(1e-4f));
+            Assert.That(Quaternion.Angle(motion.end.rotation, Quaternion.Euler(0f, 0f, 20f)), Is.LessThan(0.1f));
+        }
+
+        [Test]
+        public void What_moves_between_two_frames_moves_over_their_steps()
+        {
+            FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position);
+            simulation.Advance(simulation.FixedStep);
+            collider.transform.position += water.transform.rotation * new Vector3(0.1f, 0f, 0f);
+            simulation.Advance(2f * simulation.FixedStep);
+
+            ColliderMotion motion = simulation.Input.colliders.Items[0];
+            Assert.That(math.distance(motion.end.position - motion.start.position, new float3(2f, 0f, 0f)), Is.LessThan(1e-3f));
+            Assert.That(simulation.Input.frameFrom, Is.EqualTo(0.5f), "the second of two steps");
+        }
+
+        [Test]
+        public void A_teleport_is_no_motion()
+        {
+            FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position);
+            simulation.Advance(simulation.FixedStep);
+            collider.transform.position += new Vector3(0.1f, 0f, 0f);
+            collider.Teleport();
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.Input.colliders.Items[0].Moves, Is.False);
+        }
+
+        [Test]
+        public void What_is_far_from_the_domain_costs_nothing()
+        {
+            Make(ColliderShape.Sphere, water.transform.position + new Vector3(10f, 0f, 0f));
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.ColliderCount, Is.Zero);
+            Assert.That(simulation.Describe().Single(stage => stage.Name == "Colliders").IsUsed, Is.False);
+        }
+
+        [Test]
+        public void Colliders_beyond_the_limit_are_named()
+        {
+            for (int i = 0; i < ColliderSet.Most + 2; i++)
+                Make(ColliderShape.Sphere, water.transform.position).name = "Ball " + i;
+            LogAssert.Expect(LogType.Error, new Regex("'Water' takes 256 colliders at a time; 2 more .* 'Ball 256' first"));
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.ColliderCount, Is.EqualTo(ColliderSet.Most));
+            simulation.Advance(simulation.FixedStep);       // said once
+        }
+
+        [Test]
+        public void What_makes_no_obstacle_is_named_once_and_left_out([Values("radius", "size", "field", "place")] string what)
+        {
+            FluidCollider collider = Make(what == "size" ? ColliderShape.Box : what == "field" ? ColliderShape.Mesh : ColliderShape.Sphere, water.transform.position);
+            if (what == "radius")
+                collider.Radius = -1f;
+            if (what == "size")
+                collider.Size = Vector3.zero;
+            if (what == "place")
+            {
+                var parent = new GameObject("Parent");
+                collider.transform.SetParent(parent.transform);
+                collider.transform.localPosition = 10f * Vector3.one;
+                parent.transform.localScale = 3e38f * Vector3.one;
+            }
+            LogAssert.Expect(LogType.Error, new Regex("FluidCollider 'Obstacle' is left out: .*(" + (what == "place" ? "transform is not finite" : what == "field" ? "signed distance field" : what) + ")"));
+            simulation.Advance(simulation.FixedStep);
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.ColliderCount, Is.Zero);
+        }
+
+        [Test]
+        public void An_obstacle_can_come_go_and_change_while_the_fluid_runs()
+        {
+            FluidCollider first = Make(ColliderShape.Sphere, water.transform.position);
+            FluidCollider second = Make(ColliderShape.Box, water.transform.position + new Vector3(0.2f, 0f, 0f));
+            simulation.Advance(simulation.FixedStep);
+            first.enabled = false;
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.ColliderCount, Is.EqualTo(1));
+            Assert.That(simulation.Input.colliders.Items[0].shape, Is.EqualTo(ColliderShape.Box));
+            Assert.That(simulation.Input.colliders.Items[0].Moves, Is.False, "another number is no motion");
+            first.enabled = true;
+            second.Shape = ColliderShape.Capsule;
+            simulation.Advance(simulation.FixedStep);
+            Object.DestroyImmediate(second.gameObject);
+            simulation.Advance(simulation.FixedStep);
+            simulation.Restart();
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.ColliderCount, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void The_force_on_an_obstacle_in_still_water_points_up()
+        {
+            FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position + new Vector3(0f, -0.25f, 0f));
+            collider.Radius = 0.15f;
+            collider.MeasuresForce = true;
+            Assert.That(collider.TryGetForce(out _, out _), Is.False, "before the first result");
+            for (int i = 0; i < 60; i++)
+                simulation.Advance(simulation.FixedStep);
+            AsyncGPUReadback.WaitAllRequests();
+            Assert.That(collider.TryGetForce(out Vector3 force, out _), Is.True);
+            Assert.That(force.y, Is.GreaterThan(3f * Mathf.Abs(force.x)));
+            Assert.That(force.y, Is.GreaterThan(3f * Mathf.Abs(force.z)));
+        }
+
+        static FluidCollider Make(ColliderShape shape, Vector3 place)
+        {
+            var obstacle = new GameObject("Obstacle");
+            obstacle.transform.position = place;
+            var collider = obstacle.AddComponent<FluidCollider>();
+            collider.Shape = shape;
+            collider.Size = new Vector3(1f, 1f, 1f);
+            collider.Radius = 0.1f;
+            return collider;
+        }
+    }
+}
