@@ -211,20 +211,21 @@ float3 Settle(float3 p, float inset, inout uint by)
 static const float kShortestStep = 0.25;    // d, along a path
 static const uint kMostSteps = 1024;        // a longer path ends there, as if it were stopped
 
-// Whether the way from a to b, in the collider's own frame, comes nearer than kWallInset, and after which share of it. Where a
-// starts nearer than that already there is nothing to stop: the fluid is let out, slowly, elsewhere.
+// Whether the way from a to b, in the collider's own frame, comes nearer than kWallInset, and after which share of it. One that
+// starts nearer than that may go on as long as it gets no nearer.
 bool Trace(Collider collider, float3 a, float3 b, out float share)
 {
     share = 0.0;
     float way = length(b - a);
     float distance = LeastDistance(collider, a);
-    if (distance < kWallInset - kTouching || distance >= kWallInset + way)
+    float least = min(kWallInset, distance - kTouching);
+    if (distance >= kWallInset + way)
         return false;
     for (uint i = 0; i < kMostSteps; i++)
     {
         share = min(share + max(distance - kWallInset, kShortestStep) / max(way, 1e-6), 1.0);
         distance = LeastDistance(collider, lerp(a, b, share));
-        if (distance < kWallInset)
+        if (distance < least)
             return true;
         if (share >= 1.0)
             return false;
