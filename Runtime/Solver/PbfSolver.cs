@@ -79,6 +79,9 @@ namespace Rill
         /// <summary>What lets water at rest sleep; null while the settings do without.</summary>
         public RestingRegions Resting => restingRegions;
 
+        /// <summary>What stands in the fluid's way; null while nothing does.</summary>
+        public Colliders Colliders => colliders;
+
         /// <summary>What the fluid does to colliders; null where none wants to know.</summary>
         public ColliderReactions Reactions => colliders?.Reactions;
 
@@ -189,7 +192,7 @@ namespace Rill
                 state,
                 RestingRegions.Describe(restingRegions, input),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
-                Colliders.Describe(colliders, input, coarseCorrection != null),
+                Rill.Colliders.Describe(colliders, input, coarseCorrection != null),
                 neighborSearch.Describe(input.settings, coarseCorrection != null && colliders == null, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
@@ -254,7 +257,7 @@ namespace Rill
 
         Colliders CollidersFor(in StepInput input)
         {
-            if (!Colliders.IsNeeded(input))
+            if (!Rill.Colliders.IsNeeded(input))
             {
                 if (colliders != null)
                     restingRegions?.Wake();

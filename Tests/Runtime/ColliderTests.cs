@@ -61,6 +61,113 @@ namespace Rill.Tests
             }
         }
 
+        [Test]
+        public void A_collider_adds_the_density_of_what_lies_behind_its_surface([Values] ColliderShape shape, [Values] bool insideOut)
+        {
+            if (shape == ColliderShape.Mesh)
+                return;     // whose distances are those of its field: MeshColliderTests
+            ColliderMotion motion = Still(shape, new float3(3f, 2f, 4f), new float3(9f, 12f, 9f), quaternion.Euler(0.4f, 0.3f, 0.2f));
+            motion.insideOut = insideOut;
+            var random = new Unity.Mathematics.Random(7u);
+            float3[] places = Enumerable.Range(0, 400).Select(_ => motion.end.position + random.NextFloat3(-6f, 6f)).ToArray();
+            using (TestFluid fluid = Box(DeepWater.Off).Add(places.Select(p => p * Spacing).ToArray()))
+            {
+                Use(fluid, motion);
+                GpuTest.Run(cmd => fluid.Solver.Step(cmd, fluid.Input));
+                ParticleState state = fluid.Read();
+                GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
+                float4[] boundary = GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, state.Count);
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                int touched = 0;
+                for (int i = 0; i < state.Count; i++)
+                {
+                    double3 p = state.positions[i].xyz;
+                    double distance = Reference.Shapes.Distance(motion, p);
+                    Assert.That(distances[i], Is.EqualTo(math.min(distance, 2.0)).Within(1e-4), $"distance at {p}");
+                    if (math.any(p < 2.1) || math.any(p > (double3)state.box - 2.1))
+                        continue;       // where the domain's walls add theirs
+                    double density = Reference.Shapes.Density(motion, p);
+                    Assert.That(boundary[i].w, Is.EqualTo(density).Within(2e-3), $"density at {p}, {distance} away");
+                    touched += density > 0.01 ? 1 : 0;
+                }
+                Assert.That(touched, Is.GreaterThan(20));
+            }
+        }
+
+        [Test]
+        public void Two_boxes_in_one_plane_add_what_one_does()
+        {
+            // A floor of one box, and of two that meet under the particles.
+            float3[] places = Enumerable.Range(0, 40).Select(i => new float3(6f + 0.15f * i, 5.5f + 0.01f * i, 9f) * Spacing).ToArray();
+            float4[] one = BoundaryOver(places, Still(ColliderShape.Box, new float3(20f, 2f, 20f), new float3(9f, 3f, 9f), quaternion.identity));
+            float4[] two = BoundaryOver(places, Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(-1f, 3f, 9f), quaternion.identity),
+                Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(19f, 3f, 9f), quaternion.identity));
+            for (int i = 0; i < places.Length; i++)
+                Assert.That(math.length(two[i] - one[i]), Is.LessThan(0.2f * math.length(one[i])), $"particle {i}: {two[i]} instead of {one[i]}");
+        }
+
+        [Test]
+        public void What_touches_loses_the_share_of_its_velocity_that_friction_says([Values(1, 2)] int substeps, [Values(0f, 0.3f, 1f)] float friction)
+        {
+            using (TestFluid fluid = Box(DeepWater.Off))
+            {
+                fluid.Input.settings.substeps = substeps;
+                ColliderMotion floor = Still(ColliderShape.Plane, 0f, new float3(0f, 6f, 0f), quaternion.identity);
+                floor.friction = friction;
+                Use(fluid, floor);
+                fluid.Add(new[] { new float3(4f, 6.5f, 9f) * Spacing }, new float3(0.6f, 0f, 0f)).Step();
+                Assert.That(fluid.Read().velocities[0].x * Spacing, Is.EqualTo(0.6f * (1f - friction)).Within(0.005f));
+            }
+        }
+
+        [Test]
+        public void A_drop_comes_back_with_the_share_of_its_velocity_that_bounce_says([Values(0f, 0.5f, 1f)] float bounce)
+        {
+            using (TestFluid fluid = Box(DeepWater.Off))
+            {
+                fluid.Input.gravity = 0f;
+                quaternion turn = quaternion.Euler(0f, 0f, 0.25f);
+                float3 normal = math.mul(turn, math.up());
+                ColliderMotion floor = Still(ColliderShape.Plane, 0f, new float3(9f, 6f, 9f), turn);
+                floor.bounce = bounce;
+                Use(fluid, floor);
+                fluid.Add(new[] { new float3(9f, 12f, 9f) * Spacing }, -4f * normal);
+                for (int i = 0; i < 8; i++)
+                    fluid.Step();
+                float3 velocity = fluid.Read().velocities[0].xyz * Spacing;
+                Assert.That(math.dot(velocity, normal), Is.EqualTo(4f * bounce).Within(0.05f));
+                Assert.That(math.length(velocity - normal * math.dot(velocity, normal)), Is.LessThan(0.01f));
+            }
+        }
+
+        [Test]
+        public void A_collider_switched_on_in_water_lets_it_out_slowly([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            using (TestFluid fluid = Box(deepWater).AddBlock(0f, new float3(18f, 12f, 18f) * Spacing).Step(10))
+            {
+                ColliderMotion body = Still(ColliderShape.Sphere, 4f, new float3(9f, 6f, 9f), quaternion.identity);
+                Use(fluid, body);
+                for (int i = 0; i < 40; i++)
+                    Assert.That(fluid.Step().Measure().speedMax, Is.LessThan(4f), $"m/s at step {i}");
+                Assert.That(Nearest(fluid, body), Is.GreaterThan(0.4f));
+            }
+        }
+
+        static float4[] BoundaryOver(float3[] places, params ColliderMotion[] motions)
+        {
+            using (TestFluid fluid = Box(DeepWater.Off).Add(places))
+            {
+                fluid.Input.gravity = 0f;
+                fluid.Input.material.density = 1000f;
+                Use(fluid, motions);
+                fluid.Step();
+                fluid.Solver.Clear();
+                fluid.Add(places);
+                GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
+                return GpuTest.Read<float4>(fluid.Solver.Colliders.Boundary, places.Length);
+            }
+        }
+
         static TestFluid Box(DeepWater deepWater)
         {
             SolverSettings settings = SolverSettings.Default;

@@ -15,6 +15,23 @@ namespace Rill.Tests.Reference
             return shape.insideOut ? -distance : distance;
         }
 
+        /// <summary>Share of the rest density that a shape adds at p: of the half space behind its surface, for a box the product of its three slabs; at most that at a surface.</summary>
+        public static double Density(in ColliderMotion shape, double3 p)
+        {
+            double surface = Walls.PlaneDensity(0.0);
+            if (shape.shape != ColliderShape.Box)
+                return Walls.PlaneDensity(Math.Max(Distance(shape, p), 0.0));
+
+            double3 local = Unrotate(shape.end.rotation, p - (double3)shape.end.position);
+            double full = 2.0 * surface, inside = 1.0;
+            for (int axis = 0; axis < 3; axis++)
+                inside *= 1.0 - (Beyond(shape.size[axis] - local[axis]) + Beyond(shape.size[axis] + local[axis])) / full;
+            return Math.Min(full * (shape.insideOut ? 1.0 - inside : inside), surface);
+        }
+
+        // Of what lies beyond a plane at distance s, also from behind it.
+        static double Beyond(double s) => s >= 0.0 ? Walls.PlaneDensity(s) : 2.0 * Walls.PlaneDensity(0.0) - Walls.PlaneDensity(-s);
+
         static double Distance(ColliderShape kind, double3 size, double3 p)
         {
             switch (kind)
