@@ -50,7 +50,7 @@ namespace Rill
         [Tooltip("Whether what the water does to the obstacle is summed and brought back, a few frames late. Costs a little where on.")]
         [SerializeField] bool measuresForce;
 
-        static readonly List<FluidCollider> enabledColliders = new List<FluidCollider>();
+        static List<FluidCollider> enabledColliders = new List<FluidCollider>();
 
         readonly List<FluidForce> forces = new List<FluidForce>();
         float3 lastPosition;
@@ -234,6 +234,6 @@ namespace Rill
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ForgetAll() => enabledColliders.Clear();
+        static void ForgetAll() => enabledColliders = new List<FluidCollider>();
     }
 }

@@ -254,14 +254,8 @@ namespace Rill
             CollectColliders();
             PrepareInput(duration);
             commands.Clear();
-            for (int i = 0; i < steps; i++)
-            {
-                input.frameFrom = i / (float)steps;
-                input.frameTo = (i + 1) / (float)steps;
-                budgeted?.BeginStep(commands);
-                pbf.Step(commands, input);
-                budgeted?.EndStep(commands);
-            }
+            if (!TryRecordSteps(steps))
+                return;
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
@@ -279,6 +273,27 @@ namespace Rill
             {
                 pbf.RequestStatistics();
                 stepsSinceStatistics = 0;
+            }
+        }
+
+        bool TryRecordSteps(int steps)
+        {
+            try
+            {
+                for (int i = 0; i < steps; i++)
+                {
+                    input.frameFrom = i / (float)steps;
+                    input.frameTo = (i + 1) / (float)steps;
+                    budgeted?.BeginStep(commands);
+                    pbf.Step(commands, input);
+                    budgeted?.EndStep(commands);
+                }
+                return true;
+            }
+            catch (ArgumentException problem)       // a stage that this scene needs is more than the device holds
+            {
+                Fail(problem.Message);
+                return false;
             }
         }
 

@@ -33,8 +33,10 @@ namespace Rill.Tests
         {
             FluidSimulation simulation = Dam();
             FluidRenderer[] renderers = fluid.GetComponents<FluidRenderer>();
+            Transform obstacle = fluid.GetComponentInChildren<FluidCollider>().transform;
             TestDelegate frame = () =>
             {
+                obstacle.localPosition = new Vector3(0.1f * Mathf.Sin(simulation.StepCount), 0f, 0f);
                 simulation.Advance(Step);
                 foreach (FluidRenderer renderer in renderers)
                     renderer.DrawFrame();
@@ -85,6 +87,10 @@ namespace Rill.Tests
             settings.deepWater = DeepWater.On;
             simulation.Settings = settings;
             fluid.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.4f, 0.5f);
+            var obstacle = new GameObject("Obstacle").AddComponent<FluidCollider>();
+            obstacle.transform.SetParent(fluid.transform, false);
+            obstacle.Size = 0.2f * Vector3.one;
+            obstacle.MeasuresForce = true;
             fluid.AddComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
             fluid.AddComponent<DomainRenderer>();
             fluid.SetActive(true);

@@ -17,7 +17,7 @@ namespace Rill
         readonly int take;
         readonly Action<AsyncGPUReadbackRequest> onRead;
         GraphicsBuffer sums, taken;
-        NativeArray<uint> arriving, zeros;
+        NativeArray<uint> latest, zeros;
         float time, takenTime;
         int generation, pendingGeneration;
         bool disposed;
@@ -28,7 +28,7 @@ namespace Rill
             take = shader.FindKernel("TakeReactions");
             sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
             taken = GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words);
-            arriving = new NativeArray<uint>(Words, Allocator.Persistent);
+            latest = new NativeArray<uint>(Words, Allocator.Persistent);
             zeros = new NativeArray<uint>(Words, Allocator.Persistent);
             sums.SetData(zeros);
             onRead = OnRead;
@@ -72,7 +72,7 @@ namespace Rill
         {
             IsPending = true;
             pendingGeneration = generation;
-            AsyncGPUReadback.RequestIntoNativeArray(ref arriving, taken, onRead);
+            AsyncGPUReadback.Request(taken, onRead);
         }
 
         /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its radius + 1.</summary>
@@ -93,21 +93,20 @@ namespace Rill
         public void Dispose()
         {
             disposed = true;
-            if (IsPending)
-                AsyncGPUReadback.WaitAllRequests();     // it writes into memory that is about to go
             GpuBuffer.Release(ref sums);
             GpuBuffer.Release(ref taken);
-            arriving.Dispose();
+            latest.Dispose();
             zeros.Dispose();
         }
 
-        double Signed(int at) => (long)((ulong)arriving[at + 1] << 32 | arriving[at]) / Scale;
+        double Signed(int at) => (long)((ulong)latest[at + 1] << 32 | latest[at]) / Scale;
 
         void OnRead(AsyncGPUReadbackRequest request)
         {
             IsPending = false;
             if (disposed || request.hasError || pendingGeneration != generation)
                 return;
+            latest.CopyFrom(request.GetData<uint>());
             Duration = takenTime;
             Arrived?.Invoke();
         }

@@ -227,11 +227,8 @@ namespace Rill
         {
             if (!set.Reacts)
             {
-                if (reactions != null && !reactions.IsPending)
-                {
-                    reactions.Dispose();
-                    reactions = null;
-                }
+                reactions?.Dispose();
+                reactions = null;
                 return;
             }
             reactions ??= new ColliderReactions(shader);
