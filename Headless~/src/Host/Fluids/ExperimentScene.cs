@@ -81,13 +81,27 @@ namespace Host.Fluids
         static ExperimentScene Still(string name, int layers, int side, float spacing) =>
             new ExperimentScene(name, spacing, new float3(side, 3 * layers, side)).Add(0f, new int3(side, layers, side));
 
-        /// <summary>A block that falls at 25 m/s onto a pool of 4 layers; 540,672 particles at scale 4.</summary>
-        /// <param name="scale">Of all counts but the pool's layers, in eighths; d = 0.05 m / scale.</param>
-        public static ExperimentScene Drop(float scale) => new ExperimentScene("drop", 0.05f / scale, new float3(48, 160, 48) * scale)
-            .Add(0f, new int3((int)(48 * scale), 4, (int)(48 * scale)))
-            .Add(new float3(16, 10, 16) * scale, (int3)(new float3(16, 24, 16) * scale), new float3(0, -25, 0));
+        /// <summary>A block that falls at 25 m/s onto a pool of 4 layers, from half a metre above the floor; 540,672 particles at scale 4.</summary>
+        /// <param name="scale">Of all counts but the pool's layers, in eighths.</param>
+        /// <param name="spacing">m; 0: 0.05 m / scale.</param>
+        public static ExperimentScene Drop(float scale, float spacing = 0f)
+        {
+            float d = spacing > 0f ? spacing : 0.05f / scale;
+            return new ExperimentScene("drop", d, new float3(48, 160, 48) * scale)
+                .Add(0f, new int3((int)(48 * scale), 4, (int)(48 * scale)))
+                .Add(new float3(16 * scale, math.round(0.5f / d), 16 * scale), (int3)(new float3(16, 24, 16) * scale), new float3(0, -25, 0));
+        }
 
-        /// <summary>"dam:1000000", "column:120:0.05", "tank:8:112:0.02", "drop:4".</summary>
+        /// <summary>A cube in the lowest corner of a floor that it covers, once it has run out, as so many layers; a box twice as tall.</summary>
+        /// <param name="side">Of the cube, d.</param>
+        /// <param name="spacing">m.</param>
+        public static ExperimentScene Spill(double layers, int side, float spacing)
+        {
+            float floor = math.round((float)Math.Sqrt(side * (double)side * side / layers));
+            return new ExperimentScene("spill", spacing, new float3(floor, 2 * side, floor)).Add(0f, side);
+        }
+
+        /// <summary>"dam:1000000", "column:120:0.05", "tank:8:112:0.02", "drop:4", "spill:1.5:16:0.05".</summary>
         public static ExperimentScene Parse(string text)
         {
             string[] parts = text.Split(':');
@@ -104,10 +118,12 @@ namespace Host.Fluids
                     return Column((int)layers, (float)spacing);
                 case "tank" when parts.Length <= 4 && Number(1, 8, out double layers) && Number(2, 112, out double side) && Number(3, 0.02, out double spacing):
                     return Tank((int)layers, (int)side, (float)spacing);
-                case "drop" when parts.Length <= 2 && Number(1, 4, out double scale) && scale * 8 == Math.Floor(scale * 8):
-                    return Drop((float)scale);
+                case "drop" when parts.Length <= 3 && Number(1, 4, out double scale) && scale * 8 == Math.Floor(scale * 8) && Number(2, 0.05 / scale, out double spacing) && 0.5 / spacing <= 100 * scale:
+                    return Drop((float)scale, (float)spacing);
+                case "spill" when parts.Length <= 4 && Number(1, 2, out double layers) && Number(2, 16, out double side) && Number(3, 0.05, out double spacing):
+                    return Spill(layers, (int)side, (float)spacing);
                 default:
-                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side of the floor in spacings>:<spacing in m> or drop:<scale in eighths>, as in dam:1000000, column:120:0.05, tank:8:112:0.02 or drop:4.");
+                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side of the floor in spacings>:<spacing in m>, drop:<scale in eighths>:<spacing in m> or spill:<layers>:<side of the cube in spacings>:<spacing in m>, as in dam:1000000, column:120:0.05, tank:8:112:0.02, drop:4 or spill:2:16:0.05.");
             }
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
@@ -11,7 +12,7 @@ namespace Host.Fluids
     {
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m> or drop:<scale>." };
+            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m> or spill:<layers>:<side>:<spacing in m>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
@@ -21,7 +22,9 @@ namespace Host.Fluids
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, stages };
+            var series = new Option<bool>("--series") { Description = "Also print every sample of the statistics." };
+            var sheet = new Option<bool>("--sheet") { Description = "Also print how thick the water lies on the floor for what there is of it: for a few layers." };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, stages, series, sheet };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -32,11 +35,36 @@ namespace Host.Fluids
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 settings.sleepSpeed = parsed.GetValue(sleep);
                 using var session = new Session(Session.Root());
-                Experiment run = Experiment.Run(ExperimentScene.Parse(parsed.GetValue(scene)), ExperimentFigures.Input(settings), parsed.GetValue(seconds), parsed.GetValue(every));
+                ExperimentScene experiment = ExperimentScene.Parse(parsed.GetValue(scene));
+                StepInput input = ExperimentFigures.Input(settings);
+                using var solver = new PackageSolver(experiment.LayoutFor(settings), input);
+                var sheets = new List<(double time, Sheet sheet)>();
+                Experiment run = Experiment.Run(solver, experiment, input, parsed.GetValue(seconds), parsed.GetValue(every), sampled =>
+                {
+                    if (parsed.GetValue(sheet))
+                        sheets.Add((sampled.End, new Sheet(solver.ReadPositions(sampled.Samples[^1].particles), experiment.Box.xz)));
+                    return false;
+                });
                 Print(run, session.DescribeDevice(), parsed.GetValue(stages));
+                if (parsed.GetValue(series))
+                    PrintSeries(run);
+                PrintSheets("0.75 to 2 s", sheets.Where(s => s.time > 0.74 && s.time <= 2.001));
+                PrintSheets("after 2 s", sheets.Where(s => s.time > 2.001));
                 return 0;
             });
             return command;
+        }
+
+        static void PrintSheets(string window, IEnumerable<(double time, Sheet sheet)> sheets)
+        {
+            if (sheets.Any())
+                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  sheet {window}: local volume {sheets.Average(s => s.sheet.LocalVolume):0.000} high {sheets.Average(s => s.sheet.High):0.0000} unevenness {sheets.Average(s => s.sheet.Unevenness):0.00} layers"));
+        }
+
+        static void PrintSeries(Experiment run)
+        {
+            foreach (FluidStatistics s in run.Samples)
+                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {run.Time(s):0.0000} s: C+ {s.densityError:0.00000} p99.9 {s.densityError999:0.000} max {s.densityErrorMax:0.00} | interior {s.interiorError:0.0000} volume {s.volumeRatio:0.000} | jitter {s.jitter:0.0000} speed {s.speed:0.000} max {s.speedMax:0.0} m/s | energy {s.Energy / run.Samples[0].Energy:0.0000} | furthest {s.furthest.x / run.Scene.Spacing:0.0} {s.furthest.y / run.Scene.Spacing:0.0} d | coincident {s.coincident} overflow {s.neighborOverflow}"));
         }
 
         static void Print(Experiment run, string device, bool stages)
@@ -44,7 +72,7 @@ namespace Host.Fluids
             SolverSettings settings = run.Input.settings;
             double start = run.Samples[0].Energy;
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{run.Scene.Name} N {run.Scene.Particles:N0} d {run.Scene.Spacing:0.#####} m, {settings.substeps} x {settings.iterations}, relaxation {settings.relaxation}, deep water {settings.deepWater}, {run.End:0.#} s, {device}"));
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  C+ moving {run.Moving(s => s.densityError):0.00000} settled {run.Settled(s => s.densityError):0.00000} p99.9 {run.Settled(s => s.densityError999):0.0000} ever max {run.Samples.Max(s => s.densityErrorMax):0.00} | interior {run.Settled(s => s.interiorError):0.0000} volume {run.Settled(s => s.volumeRatio):0.0000} lowest {run.Samples.Min(s => s.volumeRatio):0.0000} height {run.Settled(s => s.furthest.y):0.000} m | jitter {run.Settled(s => s.jitter):0.0000} speed {run.Settled(s => s.speed):0.0000} max {run.Samples.Max(s => s.speedMax):0.0} m/s | energy max/start {run.Samples.Max(s => s.Energy) / start:0.0000} | coincident {run.Samples[^1].coincident} escaped {run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite {run.Samples[^1].nonFinite}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  C+ moving {run.Moving(s => s.densityError):0.00000} settled {run.Settled(s => s.densityError):0.00000} highest {run.Samples.Max(s => s.densityError):0.000} p99.9 {run.Settled(s => s.densityError999):0.0000} ever max {run.Samples.Max(s => s.densityErrorMax):0.00} | interior {run.Settled(s => s.interiorError):0.0000} volume {run.Settled(s => s.volumeRatio):0.0000} lowest {run.Samples.Min(s => s.volumeRatio):0.0000} height {run.Settled(s => s.furthest.y):0.000} m | jitter {run.Settled(s => s.jitter):0.0000} speed {run.Settled(s => s.speed):0.0000} max {run.Samples.Max(s => s.speedMax):0.0} m/s | energy max/start {run.Samples.Max(s => s.Energy) / start:0.0000} | coincident {run.Samples[^1].coincident} (most {run.Samples.Max(s => s.coincident)}) escaped {run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite {run.Samples[^1].nonFinite}"));
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms initial {run.Milliseconds("initial"):0.000} moving {run.Milliseconds("moving"):0.000} settled {run.Milliseconds("settled"):0.000} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
             if (stages)
                 foreach (var window in run.Times)

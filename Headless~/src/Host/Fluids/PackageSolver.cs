@@ -33,6 +33,14 @@ namespace Host.Fluids
             return statistics;
         }
 
+        /// <summary>The particles alive, d.</summary>
+        public float3[] ReadPositions(int alive)
+        {
+            var positions = new float4[alive];
+            Solver.Positions.GetData(positions, 0, 0, alive);
+            return positions.Select(p => p.xyz).ToArray();
+        }
+
         public long Bytes => Solver.Describe(input, 0).Sum(stage => stage.Bytes);
 
         public void Dispose() => Solver.Dispose();
