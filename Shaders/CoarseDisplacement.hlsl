@@ -30,4 +30,14 @@ float3 CoarseDisplacement(float3 p, float longest)
     return lengthSquared > longest * longest ? sum * (longest * rsqrt(lengthSquared)) : sum;
 }
 
+static const float kAlone = 0.3;        // density relative to rest of a particle with a neighbor or two
+static const float kCovered = 0.55;     // and of one on an edge of water at rest
+
+// What the projection gives a particle; velocity.w is its density. Displacements continue around the water, for particles between
+// its last cells' centres and its surface; spray there is pressed by nothing, and would hover where they cancel gravity.
+float3 ProjectedDisplacement(float3 p, float4 velocity)
+{
+    return saturate((velocity.w - kAlone) / (kCovered - kAlone)) * CoarseDisplacement(AlongFlow(p, velocity.xyz), _MaxFlow);
+}
+
 #endif

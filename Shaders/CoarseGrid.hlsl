@@ -8,16 +8,16 @@ cbuffer RillCoarse
     uint3 _CoarseCounts;        // cells along x, y, z
     uint _CoarseTotal;          // their product
     float3 _InverseCoarseSize;  // 1/d
-    float _ActiveCount;         // particles that make a cell active: a share of its volume, d^3
+    float _ActiveCount;         // particles that make a cell active: two layers across it
     float3 _Coupling;           // 1/size^2 along each axis, 1/d^2
     float _Screening;           // 1/l^2, 1/d^2
     float _InverseVolume;       // 1/d^3
-    float _NegativeShare;       // of a negative density error that the projection takes up
+    float _NegativeShare;       // of a small negative density error that the projection takes up
     float _MaxFlow;             // longest displacement of the projection, d
     float _MaxPush;             // longest displacement of the density correction, d
     uint _LevelCount;           // levels of the V-cycle below the grid itself
     uint _FirstTailLevel;       // the first of those that one thread group does together
-    float2 _SurfaceRange;       // nearest and furthest that the free surface lies from a centre, cells
+    float2 _SurfaceRange;       // nearest and furthest that the free surface lies from the water's middle, cells
     uint4 _Levels[8];           // cells along x, y, z and index of the first; [0] is the grid itself
 };
 
@@ -39,11 +39,12 @@ uint3 CellStrides(uint3 counts)
     return uint3(1, counts.x, counts.x * counts.y);
 }
 
-// Distance, in cells, of the free surface from the centre of an active cell towards an inactive one, inverted: from how
-// full both are, where the surface would be if it were flat.
+// Distance, in cells, of the free surface from the middle of the water in an active cell, inverted: from how full that cell and
+// the inactive one beyond are. (From the cell's own centre a cell less than half full would have none: water of a few layers
+// would feel no slope and rest in heaps.)
 float InverseSurfaceDistance(float fill, float beyond)
 {
-    return 1.0 / clamp(min(abs(fill), 1.0) - 0.5 + min(abs(beyond), 1.0), _SurfaceRange.x, _SurfaceRange.y);
+    return 1.0 / clamp(0.5 * min(abs(fill), 1.0) + min(abs(beyond), 1.0), _SurfaceRange.x, _SurfaceRange.y);
 }
 
 #endif

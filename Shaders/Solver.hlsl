@@ -77,6 +77,13 @@ float3 ClampToDomain(float3 p)
     return clamp(p, kWallInset, _DomainSize - kWallInset);
 }
 
+// Where a particle's flow alone takes it in a substep. The projection is found and looked up there: water that is about to meet
+// other water, or a wall, lies in its cells already.
+float3 AlongFlow(float3 p, float3 velocity)
+{
+    return ClampToDomain(p + velocity * _TimeStep + _GravityStep);
+}
+
 uint CellIndex(float3 p)
 {
     uint3 cell = min(uint3(max(p * _InverseCellSize, 0.0)), _CellCounts - 1);

@@ -22,20 +22,23 @@ namespace Rill
         public float2 surfaceRange;
         public uint4 level0, level1, level2, level3, level4, level5, level6, level7;
 
-        /// <summary>Share of a coarse cell's volume that particles fill in an active one.</summary>
-        const float ActiveFill = 0.6f;
+        /// <summary>
+        /// Layers of particles across a coarse cell that make it active, whatever its size: with more, thin sheets are left to the
+        /// passes, and in cells of 8 d they collapse; with fewer, sheets swell.
+        /// </summary>
+        const float ActiveLayers = 2f;
 
         /// <summary>Length ℓ beyond which the potential is screened, d: shorter lets deep water sink, none lets it drift.</summary>
         const float ScreeningLength = 100f;
 
-        /// <summary>Share of a negative density error that the projection takes up; without it thin layers hover.</summary>
+        /// <summary>Share of a small negative density error that the projection takes up; without it thin layers hover.</summary>
         const float NegativeShare = 0.3f;
 
         /// <summary>Longest displacements, d: a lower one of the projection would damp splashes.</summary>
         const float MaxFlow = 40f, MaxPush = 2f;
 
-        /// <summary>Nearest and furthest that the free surface lies from the centre of an active cell, in cells.</summary>
-        static readonly float2 SurfaceRange = new float2(0.25f, 1.5f);
+        /// <summary>Nearest and furthest that the free surface lies from the middle of the water in an active cell, in cells.</summary>
+        static readonly float2 SurfaceRange = new float2(0.1f, 1.5f);
 
         public static CoarseConstants For(CoarseGrid grid)
         {
@@ -45,7 +48,7 @@ namespace Rill
                 counts = (uint3)grid.Counts,
                 total = (uint)grid.Total,
                 inverseSize = 1f / grid.CellSize,
-                activeCount = ActiveFill * volume,
+                activeCount = math.ceil(ActiveLayers * math.pow(volume, 2f / 3f) - 0.01f),     // rounding shall not decide
                 coupling = 1f / (grid.CellSize * grid.CellSize),
                 screening = 1f / (ScreeningLength * ScreeningLength),
                 inverseVolume = 1f / volume,

@@ -60,19 +60,26 @@ namespace Rill.Tests
             Assert.That(constants.total, Is.EqualTo(20));
             double volume = 5.0 * 4.1 * 2.0;
             Near(constants.inverseVolume, 1.0 / volume);
-            Near(constants.activeCount, 0.6 * volume);
+            Assert.That(constants.activeCount, Is.EqualTo(24f), "two layers across a cell are 23.8 particles");
             Near(constants.inverseSize.y, 1.0 / 4.1);
             Near(constants.coupling.x, 1.0 / 25.0);
             Near(constants.coupling.y, 1.0 / (4.1 * 4.1));
             Near(constants.coupling.z, 1.0 / 4.0);
             Near(constants.screening, 1e-4);
             Near(constants.negativeShare, 0.3);
-            Assert.That(constants.surfaceRange, Is.EqualTo(new float2(0.25f, 1.5f)));
+            Assert.That(constants.surfaceRange, Is.EqualTo(new float2(0.1f, 1.5f)));
             Assert.That(constants.levelCount, Is.EqualTo(1));
             Assert.That(constants.level1, Is.EqualTo(new uint4(1, 5, 1, 0)));
             Assert.That(constants.level7, Is.EqualTo(constants.level1));
 
             void Near(float actual, double expected) => Assert.That(actual, Is.EqualTo(expected).Within(1e-6 * expected));
+        }
+
+        [TestCase(4f, 32)]
+        [TestCase(8f, 128)]
+        public void Two_layers_across_a_cell_make_it_active_whatever_its_size(float cellSize, int particles)
+        {
+            Assert.That(CoarseConstants.For(new CoarseGrid(new float3(80f, 40f, 64f), cellSize)).activeCount, Is.EqualTo((float)particles));
         }
 
         // Another number in every word.

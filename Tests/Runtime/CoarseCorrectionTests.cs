@@ -38,10 +38,10 @@ namespace Rill.Tests
             ParticleState state = Cloud(scene);
             using (var stages = new CoarseStages(state, Gravity).Project())
             {
-                CoarseCells cells = stages.Cells;
+                CoarseCells cells = stages.FlowCells;
                 AssertFill(stages.Fill, cells);
                 double3 gravityStep = (double3)Gravity / SolverStages.Spacing * CoarseStages.TimeStep * CoarseStages.TimeStep;
-                double3[] mean = cells.Mean(Compare.Points(state.positions), i => (double3)state.velocities[i].xyz * CoarseStages.TimeStep);
+                double3[] mean = cells.Mean(stages.AlongFlow, i => (double3)state.velocities[i].xyz * CoarseStages.TimeStep);
                 float4[] flow = stages.Flow;
                 int[] active = Active(cells);
                 if (scene >= 3)
@@ -56,7 +56,7 @@ namespace Rill.Tests
         {
             using (var stages = new CoarseStages(Cloud(scene), Gravity).Project())
             {
-                CoarseCells cells = stages.Cells;
+                CoarseCells cells = stages.FlowCells;
                 double3[] flow = Compare.Points(stages.Flow);
                 float[] source = stages.Source;
                 AssertInactive(stages, cells, stages.FlowPotential);
@@ -70,7 +70,7 @@ namespace Rill.Tests
         public void Displacements_of_the_projection_follow_from_its_potential(int scene)
         {
             using (var stages = new CoarseStages(Cloud(scene), Gravity).Project())
-                AssertDisplacements(stages, stages.FlowPotential, Compare.Points(stages.Flow));
+                AssertDisplacements(stages, stages.FlowCells, stages.FlowPotential, Compare.Points(stages.Flow));
         }
 
         [TestCaseSource(nameof(SceneNumbers))]
@@ -111,7 +111,9 @@ namespace Rill.Tests
             using (var stages = new CoarseStages(state).Project())
             {
                 float4[] flow = stages.Flow;
-                Compare.Vectors("flow", flow.Length, i => flow[i].xyz, i => new double3(100.0, -100.0, 100.0), i => FlowRounding);
+                int[] active = Active(stages.FlowCells);
+                Compare.Vectors("flow", active.Length, k => flow[active[k]].xyz, i => new double3(100.0, -100.0, 100.0), i => FlowRounding);
+                Assert.That(active, Has.Length.EqualTo(1), "all are pressed into one corner");
             }
         }
 
@@ -123,12 +125,12 @@ namespace Rill.Tests
                 .With(p => new float3(5900f, -5900f, 60f * p.x));
             using (var stages = new CoarseStages(state).Project())
             {
-                const int crowded = 13;     // the middle of 3 x 3 x 3
-                Assert.That(stages.Fill[crowded], Is.EqualTo(10000f / 64f).Within(1e-3f));
+                const int crowded = 13, ahead = 20;     // of 3 x 3 x 3 the middle, and the corner where all flow to
+                Assert.That(stages.Fill[ahead], Is.EqualTo(10000f / 64f).Within(1e-3f));
                 double3 mean = default;
                 foreach (float4 velocity in state.velocities)
                     mean += (double3)velocity.xyz * CoarseStages.TimeStep / 10000.0;
-                Assert.That(math.length(stages.Flow[crowded].xyz - mean), Is.LessThan(FlowRounding));
+                Assert.That(math.length(stages.Flow[ahead].xyz - mean), Is.LessThan(FlowRounding));
 
                 float[] errors = Enumerable.Range(0, 10000).Select(i => i % 50 == 0 ? 8f : -0.1f).ToArray();
                 stages.CorrectDensity(errors);
@@ -168,7 +170,7 @@ namespace Rill.Tests
             }
             using (var stages = new CoarseStages(state, Gravity).Project())
             {
-                AssertFill(stages.Fill, stages.Cells);
+                AssertFill(stages.Fill, stages.FlowCells);
                 Assert.That(stages.Displacements.All(d => math.all(math.isfinite(d.xyz))));
                 float4[] after = stages.Velocities;
                 for (int i = 0; i < state.Count; i++)
@@ -190,18 +192,18 @@ namespace Rill.Tests
                 CoarseCells cells = stages.Cells;
                 AssertFill(stages.Fill, cells);
                 AssertInactive(stages, cells, stages.ErrorPotential);
-                double[] mean = cells.Mean(Compare.Points(state.positions), i => Math.Min(Math.Max(errors[i], -0.1), 8.0)).Select(m => Math.Min(m.x, 0.3)).ToArray();
+                double[] mean = cells.Mean(Compare.Points(state.positions), i => Math.Min(Math.Max(errors[i], -0.1), 8.0)).Select(m => Math.Min(m.x, 1.0)).ToArray();
                 int[] active = Active(cells);
                 float[] source = stages.Source, kept = stages.LastErrors;
                 if (scene == 5)
                 {
-                    Assert.That(active.Any(cell => mean[cell] == 0.3), "no cell was clamped");
+                    Assert.That(active.Any(cell => mean[cell] == 1.0), "no cell was clamped");
                     Assert.That(active.Any(cell => mean[cell] < 0.0), "no cell is too dilute");
                 }
                 Compare.Scalars("source", active.Length, k => source[active[k]], k => mean[active[k]], k => ErrorRounding);
                 Compare.Scalars("errors kept for the next projection", cells.Total, i => kept[i], i => cells.active[i] ? Kept(mean[i], cells, i) : 0.0, i => ErrorRounding);
                 AssertDiagonal(stages, cells);
-                AssertDisplacements(stages, stages.ErrorPotential, null);
+                AssertDisplacements(stages, cells, stages.ErrorPotential, null);
                 Assert.That(stages.Bins.All(word => word == 0u), "bins are left empty");
             }
         }
@@ -240,20 +242,22 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_projection_takes_up_a_share_of_the_last_errors_below_zero_and_none_above()
+        public void The_projection_takes_up_a_growing_share_of_the_last_errors_below_zero_and_none_above()
         {
             ParticleState state = Cloud(4);
             float[] errors = state.positions.Select(p => p.x < 14f ? -0.08f : 0.2f).ToArray();
             using (CoarseStages plain = new CoarseStages(state, Gravity).Project(), after = new CoarseStages(state, Gravity).CorrectDensity(errors).Project())
             {
                 float[] without = plain.Source, with = after.Source, last = after.LastErrors;
-                CoarseCells cells = plain.Cells;
+                CoarseCells cells = plain.FlowCells;
                 int[] active = Active(cells);
                 Assert.That(active.Count(cell => last[cell] < -0.05f), Is.GreaterThan(5));
                 Assert.That(active.Count(cell => last[cell] > 0.05f), Is.GreaterThan(5));
-                Compare.Scalars("source", active.Length, k => with[active[k]] - without[active[k]], k => 0.3 * Math.Min(last[active[k]], 0.0), k => 1e-6);
+                Compare.Scalars("source", active.Length, k => with[active[k]] - without[active[k]], k => Taken(Math.Min(last[active[k]], 0.0)), k => 1e-6);
             }
         }
+
+        static double Taken(double dilution) => 0.3 * dilution * (1.0 - 40.0 * dilution);
 
         [Test]
         public void Flow_of_a_whole_full_box_is_stopped()
@@ -362,7 +366,7 @@ namespace Rill.Tests
         {
             using (var stages = new CoarseStages(Cloud(4), Gravity).Project())
             {
-                CoarseCells cells = stages.Cells;
+                CoarseCells cells = stages.FlowCells;
                 AssertDiagonal(stages, cells);
                 cells.fill[Active(cells).First(cell => HasSurface(cells, cell))] -= 0.05;
                 Assert.That(() => AssertDiagonal(stages, cells), Throws.InstanceOf<AssertionException>());
@@ -401,9 +405,8 @@ namespace Rill.Tests
             Compare.Scalars("diagonal", active.Length, k => diagonal[active[k]], k => cells.Diagonal(active[k]), k => 1e-5 * cells.Diagonal(active[k]));
         }
 
-        static void AssertDisplacements(CoarseStages stages, float[] potential, double3[] flow)
+        static void AssertDisplacements(CoarseStages stages, CoarseCells cells, float[] potential, double3[] flow)
         {
-            CoarseCells cells = stages.Cells;
             double3[] expected = cells.Displacements(potential.Select(p => (double)p).ToArray(), flow);
             float4[] actual = stages.Displacements;
             double largest = potential.Max() / math.cmin(cells.size);
@@ -412,18 +415,21 @@ namespace Rill.Tests
 
         static void AssertVelocities(CoarseStages stages, ParticleState state)
         {
-            CoarseCells cells = stages.Cells;
-            double3[] displacements = Compare.Points(stages.Displacements);
+            CoarseCells cells = stages.FlowCells;
+            double3[] displacements = Compare.Points(stages.Displacements), places = stages.AlongFlow;
             float4[] after = stages.Velocities;
             Compare.Vectors("velocities", state.Count, i => after[i].xyz,
-                i => state.velocities[i].xyz + cells.LookUp(displacements, state.positions[i].xyz, 40.0) / CoarseStages.TimeStep,
+                i => state.velocities[i].xyz + Pressed(state.velocities[i].w) * cells.LookUp(displacements, places[i], 40.0) / CoarseStages.TimeStep,
                 i => 1e-3 + 1e-5 * math.length(state.velocities[i].xyz));
         }
+
+        // Share of the projection that a particle of this density takes: spray none, the edge of still water all of it.
+        static double Pressed(double density) => Math.Min(Math.Max((density - 0.3) / 0.25, 0.0), 1.0);
 
         // Errors on both sides of all limits, dense in one corner.
         static float[] Errors(ParticleState state)
         {
-            return state.positions.Select((p, i) => i % 97 == 3 ? 30f : i % 31 == 4 ? -0.7f : 0.4f * (1f - 2f * p.x / state.box.x) + 0.02f * (i % 5)).ToArray();
+            return state.positions.Select((p, i) => i % 97 == 3 ? 30f : i % 31 == 4 ? -0.7f : 1.5f * (1f - 2f * p.x / state.box.x) + 0.02f * (i % 5)).ToArray();
         }
 
         // Water about half the box deep, in heaps, with empty places within, spray above and a velocity that varies.
@@ -438,12 +444,22 @@ namespace Rill.Tests
                 float3 p = random.NextFloat3(0.5f, box - 0.5f);
                 bool spray = places.Count % 50 == 0;
                 float surface = box.y * (0.55f + 0.2f * math.sin(0.3f * p.x) * math.cos(0.2f * p.z));
-                // Not so near to a cell's side that rounding decides which it is in.
-                float3 inCell = math.frac(p / cell);
-                if ((spray || p.y < surface || scene < 2) && math.all(inCell > 1e-4f) && math.all(inCell < 1f - 1e-4f))
+                if ((spray || p.y < surface || scene < 2) && IsClear(p) && IsClear((float3)CoarseStages.AlongFlowOf(p, Velocity(p), box, Gravity)))
                     places.Add(p);
             }
-            return new ParticleState(box, places.ToArray()).With(p => 40f * new float3(math.sin(0.4f * p.y), math.cos(0.3f * p.x) - 0.5f, math.sin(0.5f * p.x + 0.2f * p.z)));
+            ParticleState state = new ParticleState(box, places.ToArray()).With(Velocity);
+            for (int i = 0; i < count; i++)
+                state.velocities[i].w = 0.2f + 0.05f * (i % 12);        // densities: spray and water
+            return state;
+
+            float3 Velocity(float3 p) => 40f * new float3(math.sin(0.4f * p.y), math.cos(0.3f * p.x) - 0.5f, math.sin(0.5f * p.x + 0.2f * p.z));
+
+            // Not so near to a cell's side that rounding decides which it is in.
+            bool IsClear(float3 p)
+            {
+                float3 inCell = math.frac(p / cell);
+                return math.all(inCell > 1e-4f) && math.all(inCell < 1f - 1e-4f);
+            }
         }
 
         // Somewhat off a lattice, in the middle of a cube.

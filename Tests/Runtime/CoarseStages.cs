@@ -16,6 +16,7 @@ namespace Rill.Tests
 
         public readonly CoarseCorrection Correction;
         readonly ParticleState state;
+        readonly float3 gravity;
         readonly ParticleBuffers particles;
         readonly NeighborSearch search;
         readonly GraphicsBuffer constants;
@@ -24,6 +25,7 @@ namespace Rill.Tests
         public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f)
         {
             this.state = state;
+            this.gravity = gravity;
             var input = SolverStages.Still();
             input.timeStep = TimeStep;
             input.gravity = gravity;
@@ -39,15 +41,20 @@ namespace Rill.Tests
 
         public CoarseGrid Grid => Correction.Grid;
 
-        /// <summary>The reference's cells over the same particles; those that are not finite are in none.</summary>
-        public CoarseCells Cells
-        {
-            get
-            {
-                double3[] finite = Compare.Points(state.positions.Where((p, i) => math.all(math.isfinite(p.xyz)) && math.all(math.isfinite(state.velocities[i].xyz))).ToArray());
-                return new CoarseCells(state.box, Grid.Counts).Fill(finite);
-            }
-        }
+        /// <summary>The reference's cells over the same particles.</summary>
+        public CoarseCells Cells => new CoarseCells(state.box, Grid.Counts).Fill(Compare.Points(state.positions));
+
+        /// <summary>Those of the projection: over where the particles' flow takes them; those that are not finite are in none.</summary>
+        public CoarseCells FlowCells => new CoarseCells(state.box, Grid.Counts).Fill(AlongFlow.Where(p => math.all(math.isfinite(p))).ToArray());
+
+        /// <summary>Where flow alone takes each particle in the substep, d; not finite where one of its numbers is not.</summary>
+        public double3[] AlongFlow => state.positions.Select((p, i) => AlongFlowOf(p.xyz, state.velocities[i].xyz, state.box, gravity)).ToArray();
+
+        /// <param name="p">d, <paramref name="velocity"/> d/s, <paramref name="gravity"/> m/s².</param>
+        public static double3 AlongFlowOf(float3 p, float3 velocity, float3 box, float3 gravity) =>
+            math.all(math.isfinite(p)) && math.all(math.isfinite(velocity))
+                ? math.clamp((double3)p + (double3)velocity * TimeStep + (double3)gravity / SolverStages.Spacing * TimeStep * TimeStep, new double3(0.5), (double3)box - 0.5)
+                : new double3(double.NaN);
 
         public float[] Fill => Read(Correction.Cells.fill);
         public float[] Source => Read(Correction.Cells.source);

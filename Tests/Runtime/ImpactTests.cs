@@ -29,6 +29,35 @@ namespace Rill.Tests
                 AssertCalmsDown(fluid);
         }
 
+        [Test]
+        public void Water_that_meets_water_at_33_spacings_in_a_step_is_not_pressed_together()
+        {
+            const float spacing = 0.0125f;
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.On;
+            settings.iterations = 2;
+            using (TestFluid fluid = new TestFluid(new float3(32f, 80f, 32f) * spacing, spacing, 6700, settings).AddBlock(0f, new float3(32f, 4f, 32f) * spacing)
+                .AddBlock(new float3(10f, 40f, 10f) * spacing, new float3(12f, 16f, 12f) * spacing, new float3(0f, -25f, 0f)))
+            {
+                float mean = 0f, largest = 0f;
+                int coincident = 0;
+                float last = fluid.Measure().Energy;
+                for (int step = 0; step < 6; step++)
+                {
+                    FluidStatistics statistics = fluid.Step().MeasureWhole();
+                    mean = math.max(mean, statistics.densityError);
+                    largest = math.max(largest, statistics.densityErrorMax);
+                    coincident = math.max(coincident, statistics.coincident);
+                    Assert.That(statistics.Energy, Is.LessThan(1.001f * last), $"step {step}");
+                    last = statistics.Energy;
+                }
+                TestContext.Out.WriteLine($"highest C+ {100f * mean:0.0} %, largest {largest:0.0}, most coincident {coincident}");
+                Assert.That(mean, Is.LessThan(0.15f));
+                Assert.That(largest, Is.LessThan(3f));
+                Assert.That(coincident, Is.LessThan(20));
+            }
+        }
+
         static void AssertCalmsDown(TestFluid fluid)
         {
             float last = fluid.Measure().Energy, first = last;

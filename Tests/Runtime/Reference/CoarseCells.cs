@@ -14,7 +14,7 @@ namespace Rill.Tests.Reference
 
         public readonly int3 counts;
         public readonly double3 size;
-        /// <summary>Particles per volume relative to rest; a cell that is less than 0.6 full is not active.</summary>
+        /// <summary>Particles per volume relative to rest; a cell that has less than two layers of them across it is not active.</summary>
         public readonly double[] fill;
         public readonly bool[] active;
 
@@ -72,7 +72,7 @@ namespace Rill.Tests.Reference
             foreach (double3 p in points)
                 fill[CellOf(p)] += 1.0 / volume;
             for (int cell = 0; cell < Total; cell++)
-                active[cell] = fill[cell] >= 0.6 - 1e-9;
+                active[cell] = fill[cell] * volume >= 2.0 * Math.Pow(volume, 2.0 / 3.0) - 0.01;
             return this;
         }
 
@@ -97,8 +97,8 @@ namespace Rill.Tests.Reference
         {
             if (active[beyond])
                 return 1.0;
-            double theta = Math.Min(fill[cell], 1.0) - 0.5 + Math.Min(fill[beyond], 1.0);
-            return 1.0 / Math.Min(Math.Max(theta, 0.25), 1.5);
+            double theta = 0.5 * Math.Min(fill[cell], 1.0) + Math.Min(fill[beyond], 1.0);
+            return 1.0 / Math.Min(Math.Max(theta, 0.1), 1.5);
         }
 
         /// <summary>The equation's diagonal in an active cell: walls let nothing through.</summary>
