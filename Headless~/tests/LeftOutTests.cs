@@ -65,7 +65,7 @@ namespace Host.Tests
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepBeside",
             }
                 .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside")).Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside"))
-                .Concat(new[] { "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "Solids")))
+                .Concat(new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "Solids")))
                 .Concat(new[] { "Smooth", "RestrictGrid", "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "Solids"))).ToArray()),
             ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
             ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),

@@ -25,7 +25,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly int binFlow, findDivergence, displaceFlow;
         readonly int findErrors, displaceErrors, extendDisplacements;
-        readonly int findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids, reactToFlow, reactToErrors;
+        readonly int binFlowSolids, findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids, reactToFlow, reactToErrors;
         CoarseSolids solids;
         GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
@@ -38,6 +38,7 @@ namespace Rill
             findErrors = shader.FindKernel("FindErrors");
             displaceErrors = shader.FindKernel("DisplaceErrors");
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
+            binFlowSolids = shader.FindKernel("BinFlowSolids");
             findDivergenceSolids = shader.FindKernel("FindDivergenceSolids");
             displaceFlowSolids = shader.FindKernel("DisplaceFlowSolids");
             findErrorsSolids = shader.FindKernel("FindErrorsSolids");
@@ -113,11 +114,13 @@ namespace Rill
         {
             cmd.BeginSample(ProjectionMarker);
             BindConstants(cmd, constants);
-            cmd.SetComputeBufferParam(shader, binFlow, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, binFlow, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, binFlow, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, binFlow, CoarseIds.Bins, Bins);
-            cmd.DispatchCompute(shader, binFlow, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            int bin = solids == null ? binFlow : binFlowSolids;
+            solids?.Bind(cmd, shader, bin);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
+            cmd.DispatchCompute(shader, bin, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
             RecordSource(cmd, solids == null ? findDivergence : findDivergenceSolids, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, solids);
@@ -170,8 +173,7 @@ namespace Rill
                 return description;
             int substeps = input.settings.substeps;
             string variant = stage.solids == null ? "" : "Solids";
-            description.Kernel("CoarseGrid", "BinFlow", substeps);
-            foreach (string kernel in new[] { "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
+            foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel + variant, substeps);
             stage.solids?.Describe(description, substeps);
             if (stage.solids?.Reacting != null)
