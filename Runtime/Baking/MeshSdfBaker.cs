@@ -22,9 +22,18 @@ namespace Rill
     public sealed class MeshSdfBaker : IDisposable
     {
 
-        // Of one dispatch: a few ten milliseconds on a slow GPU, where Windows resets one after two seconds.
-        const int PairsPerStep = 1 << 18, FloodVoxelsPerStep = 1 << 21, ResolveVoxelsPerStep = 1 << 19;
+        /// <summary>The most work of one dispatch.</summary>
+        internal struct StepSize
+        {
+            /// <summary>Pairs of a triangle and a brick of 64 voxels.</summary>
+            public int pairs;
+            public int floodVoxels, resolveVoxels;
 
+            /// <summary>A few ten milliseconds on a slow GPU; Windows resets one that takes two seconds.</summary>
+            public static StepSize Default => new StepSize { pairs = 1 << 18, floodVoxels = 1 << 21, resolveVoxels = 1 << 19 };
+        }
+
+        readonly StepSize size;
         readonly TriangleMesh mesh;
         readonly MeshSdfSettings settings;
         readonly MeshSdfSign sign;
@@ -42,8 +51,11 @@ namespace Rill
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
         /// <exception cref="ArgumentException">The mesh or the settings cannot be baked; the message says which, the limit and the remedy.</exception>
         /// <exception cref="InvalidOperationException">This device has no compute shaders or no asynchronous readback, or the baker's shaders are missing.</exception>
-        public MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings)
+        public MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings) : this(mesh, settings, StepSize.Default) { }
+
+        internal MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings, StepSize size)
         {
+            this.size = size;
             this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
             this.settings = settings;
             if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)
@@ -64,8 +76,8 @@ namespace Rill
 
             geometry = new BakeGeometry(mesh, edges, grid, turnAll: !isShell && edges.SignedVolume < 0);
             passes = new MeshSdfPasses(geometry, grid);
-            totalSteps = 2 + 2 * Parts(geometry.PairCount, PairsPerStep) + Strides().Count * Parts(grid.VoxelCount, FloodVoxelsPerStep)
-                + (isShell ? 0 : passes.LevelCount) + Parts(grid.VoxelCount, ResolveVoxelsPerStep);
+            totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * Parts(grid.VoxelCount, size.floodVoxels)
+                + (isShell ? 0 : passes.LevelCount) + Parts(grid.VoxelCount, size.resolveVoxels);
             work = Work(isShell);
         }
 
@@ -173,21 +185,21 @@ namespace Rill
 
             passes.Clear();
             yield return near;
-            foreach (BakeGeometry.Slice slice in geometry.Slices(PairsPerStep))
+            foreach (BakeGeometry.Slice slice in geometry.Slices(size.pairs))
             {
                 passes.SplatDistances(slice);
                 yield return near;
             }
-            foreach (BakeGeometry.Slice slice in geometry.Slices(PairsPerStep))
+            foreach (BakeGeometry.Slice slice in geometry.Slices(size.pairs))
             {
                 passes.SplatNearest(slice);
                 yield return near;
             }
             foreach (int stride in Strides())
             {
-                for (int first = 0; first < voxels; first += FloodVoxelsPerStep)
+                for (int first = 0; first < voxels; first += size.floodVoxels)
                 {
-                    passes.Flood(stride, first, Math.Min(FloodVoxelsPerStep, voxels - first));
+                    passes.Flood(stride, first, Math.Min(size.floodVoxels, voxels - first));
                     yield return far;
                 }
                 passes.Swap();
@@ -197,9 +209,9 @@ namespace Rill
                 passes.BuildClusters(level);
                 yield return last;
             }
-            for (int first = 0; first < voxels; first += ResolveVoxelsPerStep)
+            for (int first = 0; first < voxels; first += size.resolveVoxels)
             {
-                passes.Resolve(isShell, first, Math.Min(ResolveVoxelsPerStep, voxels - first));
+                passes.Resolve(isShell, first, Math.Min(size.resolveVoxels, voxels - first));
                 yield return last;
             }
         }

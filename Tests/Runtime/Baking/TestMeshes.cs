@@ -96,6 +96,9 @@ namespace Rill.Tests
             return new TriangleMesh(mesh.Name + " turned", mesh.Vertices, triangles);
         }
 
+        /// <summary>Every triangle drawn together towards the origin.</summary>
+        public static TriangleMesh Shrunk(this TriangleMesh mesh, float scale) => mesh.Transformed(Matrix4x4.Scale(scale * Vector3.one));
+
         public static Vector3 CenterOf(this TriangleMesh mesh, int t) =>
             (mesh.Vertices[mesh.Triangles[3 * t]] + mesh.Vertices[mesh.Triangles[3 * t + 1]] + mesh.Vertices[mesh.Triangles[3 * t + 2]]) / 3f;
     }
