@@ -77,6 +77,13 @@ namespace Rill
 
         public long PairCount => firstPairs[Triangles.Length];
 
+        /// <summary>Bricks of a grid, those cut off by its end with them.</summary>
+        public static int BrickCount(int3 resolution)
+        {
+            int3 bricks = (resolution + Brick - 1) / Brick;
+            return bricks.x * bricks.y * bricks.z;
+        }
+
         /// <summary>The bounds of all triangles that take part, m.</summary>
         public static Bounds BoundsOf(TriangleMesh mesh, MeshEdges edges)
         {

@@ -4,13 +4,13 @@ using Unity.Mathematics;
 namespace Rill
 {
     /// <summary>
-    /// A full tree over triangles in order: leaves of eight triangles, parents of eight children, one root. Levels lie one
+    /// A full tree over triangles in order: leaves of four triangles, parents of four children, one root. Levels lie one
     /// after the other, so that child and parent follow from the index alone.
     /// </summary>
     static class ClusterLevels
     {
         /// <summary>Triangles of a leaf and children of a cluster; kFan in MeshSdf.compute.</summary>
-        public const int Fan = 8;
+        public const int Fan = 4;
 
         /// <summary>First cluster of each level and how many there are, leaves first.</summary>
         public static uint2[] Of(int triangles)

@@ -27,10 +27,10 @@ namespace Rill
         {
             /// <summary>Pairs of a triangle and a brick of 64 voxels.</summary>
             public int pairs;
-            public int floodVoxels, resolveVoxels;
+            public int voxels, bricks;
 
             /// <summary>A few ten milliseconds on a slow GPU; Windows resets one that takes two seconds.</summary>
-            public static StepSize Default => new StepSize { pairs = 1 << 18, floodVoxels = 1 << 21, resolveVoxels = 1 << 19 };
+            public static StepSize Default => new StepSize { pairs = 1 << 18, voxels = 1 << 21, bricks = 1 << 13 };
         }
 
         readonly StepSize size;
@@ -76,8 +76,8 @@ namespace Rill
 
             geometry = new BakeGeometry(mesh, edges, grid, turnAll: !isShell && edges.SignedVolume < 0);
             passes = new MeshSdfPasses(geometry, grid);
-            totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * Parts(grid.VoxelCount, size.floodVoxels)
-                + (isShell ? 0 : passes.LevelCount) + Parts(grid.VoxelCount, size.resolveVoxels);
+            int brickParts = Parts(passes.BrickCount, size.bricks), voxelParts = Parts(grid.VoxelCount, size.voxels);
+            totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts + (isShell ? voxelParts : passes.LevelCount + 2 * brickParts);
             work = Work(isShell);
         }
 
@@ -197,21 +197,31 @@ namespace Rill
             }
             foreach (int stride in Strides())
             {
-                for (int first = 0; first < voxels; first += size.floodVoxels)
+                for (int first = 0; first < voxels; first += size.voxels)
                 {
-                    passes.Flood(stride, first, Math.Min(size.floodVoxels, voxels - first));
+                    passes.Flood(stride, first, Math.Min(size.voxels, voxels - first));
                     yield return far;
                 }
                 passes.Swap();
+            }
+            for (int first = 0; first < voxels && isShell; first += size.voxels)
+            {
+                passes.ResolveShell(first, Math.Min(size.voxels, voxels - first));
+                yield return last;
             }
             for (int level = 0; level < passes.LevelCount && !isShell; level++)
             {
                 passes.BuildClusters(level);
                 yield return last;
             }
-            for (int first = 0; first < voxels; first += size.resolveVoxels)
+            for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)
             {
-                passes.Resolve(isShell, first, Math.Min(size.resolveVoxels, voxels - first));
+                passes.FindSides(first, Math.Min(size.bricks, passes.BrickCount - first));
+                yield return last;
+            }
+            for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)
+            {
+                passes.ResolveSolid(first, Math.Min(size.bricks, passes.BrickCount - first));
                 yield return last;
             }
         }

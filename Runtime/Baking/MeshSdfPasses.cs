@@ -18,12 +18,12 @@ namespace Rill
         }
 
         readonly ComputeShader shader = StageShader.LoadCompute("MeshSdf");
-        readonly int clear, splatDistances, splatNearest, flood, buildLeaves, buildParents, resolveSolid, resolveShell;
+        readonly int clear, splatDistances, splatNearest, flood, buildLeaves, buildParents, findSides, resolveSolid, resolveShell;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Rill.MeshSdf" };
         readonly SdfGrid grid;
         readonly int triangleCount;
         readonly uint2[] levels;
-        GraphicsBuffer triangles, firstPairs, levelTable, clusters, distances, nearest;
+        GraphicsBuffer triangles, firstPairs, levelTable, clusters, sides, distances, nearest;
 
         public MeshSdfPasses(BakeGeometry geometry, in SdfGrid grid)
         {
@@ -34,6 +34,7 @@ namespace Rill
             flood = shader.FindKernel("Flood");
             buildLeaves = shader.FindKernel("BuildLeaves");
             buildParents = shader.FindKernel("BuildParents");
+            findSides = shader.FindKernel("FindSides");
             resolveSolid = shader.FindKernel("ResolveSolid");
             resolveShell = shader.FindKernel("ResolveShell");
 
@@ -47,11 +48,15 @@ namespace Rill
             levelTable.SetData(levels);
             uint2 top = levels[levels.Length - 1];
             clusters = GpuBuffer.Structured<Cluster>("Rill.MeshSdf.Clusters", top.x + top.y);
+            sides = GpuBuffer.Structured<uint>("Rill.MeshSdf.Sides", BrickCount);
             distances = GpuBuffer.Structured<uint>("Rill.MeshSdf.Distances", grid.VoxelCount);
             nearest = GpuBuffer.Structured<uint>("Rill.MeshSdf.Nearest", grid.VoxelCount);
         }
 
         public int LevelCount => levels.Length;
+
+        /// <summary>Bricks of 4³ voxels.</summary>
+        public int BrickCount => BakeGeometry.BrickCount(grid.Resolution);
 
         /// <summary>Bits of floats, m, once everything is resolved.</summary>
         public GraphicsBuffer Distances => distances;
@@ -110,21 +115,43 @@ namespace Rill
             Run(kernel, GroupsFor(levels[level].y));
         }
 
-        public void Resolve(bool isShell, int first, int count)
+        /// <summary>Of bricks that lie on one side of the surface as a whole; once the flood is over.</summary>
+        public void FindSides(int first, int count)
         {
             Begin(first, count);
-            int kernel = isShell ? resolveShell : resolveSolid;
-            cmd.SetComputeFloatParam(shader, Ids.VoxelSize, grid.VoxelSize);
+            BindTree(findSides);
+            Bind(findSides, Ids.NearestBefore, nearest);
+            Bind(findSides, Ids.Sides, sides);
+            Run(findSides, GroupsFor(count));
+        }
+
+        /// <summary>Bricks of a solid.</summary>
+        public void ResolveSolid(int first, int count)
+        {
+            Begin(first, count);
+            BindTree(resolveSolid);
+            Bind(resolveSolid, Ids.NearestBefore, nearest);
+            Bind(resolveSolid, Ids.SidesRead, sides);
+            Bind(resolveSolid, Ids.Distances, distances);
+            Run(resolveSolid, count);
+        }
+
+        /// <summary>Voxels of a shell.</summary>
+        public void ResolveShell(int first, int count)
+        {
+            Begin(first, count);
             cmd.SetComputeFloatParam(shader, Ids.HalfThickness, 0.5f * grid.Thickness / grid.VoxelSize);
+            Bind(resolveShell, Ids.Triangles, triangles);
+            Bind(resolveShell, Ids.NearestBefore, nearest);
+            Bind(resolveShell, Ids.Distances, distances);
+            Run(resolveShell, GroupsFor(count));
+        }
+
+        void BindTree(int kernel)
+        {
             Bind(kernel, Ids.Triangles, triangles);
-            Bind(kernel, Ids.NearestBefore, nearest);
-            Bind(kernel, Ids.Distances, distances);
-            if (!isShell)
-            {
-                Bind(kernel, Ids.Levels, levelTable);
-                Bind(kernel, Ids.ClustersRead, clusters);
-            }
-            Run(kernel, GroupsFor(count));
+            Bind(kernel, Ids.Levels, levelTable);
+            Bind(kernel, Ids.ClustersRead, clusters);
         }
 
         public void Dispose()
@@ -134,6 +161,7 @@ namespace Rill
             GpuBuffer.Release(ref firstPairs);
             GpuBuffer.Release(ref levelTable);
             GpuBuffer.Release(ref clusters);
+            GpuBuffer.Release(ref sides);
             GpuBuffer.Release(ref distances);
             GpuBuffer.Release(ref nearest);
         }
@@ -145,6 +173,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.First, first);
             cmd.SetComputeIntParam(shader, Ids.Count, count);
             cmd.SetComputeIntParam(shader, Ids.LevelCount, levels.Length);
+            cmd.SetComputeFloatParam(shader, Ids.VoxelSize, grid.VoxelSize);
         }
 
         void Bind(int kernel, int id, GraphicsBuffer buffer) => cmd.SetComputeBufferParam(shader, kernel, id, buffer);
@@ -169,6 +198,8 @@ namespace Rill
             public static readonly int Nearest = Shader.PropertyToID("_Nearest");
             public static readonly int Clusters = Shader.PropertyToID("_Clusters");
             public static readonly int ClustersRead = Shader.PropertyToID("_ClustersRead");
+            public static readonly int Sides = Shader.PropertyToID("_Sides");
+            public static readonly int SidesRead = Shader.PropertyToID("_SidesRead");
             public static readonly int TriangleCount = Shader.PropertyToID("_TriangleCount");
             public static readonly int Resolution = Shader.PropertyToID("_Resolution");
             public static readonly int First = Shader.PropertyToID("_First");
