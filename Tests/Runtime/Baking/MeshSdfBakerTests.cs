@@ -42,6 +42,16 @@ namespace Rill.Tests
             return soup;
         }
 
+        /// <summary>Some four hundred voxels long and two wide, through the middles of voxels.</summary>
+        static TriangleMesh Slivers()
+        {
+            var random = new Unity.Mathematics.Random(3);
+            var vertices = new Vector3[18];
+            for (int i = 0; i < vertices.Length; i++)
+                vertices[i] = new Vector3(new[] { 0f, 1f, 0.4f }[i % 3], 0.02f * random.NextFloat(), 0.005f * random.NextFloat());
+            return new TriangleMesh("Slivers", vertices, Enumerable.Range(0, vertices.Length).ToArray());
+        }
+
         static TriangleMesh Shape(string name)
         {
             switch (name)
@@ -51,6 +61,7 @@ namespace Rill.Tests
                 case "box": return TestMeshes.Box(new Vector3(1f, 2f, 3f));
                 case "soup": return Soup(40, needles: false);
                 case "needles": return Soup(60, needles: true);
+                case "slivers": return Slivers();
                 case "small parts": return SmallParts();
                 default: return TestMeshes.Sheet(2f);
             }
@@ -70,6 +81,7 @@ namespace Rill.Tests
         [TestCase("box", 40, 1)]
         [TestCase("soup", 40, 1)]
         [TestCase("needles", 40, 1)]
+        [TestCase("slivers", 400, 1)]
         [TestCase("small parts", 48, 1)]
         public void Distances_are_those_to_the_nearest_of_all_triangles(string shape, int resolution, int every)
         {
