@@ -115,6 +115,8 @@ namespace Rill
                 isReading = true;
                 steps++;
             }
+            // Where no frames pass, as in an editor at rest, nothing else looks whether it is there.
+            readback.Update();
             if (!readback.done)
                 return true;
             Finish();

@@ -69,6 +69,7 @@ namespace Rill.Tests
 
         static void HoldsTheBars(string what, BakeError error)
         {
+            TestContext.WriteLine($"{what}: {error}");
             Assert.That(error.BandVoxels, Is.GreaterThan(100), what);
             Assert.That(error.BeyondVoxels, Is.GreaterThan(100), what);
             Assert.That(error.Band, Is.LessThanOrEqualTo(Band), $"{what}: {error}");
