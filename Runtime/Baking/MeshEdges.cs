@@ -110,9 +110,16 @@ namespace Rill
             static uint3 Bits(Vector3 v) => math.asuint((float3)v + 0f);
         }
 
+        /// <summary>Mixes both vertices: the framework's hash of a ulong is their exclusive or, and neighbors' are all small.</summary>
+        sealed class SameEdge : IEqualityComparer<ulong>
+        {
+            public bool Equals(ulong a, ulong b) => a == b;
+            public int GetHashCode(ulong edge) => (int)math.hash(new uint2((uint)edge, (uint)(edge >> 32)));
+        }
+
         void FindEdges()
         {
-            var table = new Dictionary<ulong, int>(corners.Length / 2 + 1);
+            var table = new Dictionary<ulong, int>(corners.Length / 2 + 1, new SameEdge());
             for (int t = 0; t < Turned.Length; t++)
                 for (int k = 0; k < 3 && TakesPart(t); k++)
                 {

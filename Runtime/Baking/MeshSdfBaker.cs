@@ -1,5 +1,9 @@
 using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -18,16 +22,67 @@ namespace Rill
     public sealed class MeshSdfBaker : IDisposable
     {
 
+        /// <summary>The most work of one dispatch.</summary>
+        internal struct StepSize
+        {
+            /// <summary>Pairs of a triangle and a brick of 64 voxels.</summary>
+            public int pairs;
+            public int voxels, bricks;
+
+            /// <summary>A few ten milliseconds on a slow GPU; Windows resets one that takes two seconds.</summary>
+            public static StepSize Default => new StepSize { pairs = 1 << 18, voxels = 1 << 21, bricks = 1 << 13 };
+        }
+
+        readonly StepSize size;
+        readonly TriangleMesh mesh;
+        readonly MeshSdfSettings settings;
+        readonly MeshSdfSign sign;
+        readonly SdfGrid grid;
+        readonly BakeGeometry geometry;
+        readonly MeshSdfPasses passes;
+        readonly IEnumerator<string> work;
+        readonly int totalSteps;
+        int steps;
+        NativeArray<float> arriving;
+        AsyncGPUReadbackRequest readback;
+        bool isReading, isDisposed;
+
         /// <summary>Prepares a bake; most of the work is left to <see cref="Step"/>.</summary>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
         /// <exception cref="ArgumentException">The mesh or the settings cannot be baked; the message says which, the limit and the remedy.</exception>
-        /// <exception cref="InvalidOperationException">This device has no compute shaders, or the baker's are missing.</exception>
-        public MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings)
+        /// <exception cref="InvalidOperationException">This device has no compute shaders or no asynchronous readback, or the baker's shaders are missing.</exception>
+        public MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings) : this(mesh, settings, StepSize.Default) { }
+
+        internal MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings, StepSize size)
         {
+            this.size = size;
+            this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
+            this.settings = settings;
+            if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)
+                throw new InvalidOperationException("Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
+            if (!settings.Validate(out string problem))
+                throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
+            var edges = new MeshEdges(mesh);
+            problem = MeshReport.ProblemOf(mesh, edges);
+            if (problem != null)
+                throw new ArgumentException(problem, nameof(mesh));
+
+            sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
+            bool isShell = sign == MeshSdfSign.OpenShell;
+            grid = new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), settings, isShell);
+            problem = new MeshSdfEstimate(grid, mesh.TriangleCount, settings).Problem;
+            if (problem != null)
+                throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
+
+            geometry = new BakeGeometry(mesh, edges, grid, turnAll: !isShell && edges.SignedVolume < 0);
+            passes = new MeshSdfPasses(geometry, grid);
+            int brickParts = Parts(passes.BrickCount, size.bricks), voxelParts = Parts(grid.VoxelCount, size.voxels);
+            totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts + (isShell ? voxelParts : passes.LevelCount + 2 * brickParts);
+            work = Work(isShell);
         }
 
         /// <summary>Share of the work that is done, 0 to 1.</summary>
-        public float Progress { get; private set; }
+        public float Progress => IsDone ? 1f : (float)steps / totalSteps;
 
         /// <summary>What is being done, for a progress bar.</summary>
         public string Stage { get; private set; } = "";
@@ -40,13 +95,56 @@ namespace Rill
         /// <summary>Does one slice of the work: at most one dispatch, which no GPU takes long for.</summary>
         /// <returns>Whether there is more to do. While the result is read back that is so without work being done.</returns>
         /// <exception cref="ObjectDisposedException">The bake was cancelled.</exception>
-        public bool Step() => throw new NotImplementedException();
+        public bool Step()
+        {
+            if (IsDone)
+                return false;
+            if (isDisposed)
+                throw new ObjectDisposedException(nameof(MeshSdfBaker), $"The bake of '{mesh.Name}' was cancelled.");
+            if (!isReading && work.MoveNext())
+            {
+                Stage = work.Current;
+                steps++;
+                return true;
+            }
+            if (!isReading)
+            {
+                Stage = "Reading back";
+                arriving = new NativeArray<float>((int)grid.VoxelCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+                readback = AsyncGPUReadback.RequestIntoNativeArray(ref arriving, passes.Distances);
+                isReading = true;
+                steps++;
+            }
+            // Where no frames pass, as in an editor at rest, nothing else looks whether it is there.
+            readback.Update();
+            if (!readback.done)
+                return true;
+            Finish();
+            return false;
+        }
 
         /// <summary>Does the rest of the work and waits for it.</summary>
-        public SdfBake Complete() => throw new NotImplementedException();
+        public SdfBake Complete()
+        {
+            while (Step())
+                if (isReading)
+                    readback.WaitForCompletion();
+            return Result;
+        }
 
         /// <summary>Cancels the bake, if it is not done, and gives back its memory. The result stays.</summary>
-        public void Dispose() { }
+        public void Dispose()
+        {
+            if (isDisposed)
+                return;
+            isDisposed = true;
+            // The memory that a read-back fills must outlive it.
+            if (isReading && !readback.done)
+                readback.WaitForCompletion();
+            if (arriving.IsCreated)
+                arriving.Dispose();
+            passes.Dispose();
+        }
 
         /// <summary>Bakes all submeshes of a mesh and waits for the result: a tool, not for a frame of a game.</summary>
         /// <param name="progress">Told the share that is done and the stage, and asked whether to go on; null for neither.</param>
@@ -58,14 +156,96 @@ namespace Rill
         {
             using (var baker = new MeshSdfBaker(mesh, settings))
             {
-                while (baker.Step())
+                while (!baker.isReading && baker.Step())
                     if (progress != null && !progress(baker.Progress, baker.Stage))
                         return null;
-                return baker.Result;
+                return baker.Complete();
             }
         }
 
         /// <summary>What a bake will make and take. Reads the whole mesh where the sign is automatic, to see whether it is open.</summary>
-        public static MeshSdfEstimate Estimate(TriangleMesh mesh, in MeshSdfSettings settings) => throw new NotImplementedException();
+        /// <exception cref="ArgumentException">The mesh or the settings cannot be baked at any size.</exception>
+        public static MeshSdfEstimate Estimate(TriangleMesh mesh, in MeshSdfSettings settings)
+        {
+            if (mesh == null)
+                throw new ArgumentNullException(nameof(mesh));
+            if (!settings.Validate(out string problem))
+                throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
+            var edges = new MeshEdges(mesh);
+            problem = MeshReport.ProblemOf(mesh, edges);
+            if (problem != null)
+                throw new ArgumentException(problem, nameof(mesh));
+            MeshSdfSign sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
+            return new MeshSdfEstimate(new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), settings, sign == MeshSdfSign.OpenShell), mesh.TriangleCount, settings);
+        }
+
+        // The order of a bake; each turn is one dispatch.
+        IEnumerator<string> Work(bool isShell)
+        {
+            const string near = "Distances near the surface", far = "Distances beyond", last = "Inside and outside";
+            int voxels = (int)grid.VoxelCount;
+
+            passes.Clear();
+            yield return near;
+            foreach (BakeGeometry.Slice slice in geometry.Slices(size.pairs))
+            {
+                passes.SplatDistances(slice);
+                yield return near;
+            }
+            foreach (BakeGeometry.Slice slice in geometry.Slices(size.pairs))
+            {
+                passes.SplatNearest(slice);
+                yield return near;
+            }
+            foreach (int stride in Strides())
+            {
+                for (int first = 0; first < voxels; first += size.voxels)
+                {
+                    passes.Flood(stride, first, Math.Min(size.voxels, voxels - first));
+                    yield return far;
+                }
+                passes.Swap();
+            }
+            for (int first = 0; first < voxels && isShell; first += size.voxels)
+            {
+                passes.ResolveShell(first, Math.Min(size.voxels, voxels - first));
+                yield return last;
+            }
+            for (int level = 0; level < passes.LevelCount && !isShell; level++)
+            {
+                passes.BuildClusters(level);
+                yield return last;
+            }
+            for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)
+            {
+                passes.FindSides(first, Math.Min(size.bricks, passes.BrickCount - first));
+                yield return last;
+            }
+            for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)
+            {
+                passes.ResolveSolid(first, Math.Min(size.bricks, passes.BrickCount - first));
+                yield return last;
+            }
+        }
+
+        // Halving from half the grid down to 1, and 1 once more, which halves the mean error; further rounds win little.
+        List<int> Strides()
+        {
+            var strides = new List<int>();
+            for (int stride = math.ceilpow2(math.cmax(grid.Resolution)) / 2; stride > 0; stride /= 2)
+                strides.Add(stride);
+            strides.Add(1);
+            return strides;
+        }
+
+        void Finish()
+        {
+            if (readback.hasError)
+                throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake anew, with fewer voxels if it happens again.");
+            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.Triangles.Length);
+            Dispose();
+        }
+
+        static int Parts(long items, int each) => (int)((items + each - 1) / each);
     }
 }

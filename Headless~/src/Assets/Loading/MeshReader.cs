@@ -37,6 +37,7 @@ namespace Host.Assets
                 mesh.SetIndices(indices.AsSpan(first, count).ToArray(), (MeshTopology)parts[i].Int("topology"), i, false, parts[i].Int("baseVertex"));
             }
             mesh.bounds = new Bounds(BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Center"]), 2 * BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Extent"]));
+            if (!fields.Bool("m_IsReadable", true)) mesh.UploadMeshData(true);
             return mesh;
         }
 

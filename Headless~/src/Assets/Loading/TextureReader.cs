@@ -35,7 +35,7 @@ namespace Host.Assets
             var texture = new Texture3D(fields.Int("m_Width"), fields.Int("m_Height"), fields.Int("m_Depth"), (GraphicsFormat)fields.Int("m_Format"), TextureCreationFlags.None, 1);
             if (fields.Int("m_MipCount", 1) > 1) throw fields.Place.Error($"the volume texture '{fields.Text("m_Name")}' has mip levels, which the host does not read: save it without");
             texture.SetPixelData(Data(fields), 0);
-            texture.Apply(false);
+            texture.Apply(false, !fields.Bool("m_IsReadable", true));
             return Sampled(texture, fields["m_TextureSettings"]);
         }
 

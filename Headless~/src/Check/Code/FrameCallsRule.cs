@@ -40,6 +40,8 @@ namespace Host.Check
         // A method that is called once in a while, and why it may.
         static readonly (string method, string member, string reason)[] Allowed =
         {
+            ("MeshSdfBaker.Complete", "WaitForCompletion", "a bake that is waited for is a tool; Step does not wait"),
+            ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is cancelled"),
             ("StatisticsPass.Dispose", "WaitAllRequests", "the memory that a read-back fills must outlive it; happens when a fluid is switched off"),
         };
 

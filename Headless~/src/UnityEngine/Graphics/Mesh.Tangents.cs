@@ -15,7 +15,7 @@ namespace UnityEngine
                 return;
             var along = new Vector3[positions.Length];
             var across = new Vector3[positions.Length];
-            int[] corners = triangles;
+            int[] corners = AllIndices();
             for (int t = 0; t + 2 < corners.Length; t += 3)
             {
                 int a = corners[t], b = corners[t + 1], c = corners[t + 2];

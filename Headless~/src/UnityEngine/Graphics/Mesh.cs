@@ -32,12 +32,12 @@ namespace UnityEngine
         // ---- attributes; the vertex count is the positions'
 
         public int vertexCount => positions.Length;
-        public bool isReadable => true;
+        public bool isReadable { get; private set; } = true;
         public IndexFormat indexFormat { get; set; }
         public Bounds bounds { get; set; }
 
-        public Vector3[] vertices { get => (Vector3[])positions.Clone(); set => SetPositions(value); }
-        public Vector3[] normals { get => (Vector3[])normalData.Clone(); set => SetNormalsCore(value); }
+        public Vector3[] vertices { get => MayAccess("vertices") ? (Vector3[])positions.Clone() : Array.Empty<Vector3>(); set => SetPositions(value); }
+        public Vector3[] normals { get => MayAccess("normals") ? (Vector3[])normalData.Clone() : Array.Empty<Vector3>(); set => SetNormalsCore(value); }
         public Vector4[] tangents { get => (Vector4[])tangentData.Clone(); set => SetTangentsCore(value); }
         public Color[] colors { get => (Color[])colorData.Clone(); set => SetColorsCore(value); }
         public Color32[] colors32 { get => Array.ConvertAll(colorData, c => (Color32)c); set => SetColorsCore(value == null ? null : Array.ConvertAll(value, c => (Color)c)); }
@@ -50,8 +50,19 @@ namespace UnityEngine
         public Vector2[] uv7 { get => Array.ConvertAll(Uv(6), v => (Vector2)v); set => SetUVs(6, value); }
         public Vector2[] uv8 { get => Array.ConvertAll(Uv(7), v => (Vector2)v); set => SetUVs(7, value); }
 
+        /// <summary>Whether scripts can reach the data; otherwise it is told once a call.</summary>
+        bool MayAccess(string what)
+        {
+            if (!isReadable)
+                GpuError.Report($"Mesh '{name}': its {what} cannot be accessed; UploadMeshData made it no longer readable, or Read/Write is off in its import settings.",
+                    $"Not allowed to access {what} on mesh '{name}' (isReadable is false; Read/Write must be enabled in import settings)");
+            return isReadable;
+        }
+
         void SetPositions(Vector3[] value)
         {
+            if (!MayAccess("vertices"))
+                return;
             value ??= Array.Empty<Vector3>();
             if (value.Length < positions.Length && positions.Length > 0)
                 foreach (Submesh submesh in submeshes)
@@ -147,7 +158,7 @@ namespace UnityEngine
         public void SetUVs(int channel, List<Vector4> uvs, int start, int length) => SetUVs(channel, Part(uvs?.ToArray(), start, length));
         public void GetUVs(int channel, List<Vector4> uvs) => Fill(uvs, Uv(channel), v => v);
 
-        public void GetVertices(List<Vector3> vertices) => Fill(vertices, positions, v => v);
+        public void GetVertices(List<Vector3> vertices) => Fill(vertices, MayAccess("vertices") ? positions : Array.Empty<Vector3>(), v => v);
         public void GetNormals(List<Vector3> normals) => Fill(normals, normalData, v => v);
         public void GetTangents(List<Vector4> tangents) => Fill(tangents, tangentData, v => v);
         public void GetColors(List<Color> colors) => Fill(colors, colorData, c => c);
@@ -188,13 +199,7 @@ namespace UnityEngine
 
         public int[] triangles
         {
-            get
-            {
-                var all = new List<int>();
-                for (int i = 0; i < submeshes.Count; i++)
-                    all.AddRange(GetIndices(i));
-                return all.ToArray();
-            }
+            get => MayAccess("triangles") ? AllIndices() : Array.Empty<int>();
             set
             {
                 subMeshCount = 1;
@@ -202,16 +207,25 @@ namespace UnityEngine
             }
         }
 
+        int[] AllIndices()
+        {
+            var all = new List<int>();
+            for (int i = 0; i < submeshes.Count; i++)
+                all.AddRange(Placed(At(i), true));
+            return all.ToArray();
+        }
+
+        static int[] Placed(Submesh s, bool applyBaseVertex)
+        {
+            int add = applyBaseVertex ? s.BaseVertex : 0;
+            return Array.ConvertAll(s.Indices, i => i + add);
+        }
+
         Submesh At(int submesh) => submesh >= 0 && submesh < submeshes.Count ? submeshes[submesh]
             : throw new ArgumentException($"Mesh '{name}' has {submeshes.Count} submeshes; there is no submesh {submesh}.");
 
         public int[] GetIndices(int submesh) => GetIndices(submesh, true);
-        public int[] GetIndices(int submesh, bool applyBaseVertex)
-        {
-            Submesh s = At(submesh);
-            int add = applyBaseVertex ? s.BaseVertex : 0;
-            return Array.ConvertAll(s.Indices, i => i + add);
-        }
+        public int[] GetIndices(int submesh, bool applyBaseVertex) => MayAccess("indices") ? Placed(At(submesh), applyBaseVertex) : Array.Empty<int>();
 
         public int[] GetTriangles(int submesh) => GetIndices(submesh);
         public int[] GetTriangles(int submesh, bool applyBaseVertex) => GetIndices(submesh, applyBaseVertex);
@@ -261,6 +275,8 @@ namespace UnityEngine
 
         public void SetIndices(int[] indices, MeshTopology topology, int submesh, bool calculateBounds, int baseVertex)
         {
+            if (!MayAccess("indices"))
+                return;
             indices ??= Array.Empty<int>();
             At(submesh);
             if (topology == MeshTopology.Triangles && indices.Length % 3 != 0)
@@ -367,7 +383,7 @@ namespace UnityEngine
         public void MarkDynamic() { }
         public void MarkModified() { }
         public void Optimize() { }
-        public void UploadMeshData(bool markNoLongerReadable) { }
+        public void UploadMeshData(bool markNoLongerReadable) => isReadable &= !markNoLongerReadable;
 
         public bool HasVertexAttribute(VertexAttribute attr)
         {
@@ -399,7 +415,7 @@ namespace UnityEngine
                 throw new NotSupportedException($"Mesh '{name}' has a submesh of quads, which Direct3D 11 does not draw; use triangles.");
             if (buffers == null || buffers.Owner != Player.Device)
             {
-                buffers = new MeshBuffers(name, Player.Device, positions, normalData, tangentData, colorData, uvData, triangles);
+                buffers = new MeshBuffers(name, Player.Device, positions, normalData, tangentData, colorData, uvData, AllIndices());
                 if (!IsBuiltIn)
                     LiveObjects.Add(buffers, "Mesh", name);
             }
@@ -415,7 +431,7 @@ namespace UnityEngine
 
         internal override Object CloneNative()
         {
-            var copy = new Mesh { positions = positions, normalData = normalData, tangentData = tangentData, colorData = colorData, bounds = bounds, indexFormat = indexFormat };
+            var copy = new Mesh { positions = positions, normalData = normalData, tangentData = tangentData, colorData = colorData, bounds = bounds, indexFormat = indexFormat, isReadable = isReadable };
             Array.Copy(uvData, copy.uvData, 8);
             Array.Copy(uvSize, copy.uvSize, 8);
             copy.submeshes.Clear();
