@@ -1,0 +1,138 @@
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill.Tests
+{
+    /// <summary>Baked meshes as obstacles: the same as the shape that the mesh stands for.</summary>
+    public class MeshColliderTests
+    {
+        const float Spacing = 0.05f;
+
+        SignedDistanceField ball, box;
+        GameObject water;
+
+        [OneTimeSetUp]
+        public void Bake()
+        {
+            MeshSdfSettings settings = MeshSdfSettings.Default;
+            settings.resolution = 24;
+            settings.padding = 3;
+            ball = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Sphere(0.5f, 24, new Vector3(0.1f, 0f, 0f)), settings));
+            box = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Box(new Vector3(1f, 0.6f, 0.8f)), settings));
+        }
+
+        [OneTimeTearDown]
+        public void DestroyFields()
+        {
+            foreach (SignedDistanceField field in new[] { ball, box })
+            {
+                Object.DestroyImmediate(field.Texture);
+                Object.DestroyImmediate(field);
+            }
+        }
+
+        [TearDown]
+        public void DestroyAll()
+        {
+            foreach (FluidCollider collider in FluidCollider.Enabled.ToArray())
+                Object.DestroyImmediate(collider.gameObject);
+            Object.DestroyImmediate(water);
+        }
+
+        [Test]
+        public void A_scaled_and_turned_ball_is_as_far_away_as_the_sphere_that_it_is()
+        {
+            FluidSimulation simulation = Simulation(Places());
+            FluidCollider collider = Add(ball, new Vector3(0.05f, 0.1f, -0.05f));
+            collider.transform.localScale = 0.8f * Vector3.one;
+            simulation.Advance(simulation.FixedStep);
+
+            float3 center = simulation.DomainToWorld.inverse.MultiplyPoint3x4(collider.transform.TransformPoint(new Vector3(0.1f, 0f, 0f)));
+            AssertDistances(simulation, p => math.distance(p, center) - 0.4f / Spacing);
+        }
+
+        [Test]
+        public void Two_meshes_share_the_atlas_and_keep_their_distances()
+        {
+            FluidSimulation simulation = Simulation(Places());
+            FluidCollider first = Add(ball, new Vector3(-0.5f, 0f, 0f)), second = Add(box, new Vector3(0.45f, 0f, 0f));
+            first.transform.localScale = second.transform.localScale = 0.7f * Vector3.one;
+            simulation.Advance(simulation.FixedStep);
+
+            float3 center = simulation.DomainToWorld.inverse.MultiplyPoint3x4(first.transform.TransformPoint(new Vector3(0.1f, 0f, 0f)));
+            float3 middle = simulation.DomainToWorld.inverse.MultiplyPoint3x4(second.transform.position);
+            quaternion toBox = Quaternion.Inverse(second.transform.rotation) * water.transform.rotation;
+            AssertDistances(simulation, p =>
+            {
+                float3 beyond = math.abs(math.mul(toBox, p - middle)) - 0.35f / Spacing * new float3(1f, 0.6f, 0.8f);
+                float toTheBox = math.length(math.max(beyond, 0f)) + math.min(math.cmax(beyond), 0f);
+                return math.min(math.distance(p, center) - 0.35f / Spacing, toTheBox);
+            });
+        }
+
+        [Test]
+        public void A_mesh_that_is_stretched_is_refused_by_name()
+        {
+            FluidSimulation simulation = Simulation(Places());
+            FluidCollider collider = Add(box, Vector3.zero);
+            collider.transform.localScale = new Vector3(1f, 0.5f, 1f);
+            UnityEngine.TestTools.LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("'Obstacle' is left out: its scale .* is not the same along all axes"));
+            simulation.Advance(simulation.FixedStep);
+            Assert.That(simulation.ColliderCount, Is.Zero);
+        }
+
+        // Half a voxel of the field is 0.8 d at most here; what counts is the surface, within 2 d.
+        void AssertDistances(FluidSimulation simulation, System.Func<float3, float> expected)
+        {
+            PbfSolver solver = simulation.Solver;
+            GpuTest.Run(cmd => solver.RecordStatistics(cmd, simulation.Input));
+            ParticleState state = TestFluid.Read(solver);
+            float[] distances = GpuTest.Read<float>(solver.Colliders.Distances, state.Count);
+            int near = 0;
+            for (int i = 0; i < state.Count; i++)
+            {
+                float wanted = math.min(expected(state.positions[i].xyz), 2f);
+                if (wanted < -1f)
+                    continue;
+                Assert.That(distances[i], Is.EqualTo(wanted).Within(0.12f), $"at {state.positions[i].xyz}");
+                near += wanted < 1.9f ? 1 : 0;
+            }
+            Assert.That(near, Is.GreaterThan(50));
+        }
+
+        static float3[] Places()
+        {
+            var random = new Unity.Mathematics.Random(5u);
+            return Enumerable.Range(0, 1500).Select(_ => random.NextFloat3(-0.9f, 0.9f)).ToArray();
+        }
+
+        // Without gravity, in a box of 2 m; the particles stay about where they are given.
+        FluidSimulation Simulation(float3[] places)
+        {
+            water = new GameObject("Water");
+            water.SetActive(false);
+            water.transform.SetPositionAndRotation(new Vector3(3f, 2f, -1f), Quaternion.Euler(0f, 30f, 0f));
+            var simulation = water.AddComponent<FluidSimulation>();
+            simulation.Configure(2f * Vector3.one, Spacing, 2000);
+            simulation.StatisticsInterval = 0;
+            simulation.Gravity = Vector3.zero;
+            water.SetActive(true);
+            using (var positions = new Unity.Collections.NativeArray<float3>(places.Select(p => (float3)water.transform.TransformPoint(p)).ToArray(), Unity.Collections.Allocator.Persistent))
+            using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
+                simulation.AddParticles(positions, velocities);
+            return simulation;
+        }
+
+        FluidCollider Add(SignedDistanceField field, Vector3 local)
+        {
+            var obstacle = new GameObject("Obstacle");
+            obstacle.transform.SetPositionAndRotation(water.transform.TransformPoint(local), Quaternion.Euler(10f, 20f, 30f));
+            var collider = obstacle.AddComponent<FluidCollider>();
+            collider.Shape = ColliderShape.Mesh;
+            collider.Field = field;
+            return collider;
+        }
+    }
+}
