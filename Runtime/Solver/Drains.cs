@@ -55,6 +55,7 @@ namespace Rill
             lifetimes = new LocalKeyword(shader, LifetimesKeyword);
             recycling = new LocalKeyword(shader, RecyclingKeyword);
             regions = GpuBuffer.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MostDrains);
+            regions.SetData(new DrainRegion[StepSources.MostDrains]);
             states = GpuBuffer.Structured<uint>("Rill.Drains.States", zeros.Length);
             Clear();
         }
