@@ -87,6 +87,8 @@ namespace Rill
                 cmd.SetBufferData(regions, sources.drains, 0, 0, count);
             if (count > 0 && sources.limitsDrains)
                 RecordLots(cmd, particles);
+            else
+                GpuBuffer.Release(ref histogram);
 
             cmd.SetComputeBufferParam(shader, drain, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, drain, Ids.ParticleIds, particles.Ids);
