@@ -19,7 +19,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
-        readonly int findRoom, emit, reset;
+        readonly int findRoomAlone, findRoomBeside, emit, reset;
         readonly LocalKeyword sleep, withTags;
         readonly GraphicsBuffer[] placeBuffers = new GraphicsBuffer[StepSources.MostEmitters];
         readonly EmitterPlaces[] uploaded = new EmitterPlaces[StepSources.MostEmitters];
@@ -27,7 +27,8 @@ namespace Rill
 
         public Emitters()
         {
-            findRoom = shader.FindKernel("FindRoom");
+            findRoomAlone = shader.FindKernel("FindRoom");
+            findRoomBeside = shader.FindKernel("FindRoomBeside");
             emit = shader.FindKernel("Emit");
             reset = shader.FindKernel("Reset");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
@@ -43,7 +44,8 @@ namespace Rill
         /// <summary>Records what all emitters do in a step, one after the other, after its last substep.</summary>
         /// <param name="tags">Null for none.</param>
         /// <param name="resting">Null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, in StepInput input, uint stepIndex, ParticleTags tags, RestingRegions resting)
+        /// <param name="colliders">In which nothing has room; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, in StepInput input, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
         {
             cmd.BeginSample(Marker);
             StepSources sources = input.sources;
@@ -54,7 +56,7 @@ namespace Rill
                 if ((sources.goneEmitters >> number & 1) != 0)
                     RecordReset(cmd, particles, number);
             for (int e = 0; e < sources.emitterCount; e++)
-                Record(cmd, particles, search, sources, e, input.timeStep, stepIndex, tags, resting);
+                Record(cmd, particles, search, sources, e, input.timeStep, stepIndex, tags, resting, colliders);
             cmd.EndSample(Marker);
         }
 
@@ -70,14 +72,15 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="tags">Null for none.</param>
         /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(Emitters stage, StepSources sources, ParticleTags tags, RestingRegions resting)
+        /// <param name="colliders">Null for none.</param>
+        public static StageDescription Describe(Emitters stage, StepSources sources, ParticleTags tags, RestingRegions resting, Colliders colliders)
         {
             bool needed = IsNeeded(sources);
             var description = new StageDescription("Emitters", needed, needed ? $"{sources.emitterCount} emitters, each tried for room at the end of a step" : "no emitter");
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, resting);
-            description.Kernel("Emitters", "FindRoom", sources.emitterCount, variant);
+            description.Kernel("Emitters", colliders != null ? "FindRoomBeside" : "FindRoom", sources.emitterCount, variant);
             description.Kernel("Emitters", "Emit", sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
@@ -86,8 +89,10 @@ namespace Rill
             return description;
         }
 
-        void Record(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search, StepSources sources, int index, float step, uint stepIndex, ParticleTags tags, RestingRegions resting)
+        void Record(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search, StepSources sources, int index, float step, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
         {
+            int findRoom = colliders != null ? findRoomBeside : findRoomAlone;
+            colliders?.BindShapes(cmd, shader, findRoom);
             ref EmitterStep emitter = ref sources.emitters[index];
             RecordParameters(cmd, emitter, step, SeesNew(sources, index, step), stepIndex);
             GraphicsBuffer places = PlacesOf(emitter);

@@ -75,7 +75,7 @@ namespace Rill
         void RecordEmission(CommandBuffer cmd, in StepInput input, RestingRegions resting)
         {
             if (Emitters.IsNeeded(input.sources))
-                emitters.Record(cmd, constants, particles, neighborSearch, input, stepIndex, tags, resting);
+                emitters.Record(cmd, constants, particles, neighborSearch, input, stepIndex, tags, resting, colliders);
         }
 
         // How deep the water gets is as far as an emitter lies above where gravity takes what it lets in.

@@ -204,7 +204,7 @@ namespace Rill
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
-                Emitters.Describe(emitters, input.sources, tags, restingRegions),
+                Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 StatisticsPass.Describe(statistics, statisticsInterval, colliders),
             };
         }

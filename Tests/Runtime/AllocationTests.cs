@@ -84,7 +84,7 @@ namespace Rill.Tests
             fluid = new GameObject("Fluid");
             fluid.SetActive(false);
             var simulation = fluid.AddComponent<FluidSimulation>();
-            simulation.Configure(new Vector3(1f, 0.6f, 0.5f), 0.05f, 1000);
+            simulation.Configure(new Vector3(1f, 0.6f, 0.5f), 0.05f, 2000);     // room, or it would say that there is none
             simulation.StatisticsInterval = 3;
             fluid.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.4f, 0.5f);
             AddSources();

@@ -166,6 +166,35 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Nothing_is_let_into_an_obstacle()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                var ball = new GameObject("Ball");
+                ball.transform.SetParent(scene.Fluid.transform, false);
+                var collider = ball.AddComponent<FluidCollider>();
+                collider.Shape = ColliderShape.Sphere;
+                collider.Radius = 0.25f;
+                scene.Add<FluidEmitter>(new Vector3(0.1f, 0f, 0f), Vector3.up, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Size = Vector3.one * 0.6f;
+                    emitter.Rate = 10f;
+                    emitter.Speed = 0f;
+                });
+                scene.Step();
+                ParticleState state = scene.Read();
+                float[] distances = state.positions.Select(p => math.length(p.xyz * Spacing - 1f)).ToArray();
+                Assert.That(distances.Min(), Is.GreaterThan(0.25f + 0.44f * Spacing));
+                Assert.That(state.Count, Is.InRange(900, 1728 - 450), "1,728 less what the ball takes of it");
+                scene.Step(20);
+                Assert.That(scene.AssertConserved().waiting, Is.GreaterThan(0));
+            }
+        }
+
+        [Test]
         public void What_waited_is_let_in_as_soon_as_there_is_room()
         {
             using (var scene = new SourceScene(Box, Spacing, 60000).Fill(2f))
