@@ -197,9 +197,9 @@ namespace Rill.Tests
         [Test]
         public void What_waited_is_let_in_as_soon_as_there_is_room()
         {
-            using (var scene = new SourceScene(Box, Spacing, 60000).Fill(2f))
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 9000).Fill(1f))
             {
-                FluidEmitter emitter = scene.Add(new Vector3(0f, 0.5f, 0f), Vector3.down, Jet(0.01f, 2f, 0.15f));
+                FluidEmitter emitter = scene.Add(new Vector3(0f, 0.3f, 0f), Vector3.down, Jet(0.01f, 2f, 0.15f));
                 scene.Step(20);
                 int waiting = scene.Count(ParticleCounter.Waiting);
                 Assert.That(waiting, Is.GreaterThan(15), "under water there is no room");
