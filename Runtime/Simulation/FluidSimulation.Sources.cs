@@ -11,7 +11,7 @@ namespace Rill
         readonly FluidDrain[] drains = new FluidDrain[StepSources.MostDrains];
         readonly FluidForceField[] fields = new FluidForceField[StepSources.MostFields];
         int partCount;
-        uint goneEmitters;          // since the last step
+        uint goneEmitters, goneDrains;      // since the last step, a bit for each number
         StepSources sources;
         int stepsSinceReadback;
 
@@ -43,6 +43,8 @@ namespace Rill
             partCount--;
             if (part is FluidEmitter)
                 goneEmitters |= 1u << part.Number;
+            else if (part is FluidDrain)
+                goneDrains |= 1u << part.Number;
         }
 
         /// <summary>A number of an emitter, as far as it has come back.</summary>
@@ -61,7 +63,7 @@ namespace Rill
         /// <summary>What acts in the next step; null where there is nothing.</summary>
         StepSources TakeSources()
         {
-            if (partCount == 0 && goneEmitters == 0)
+            if (partCount == 0 && goneEmitters == 0 && goneDrains == 0)
             {
                 ReleaseSources();
                 return null;
@@ -69,7 +71,8 @@ namespace Rill
             sources ??= new StepSources();
             sources.Clear();
             sources.goneEmitters = goneEmitters;
-            goneEmitters = 0;
+            sources.goneDrains = goneDrains;
+            goneEmitters = goneDrains = 0;
             GetPlace(out Vector3 place, out Quaternion rotation);
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             uint targets = 0;
@@ -120,7 +123,7 @@ namespace Rill
 
         void RestartSources()
         {
-            goneEmitters = 0;
+            goneEmitters = goneDrains = 0;
             stepsSinceReadback = 0;
             foreach (FluidEmitter emitter in emitters)
                 if (emitter != null)

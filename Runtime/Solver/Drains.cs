@@ -45,6 +45,7 @@ namespace Rill
         readonly uint[] zeros = new uint[StepSources.MostDrains * StateWords];
         readonly Readback readback = new Readback(StepSources.MostDrains * StateWords);
         GraphicsBuffer regions, states, histogram;
+        uint gone;
 
         public Drains()
         {
@@ -70,6 +71,9 @@ namespace Rill
             readback.Forget();
         }
 
+        /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
+        public void Forget(uint drains) => gone |= drains;
+
         /// <summary>Records what goes, from the particles at the start of a step.</summary>
         /// <param name="emitters">Null where nothing is recycled.</param>
         /// <param name="tags">Null where no particle has a lifetime.</param>
@@ -81,6 +85,9 @@ namespace Rill
             cmd.SetKeyword(shader, lifetimes, tags != null);
             cmd.SetKeyword(shader, recycling, emitters != null);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            for (int number = 0; gone != 0; number++, gone >>= 1)
+                if ((gone & 1) != 0)
+                    RecordReset(cmd, number);
             int count = sources?.drainCount ?? 0;
             cmd.SetComputeIntParam(shader, Ids.DrainCount, count);
             if (count > 0)
@@ -144,6 +151,12 @@ namespace Rill
             description.Buffer("Rill.Drains.States", stage.states);
             description.Buffer("Rill.Drains.Histogram", stage.histogram);
             return description;
+        }
+
+        void RecordReset(CommandBuffer cmd, int number)
+        {
+            cmd.SetBufferData(states, zeros, 0, number * StateWords, StateWords);
+            readback.Zero(number * StateWords, StateWords);
         }
 
         void RecordLots(CommandBuffer cmd, ParticleBuffers particles)

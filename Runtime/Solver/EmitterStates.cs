@@ -33,6 +33,9 @@ namespace Rill
             readback.Forget();
         }
 
+        /// <summary>One emitter has done nothing: its number goes to another.</summary>
+        public void Forget(int emitter) => readback.Zero(emitter * Words, Words);
+
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
         public void Request() => readback.Request(states);
 

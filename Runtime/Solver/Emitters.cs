@@ -144,6 +144,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, reset, Ids.EmitterStates, States.Buffer);
             cmd.SetComputeBufferParam(shader, reset, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, reset, 1, 1, 1);
+            States.Forget(number);
             GpuBuffer.Release(ref placeBuffers[number]);
             uploaded[number] = null;
         }

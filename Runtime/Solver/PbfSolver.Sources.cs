@@ -46,6 +46,7 @@ namespace Rill
                 drains ??= new Drains();
             else if (drains != null && !drains.IsPending)
                 ReleaseDrains();
+            drains?.Forget(sources?.goneDrains ?? 0);
             if (ForceFields.IsNeeded(sources))
                 forceFields ??= new ForceFields();
             else

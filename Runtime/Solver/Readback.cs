@@ -46,6 +46,14 @@ namespace Rill
             HasResult = false;
         }
 
+        /// <summary>Words that are 0 from now on; what is on its way may not know yet and is dropped.</summary>
+        public void Zero(int first, int count)
+        {
+            generation++;
+            for (int word = first; word < first + count; word++)
+                latest[word] = 0;
+        }
+
         public void Dispose()
         {
             disposed = true;

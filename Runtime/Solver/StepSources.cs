@@ -21,6 +21,8 @@ namespace Rill
 
         /// <summary>Bit e: the emitter with number e is gone, and what waits for it is given up before this step emits.</summary>
         public uint goneEmitters;
+        /// <summary>Bit d: the drain with number d is gone, and what it took does not count for the next with that number.</summary>
+        public uint goneDrains;
         /// <summary>Whether an emitter gives its particles a phase or a lifetime.</summary>
         public bool needsTags;
         /// <summary>Whether an emitter gives its particles a lifetime.</summary>
@@ -42,7 +44,7 @@ namespace Rill
         public void Clear()
         {
             emitterCount = drainCount = fieldCount = 0;
-            goneEmitters = 0;
+            goneEmitters = goneDrains = 0;
             needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
         }
 

@@ -91,9 +91,9 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void What_a_drain_recycles_comes_back_and_the_count_stays()
+        public void What_a_drain_recycles_comes_back_and_the_count_stays([Values(0, 400)] int room)
         {
-            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 1600).Fill(0.2f))      // at capacity
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 1600 + room).Fill(0.2f))
             {
                 FluidEmitter fountain = scene.Add<FluidEmitter>(new Vector3(0f, 0.3f, 0f), Vector3.up, emitter =>
                 {
@@ -112,11 +112,11 @@ namespace Rill.Tests
                     scene.Step(5);
                     FluidStatistics now = scene.AssertConserved();
                     Assert.That(now.particles + now.recycling, Is.EqualTo(1600));
+                    Assert.That(now.particles, Is.InRange(1570, 1600), "no more come back than went");
                 }
                 FluidStatistics statistics = scene.Measure();
                 TestContext.Out.WriteLine($"drained {statistics.drained}, on their way {statistics.recycling}");
                 Assert.That(statistics.drained, Is.GreaterThan(300));
-                Assert.That(statistics.recycling, Is.LessThan(30));
                 Assert.That(statistics.refused + statistics.blocked + statistics.waiting, Is.Zero);
             }
         }

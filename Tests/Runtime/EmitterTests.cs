@@ -194,6 +194,32 @@ namespace Rill.Tests
             }
         }
 
+        // In each step all places beside what is there look free at once; if all were taken, they would be too dense together.
+        [Test]
+        public void Water_that_is_filled_up_fast_stays_at_rest_density()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 9000).Fill(0.3f))
+            {
+                scene.Step(30);
+                scene.Add<FluidEmitter>(new Vector3(0.017f, -0.19f, 0.011f), Vector3.forward, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Size = new Vector3(0.9f, 0.6f, 0.9f);
+                    emitter.Rate = 10f;
+                    emitter.Speed = 0f;
+                });
+                for (int i = 0; i < 8; i++)
+                {
+                    scene.Step();
+                    FluidStatistics statistics = scene.AssertConserved();
+                    TestContext.Out.WriteLine($"{statistics.emitted} let in, C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, max {statistics.densityErrorMax:0.000}");
+                    Assert.That(statistics.densityErrorMax, Is.LessThan(0.3f));
+                }
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(1500));
+            }
+        }
+
         [Test]
         public void What_waited_is_let_in_as_soon_as_there_is_room()
         {

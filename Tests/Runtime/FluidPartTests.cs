@@ -271,6 +271,34 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_part_that_takes_the_number_of_another_begins_at_nothing()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 2000).Fill(0.2f))
+            {
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, -0.4f, 0f), Vector3.down, e => e.Rate = 0.02f);      // under water
+                FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0.4f, -0.45f, 0f), Vector3.up);
+                scene.Step(10);
+                scene.ReadBack();
+                int drained = drain.Drained;
+                Assert.That(drained, Is.GreaterThan(0));
+                Assert.That(emitter.Waiting, Is.GreaterThan(0));
+                Object.DestroyImmediate(emitter.gameObject);
+                Object.DestroyImmediate(drain.gameObject);
+                emitter = scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0f);
+                drain = scene.Add<FluidDrain>(new Vector3(0f, 5f, 0f), Vector3.up);
+                Assert.That(emitter.Number + drain.Number, Is.Zero);
+                scene.Step(2);
+                Assert.That(emitter.Waiting + emitter.Emitted + drain.Drained, Is.Zero);
+                scene.ReadBack();
+                Assert.That(emitter.Waiting + emitter.Emitted + drain.Drained, Is.Zero);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.waiting, Is.Zero);
+                Assert.That(statistics.blocked, Is.GreaterThan(0), "what waited for the first was given up");
+                Assert.That(statistics.drained, Is.EqualTo(drained));
+            }
+        }
+
+        [Test]
         public void The_thirty_third_of_a_kind_is_left_out_by_name_and_takes_a_place_that_gets_free()
         {
             using (var scene = new SourceScene(Box, Spacing, 500))
