@@ -55,6 +55,7 @@ namespace Host.Tests
                 "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
             }),
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
+            ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false), WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomBeside").ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true), WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {

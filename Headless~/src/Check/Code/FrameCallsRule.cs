@@ -40,7 +40,7 @@ namespace Host.Check
         // A method that is called once in a while, and why it may.
         static readonly (string method, string member, string reason)[] Allowed =
         {
-            ("StatisticsPass.Dispose", "WaitAllRequests", "the memory that a read-back fills must outlive it; happens when a fluid is switched off"),
+            ("Readback.Dispose", "WaitAllRequests", "the memory that a read-back fills must outlive it; happens when a fluid is switched off"),
         };
 
         public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene or allocates by LINQ";
