@@ -20,7 +20,13 @@ namespace Rill.Editor
         static void DrawVolume(FluidVolume volume, GizmoType type)
         {
             var color = new Color(0.2f, 0.4f, 1f, 0.7f);
-            if (volume.Shape == VolumeShape.Sphere)
+            if (volume.Shape == VolumeShape.SignedDistanceField)
+            {
+                Place(volume.transform, volume.transform.lossyScale, color);
+                if (volume.Field != null)
+                    Gizmos.DrawWireCube(volume.Field.Bounds.center, volume.Field.Bounds.size);
+            }
+            else if (volume.Shape == VolumeShape.Sphere)
                 DrawSphere(volume.transform, volume.Radius, color);
             else
                 DrawBox(volume.transform, volume.Size, color);
