@@ -3,9 +3,13 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Simulations, volumes and colliders in the scene view.</summary>
+    /// <summary>Simulations and what acts on them in the scene view.</summary>
     static class FluidGizmos
     {
+        const float ArrowTime = 0.1f;       // s of the way that an arrow shows
+        const float ArrowLength = 0.3f;     // m, of what has no speed
+        const int DiscSides = 24;
+
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
         static void DrawDomain(FluidSimulation simulation, GizmoType type)
         {
@@ -15,7 +19,65 @@ namespace Rill.Editor
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
         static void DrawVolume(FluidVolume volume, GizmoType type)
         {
-            DrawBox(volume.transform, volume.Size, new Color(0.2f, 0.4f, 1f, 0.7f));
+            var color = new Color(0.2f, 0.4f, 1f, 0.7f);
+            if (volume.Shape == VolumeShape.SignedDistanceField)
+            {
+                Place(volume.transform, volume.transform.lossyScale, color);
+                if (volume.Field != null)
+                    Gizmos.DrawWireCube(volume.Field.Bounds.center, volume.Field.Bounds.size);
+            }
+            else if (volume.Shape == VolumeShape.Sphere)
+                DrawSphere(volume.transform, volume.Radius, color);
+            else
+                DrawBox(volume.transform, volume.Size, color);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        static void DrawEmitter(FluidEmitter emitter, GizmoType type)
+        {
+            var color = new Color(0.2f, 0.8f, 1f);
+            switch (emitter.Shape)
+            {
+                case EmitterShape.Box:
+                    DrawBox(emitter.transform, emitter.Mode == EmitterMode.Fill ? emitter.Size : Vector3.Scale(emitter.Size, new Vector3(1f, 1f, 0f)), color);
+                    break;
+                case EmitterShape.Sphere when emitter.Mode == EmitterMode.Fill:
+                    DrawSphere(emitter.transform, emitter.Radius, color);
+                    break;
+                case EmitterShape.MeshSurface:
+                    Place(emitter.transform, emitter.transform.lossyScale, color);
+                    if (emitter.Mesh != null)
+                        Gizmos.DrawWireMesh(emitter.Mesh);
+                    return;
+                default:
+                    DrawDisc(emitter.transform, emitter.Radius, color);
+                    break;
+            }
+            DrawArrow(emitter.transform, ArrowTime * emitter.Speed, color);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        static void DrawDrain(FluidDrain drain, GizmoType type)
+        {
+            var color = new Color(1f, 0.45f, 0.2f);
+            if (drain.Shape == DrainShape.Sphere)
+                DrawSphere(drain.transform, drain.Radius, color);
+            else
+                DrawBox(drain.transform, drain.Size, color);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        static void DrawField(FluidForceField field, GizmoType type)
+        {
+            var color = new Color(0.9f, 0.85f, 0.2f);
+            if (field.Bounds == ForceFieldBounds.Sphere)
+                DrawSphere(field.transform, field.Radius, color);
+            else if (field.Bounds == ForceFieldBounds.Box)
+                DrawBox(field.transform, field.Size, color);
+            if (field.Kind != ForceFieldKind.Point)
+                DrawArrow(field.transform, field.Kind == ForceFieldKind.Wind ? ArrowTime * field.Strength : ArrowLength, color);
+            else
+                DrawSphere(field.transform, 0.1f * ArrowLength, color);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
@@ -52,9 +114,42 @@ namespace Rill.Editor
 
         static void DrawBox(Transform at, Vector3 size, Color color)
         {
-            Gizmos.color = color;
-            Gizmos.matrix = Matrix4x4.TRS(at.position, at.rotation, Vector3.one);
+            Place(at, Vector3.one, color);
             Gizmos.DrawWireCube(Vector3.zero, size);
+        }
+
+        static void DrawSphere(Transform at, float radius, Color color)
+        {
+            Place(at, Vector3.one, color);
+            Gizmos.DrawWireSphere(Vector3.zero, radius);
+        }
+
+        static void DrawDisc(Transform at, float radius, Color color)
+        {
+            Place(at, Vector3.one, color);
+            for (int side = 0; side < DiscSides; side++)
+                Gizmos.DrawLine(Rim(side, radius), Rim(side + 1, radius));
+        }
+
+        static void DrawArrow(Transform at, float length, Color color)
+        {
+            Place(at, Vector3.one, color);
+            Vector3 tip = Vector3.forward * length;
+            Gizmos.DrawLine(Vector3.zero, tip);
+            Gizmos.DrawLine(tip, tip + new Vector3(0.1f, 0f, -0.2f) * length);
+            Gizmos.DrawLine(tip, tip + new Vector3(-0.1f, 0f, -0.2f) * length);
+        }
+
+        static Vector3 Rim(int side, float radius)
+        {
+            float angle = side * 2f * Mathf.PI / DiscSides;
+            return new Vector3(Mathf.Cos(angle), Mathf.Sin(angle), 0f) * radius;
+        }
+
+        static void Place(Transform at, Vector3 scale, Color color)
+        {
+            Gizmos.color = color;
+            Gizmos.matrix = Matrix4x4.TRS(at.position, at.rotation, scale);
         }
     }
 }

@@ -5,8 +5,14 @@
 //
 //   _Positions    float4, xyz position in the domain's frame, d
 //   _Velocities   float4, xyz velocity, d/s; w density relative to rest
+//   _Tags         uint, the phase in the highest byte, see ParticleTags.hlsl; where RILL_TAGS is on
 StructuredBuffer<float4> _Positions;
 StructuredBuffer<float4> _Velocities;
+
+#ifdef RILL_TAGS
+StructuredBuffer<uint> _Tags;
+float4 _PhaseColors[8];         // linear
+#endif
 
 float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
 float _ParticleSpacing;         // m
@@ -51,7 +57,11 @@ ParticleFragment ParticleVertex(uint vertex : SV_VertexID)
     float4 velocity = _Velocities[i];
     result.center = mul(_DomainToWorld, float4(_Positions[i].xyz, 1.0)).xyz;
     float speed = length(velocity.xyz) * _ParticleSpacing;
+#ifdef RILL_TAGS
+    result.color = _PhaseColors[min(_Tags[i] >> 24, 7)].rgb;
+#else
     result.color = RampColor(speed * _ColorRange.x + (velocity.w - 1.0) * _ColorRange.y + _ColorRange.z);
+#endif
 
     // The silhouette of a sphere seen in perspective is wider than its radius in the plane of its centre.
     float3 ray = ViewRay(result.center);

@@ -15,6 +15,7 @@ Shader "Rill/Particles"
             #pragma target 5.0
             #pragma vertex ParticleVertex
             #pragma fragment ParticleColor
+            #pragma multi_compile_local _ RILL_TAGS
 
             float4x4 unity_MatrixVP;
             float4x4 unity_MatrixV;

@@ -22,8 +22,12 @@ uint RegionOf(float3 p)
     return (region.z * counts.y + region.y) * counts.x + region.x;
 }
 
+static const uint kMotionStride = 5;        // words of a region's motion, = RestingRegions.MotionStride
+static const uint kLongestWay = 4;          // of them: longest way of a particle, float bits
+
 #ifdef RILL_SLEEP
 StructuredBuffer<uint> _RegionStates;       // [regions]
+RWStructuredBuffer<uint> _RegionMotion;     // [regions * kMotionStride], see RestingRegions.compute; for stages that add or remove particles
 
 uint RegionState(float3 start)
 {
@@ -48,6 +52,14 @@ bool SleepsDeeply(float3 start)
     return RegionState(start) == kAsleep;
 #else
     return false;
+#endif
+}
+
+// A particle that came or went here is motion of the region, which the next substep sees.
+void WakeRegion(float3 p)
+{
+#ifdef RILL_SLEEP
+    InterlockedMax(_RegionMotion[RegionOf(p) * kMotionStride + kLongestWay], asuint(1e6));
 #endif
 }
 

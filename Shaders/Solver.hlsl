@@ -51,6 +51,13 @@ static const uint kRefused = 3;             // did not fit the capacity, since r
 static const uint kNonFinite = 4;           // culled, since reset
 static const uint kOverflow = 5;            // particles of this step with more neighbors than the list holds
 static const uint kMostNeighbors = 6;       // most neighbors of such a particle
+// Since the reset, kAdded + kEmitted = kDrained + kNonFinite + kAlive at the end of a step.
+static const uint kAdded = 7;               // by a volume or by code
+static const uint kEmitted = 8;
+static const uint kDrained = 9;
+static const uint kBlocked = 10;            // due from an emitter and given up, since there was no room for a second
+static const uint kWaiting = 11;            // due from an emitter and without room so far
+static const uint kRecycling = 12;          // drained and not yet back from an emitter
 
 uint ParticleIndex(uint3 group, uint thread)
 {
@@ -70,6 +77,13 @@ bool IsFinite(float3 v)
 {
     uint3 exponent = asuint(v) & 0x7f800000u;
     return exponent.x != 0x7f800000u && exponent.y != 0x7f800000u && exponent.z != 0x7f800000u;
+}
+
+// Density that the constraint seeks, relative to rest: above 1 where a closed box holds more than it can, which no iteration
+// could press out of it and all would fight over.
+float RestDensity(uint particles)
+{
+    return max(particles / (_DomainSize.x * _DomainSize.y * _DomainSize.z), 1.0);
 }
 
 float3 ClampToDomain(float3 p)

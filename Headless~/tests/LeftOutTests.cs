@@ -21,7 +21,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -55,6 +55,7 @@ namespace Host.Tests
                 "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
             }),
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
+            ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false), WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomBeside").ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true), WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {
@@ -69,6 +70,25 @@ namespace Host.Tests
                 .Concat(new[] { "Smooth", "RestrictGrid", "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "Solids"))).ToArray()),
             ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
             ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
+            ("an emitter", null, Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *", "+1 Rill.Emitters.Places *" }),
+            ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Places *" }),
+            ("an emitter with a phase", null, Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), new[]
+            {
+                $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}", "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *",
+            }),
+            ("colours of phases", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
+            ("colours of phases without any", null, s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
+            ("a lifetime", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), s => s.GetComponentInChildren<FluidEmitter>().Lifetime = 1f, new[] { "+1 Drains.compute Drain RILL_LIFETIMES", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
+            ("a drain", null, Part<FluidDrain>(Aside), new[] { "+1 Drains.compute Drain", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
+            ("a second drain", Part<FluidDrain>(Aside), Part<FluidDrain>(Aside), new string[0]),
+            ("a drain with a limit", Part<FluidDrain>(Aside), Part<FluidDrain>(d => { Aside(d); d.RateLimit = 1f; }), new[] { "+1 Drains.compute DrawLots", "+1 Drains.compute ChooseLots", "+1 Rill.Drains.Histogram *" }),
+            ("a force field", null, Part<FluidForceField>(), new[] { "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *" }),
+            ("a second force field", Part<FluidForceField>(), Part<FluidForceField>(), new string[0]),
+            ("a wind without viscosity", Inviscid, Part<FluidForceField>(f => f.Kind = ForceFieldKind.Wind), new[]
+            {
+                "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *", "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous",     // which has the density
+            }),
+            ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still), new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}", "+1 Rill.Emitters.*" }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute Displace" }),
         };
 
@@ -82,12 +102,19 @@ namespace Host.Tests
             feature.Before?.Invoke(simulation);
             SolverSettings settings = simulation.Settings;
             FluidMaterial material = simulation.Material;
+            FluidPart[] partsBefore = simulation.GetComponentsInChildren<FluidPart>();
             Footprint before = FullestFrame();
 
             feature.Change(simulation);
             List<string> changes = FullestFrame().Since(before);
             AssertExactly(changes, feature.Expected);
 
+            foreach (FluidPart part in simulation.GetComponentsInChildren<FluidPart>().Except(partsBefore))
+                UnityEngine.Object.DestroyImmediate(part.gameObject);
+            foreach (FluidEmitter emitter in simulation.GetComponentsInChildren<FluidEmitter>())
+                emitter.Lifetime = 0f;
+            if (simulation.Solver.Tags != null)
+                simulation.Restart();       // until then there may be particles with tags
             simulation.Settings = settings;
             simulation.Material = material;
             simulation.StatisticsInterval = 0;
@@ -156,6 +183,9 @@ namespace Host.Tests
         [TestCase("artificial pressure")]
         [TestCase("sleep")]
         [TestCase("a collider")]
+        [TestCase("an emitter with a phase")]
+        [TestCase("a drain")]
+        [TestCase("a force field")]
         public void What_a_shallow_pool_leaves_out_would_be_seen_if_it_ran(string name)
         {
             FluidSimulation simulation = Pool();
@@ -275,6 +305,20 @@ namespace Host.Tests
             change(ref material);
             simulation.Material = material;
         };
+
+        static Action<FluidSimulation> Part<T>(Action<T> set = null) where T : FluidPart => simulation =>
+        {
+            var part = new GameObject(typeof(T).Name);
+            part.SetActive(false);
+            part.transform.SetParent(simulation.transform, false);
+            T component = part.AddComponent<T>();
+            set?.Invoke(component);
+            part.SetActive(true);
+        };
+
+        static void Still(FluidEmitter emitter) => emitter.Rate = 0f;
+
+        static void Aside(FluidDrain drain) => drain.transform.localPosition = new Vector3(0f, 5f, 0f);
 
         static void Inviscid(FluidSimulation simulation) => Material((ref FluidMaterial v) => v.viscosity = 0f)(simulation);
 

@@ -10,6 +10,7 @@ namespace Rill
     public abstract class FluidRenderer : MonoBehaviour
     {
         Material material;
+        string keyword;
 
         /// <summary>Asset under Resources/Rill that holds the shader.</summary>
         private protected abstract string Stage { get; }
@@ -45,6 +46,18 @@ namespace Rill
             };
         }
 
+        /// <summary>Turns the one keyword of this renderer's shader on or off.</summary>
+        private protected void SetKeyword(string name, bool isOn)
+        {
+            if (isOn == (keyword != null))
+                return;
+            keyword = isOn ? name : null;
+            if (isOn)
+                material.EnableKeyword(name);
+            else
+                material.DisableKeyword(name);
+        }
+
         /// <summary>A colour as shaders without declared properties need it: in the project's own colour space.</summary>
         private protected static Vector4 ShaderColor(Color color)
         {
@@ -54,6 +67,7 @@ namespace Rill
         void OnEnable()
         {
             Simulation = GetComponent<FluidSimulation>();
+            keyword = null;
             try
             {
                 material = new Material(StageShader.Load(Stage).Shader) { hideFlags = HideFlags.HideAndDontSave };

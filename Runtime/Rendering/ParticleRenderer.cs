@@ -12,7 +12,7 @@ namespace Rill
     public sealed class ParticleRenderer : FluidRenderer
     {
         /// <summary>What the colour of a particle shows.</summary>
-        public enum Quantity { Speed, Density }
+        public enum Quantity { Speed, Density, Phase }
 
         /// <summary>Two triangles of a quad; kVerticesPerParticle in Arguments.hlsl.</summary>
         internal const int VerticesPerParticle = 6;
@@ -21,7 +21,7 @@ namespace Rill
         [Range(0.1f, 2f)]
         [SerializeField] float radius = 0.6f;
 
-        [Tooltip("What the colour shows. Density costs a visit to the neighbors if viscosity is 0.")]
+        [Tooltip("What the colour shows. Density costs a visit to the neighbors if viscosity is 0. Phase: the number that the emitter gave, 0 without one.")]
         [SerializeField] Quantity colorBy = Quantity.Speed;
 
         [Tooltip("Speed, m/s, or relative density error at which the last colour is reached.")]
@@ -32,11 +32,20 @@ namespace Rill
         [SerializeField] Color middleColor = new Color(0.10f, 0.47f, 0.80f);
         [SerializeField] Color fastColor = new Color(0.85f, 0.95f, 1.00f);
 
+        [Tooltip("Colours of the phases 0 to 7. A phase beyond those that are there has the last.")]
+        [SerializeField] Color[] phaseColors =
+        {
+            new Color(0.10f, 0.40f, 0.75f), new Color(0.85f, 0.30f, 0.20f), new Color(0.20f, 0.65f, 0.30f), new Color(0.95f, 0.75f, 0.20f),
+            new Color(0.55f, 0.30f, 0.70f), new Color(0.20f, 0.70f, 0.70f), new Color(0.90f, 0.50f, 0.65f), new Color(0.85f, 0.85f, 0.85f),
+        };
+
         [Tooltip("Light whose direction and colour the spheres take. None: from above.")]
         [SerializeField] Light sun;
 
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
+        const int Phases = 8;       // = those of Particles.hlsl
+        readonly Vector4[] palette = new Vector4[Phases];
         MaterialPropertyBlock properties;
 
         /// <summary>What the colour of a particle shows.</summary>
@@ -65,9 +74,7 @@ namespace Rill
             properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
             properties.SetFloat(Ids.ParticleSpacing, Simulation.ParticleSpacing);
             properties.SetFloat(Ids.ParticleRadius, radius * Simulation.ParticleSpacing);
-            properties.SetVector(Ids.SlowColor, ShaderColor(slowColor));
-            properties.SetVector(Ids.MiddleColor, ShaderColor(middleColor));
-            properties.SetVector(Ids.FastColor, ShaderColor(fastColor));
+            SetColors(solver);
             bool speed = colorBy == Quantity.Speed;
             // Density errors have a sign: rest density is the middle of the ramp.
             properties.SetVector(Ids.ColorRange, speed ? new Vector4(1f / colorRange, 0f, 0f, 0f) : new Vector4(0f, 0.5f / colorRange, 0.5f, 0f));
@@ -76,10 +83,31 @@ namespace Rill
             properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
         }
 
+        void SetColors(PbfSolver solver)
+        {
+            bool byPhase = colorBy == Quantity.Phase;
+            bool hasPhases = byPhase && solver.Tags != null;
+            SetKeyword(ParticleTags.Keyword, hasPhases);
+            // Where no emitter gave a phase, all are 0.
+            properties.SetVector(Ids.SlowColor, ShaderColor(byPhase ? PhaseColor(0) : slowColor));
+            properties.SetVector(Ids.MiddleColor, ShaderColor(byPhase ? PhaseColor(0) : middleColor));
+            properties.SetVector(Ids.FastColor, ShaderColor(byPhase ? PhaseColor(0) : fastColor));
+            if (!hasPhases)
+                return;
+            for (int phase = 0; phase < Phases; phase++)
+                palette[phase] = ShaderColor(PhaseColor(phase));
+            properties.SetVectorArray(Ids.PhaseColors, palette);
+            properties.SetBuffer(Ids.Tags, solver.Tags);
+        }
+
+        Color PhaseColor(int phase) => phaseColors != null && phaseColors.Length > 0 ? phaseColors[Math.Min(phase, phaseColors.Length - 1)] : slowColor;
+
         static class Ids
         {
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Tags = Shader.PropertyToID("_Tags");
+            public static readonly int PhaseColors = Shader.PropertyToID("_PhaseColors");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
             public static readonly int ParticleRadius = Shader.PropertyToID("_ParticleRadius");

@@ -155,6 +155,7 @@ namespace Rill
             FluidTime = 0.0;
             stepsSinceStatistics = 0;
             StandStill();
+            RestartSources();
             FillVolumes();
         }
 
@@ -210,6 +211,7 @@ namespace Rill
             pbf = null;
             ForgetColliders();
             ReleaseBudget();
+            ReleaseSources();
             commands?.Dispose();
             commands = null;
         }
@@ -267,6 +269,7 @@ namespace Rill
                 pbf.ReleaseStatistics();
             ColliderReactions reactions = TakeReactions();
             Graphics.ExecuteCommandBuffer(commands);
+            ReadSources(steps);
 
             reactions?.Request();
             if (measures)
@@ -284,6 +287,8 @@ namespace Rill
                 {
                     input.frameFrom = i / (float)steps;
                     input.frameTo = (i + 1) / (float)steps;
+                    input.sources = TakeSources();
+                    input.needsDensity |= input.sources != null && input.sources.hasWind;
                     budgeted?.BeginStep(commands);
                     pbf.Step(commands, input);
                     budgeted?.EndStep(commands);
@@ -322,8 +327,8 @@ namespace Rill
             input.settings.substeps = effective.StableSubsteps(GravityStep);
         }
 
-        // How far gravity carries a particle in a step, d. Gravity alone: a jerk of the box is one step's, and its cost would come as a hitch.
-        float GravityStep => gravity.magnitude * FixedStep * FixedStep / particleSpacing;
+        // How far gravity and the strongest field carry a particle in a step, d. Gravity alone of what the box feels: a jerk of the box is one step's, and its cost would come as a hitch.
+        float GravityStep => (gravity.magnitude + StrongestField) * FixedStep * FixedStep / particleSpacing;
 
         void ValidateSettings()
         {

@@ -21,6 +21,18 @@ namespace Rill
         public double time;
 
         public int particles;
+        /// <summary>Particles put in by volumes and from code, since the reset. With those of emitters: drained, non-finite and alive ones.</summary>
+        public int added;
+        /// <summary>Particles let in by emitters, since the reset.</summary>
+        public int emitted;
+        /// <summary>Particles taken out by drains or since their lifetime was over, since the reset.</summary>
+        public int drained;
+        /// <summary>Particles due from emitters and given up since they found no room for a second, since the reset.</summary>
+        public int blocked;
+        /// <summary>Particles due from emitters that have found no room so far.</summary>
+        public int waiting;
+        /// <summary>Particles that drains took and emitters have not let in again so far.</summary>
+        public int recycling;
         /// <summary>Particles refused for want of capacity, since the reset.</summary>
         public int refused;
         /// <summary>Particles removed because their position was not finite, since the reset.</summary>
@@ -85,6 +97,12 @@ namespace Rill
             {
                 step = (int)block[QuantityCount + 1],
                 particles = (int)count,
+                added = Counter(block, ParticleCounter.Added),
+                emitted = Counter(block, ParticleCounter.Emitted),
+                drained = Counter(block, ParticleCounter.Drained),
+                blocked = Counter(block, ParticleCounter.Blocked),
+                waiting = Counter(block, ParticleCounter.Waiting),
+                recycling = Counter(block, ParticleCounter.Recycling),
                 refused = Counter(block, ParticleCounter.Refused),
                 nonFinite = Counter(block, ParticleCounter.NonFinite),
                 neighborOverflow = Counter(block, ParticleCounter.Overflow),

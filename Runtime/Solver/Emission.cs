@@ -13,6 +13,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Emission");
         readonly int append, commit, clear;
+        readonly LocalKeyword withTags;
         GraphicsBuffer batchPositions, batchVelocities;
 
         public Emission()
@@ -20,6 +21,7 @@ namespace Rill
             append = shader.FindKernel("Append");
             commit = shader.FindKernel("CommitAppend");
             clear = shader.FindKernel("Clear");
+            withTags = new LocalKeyword(shader, ParticleTags.Keyword);
         }
 
         /// <summary>Records the removal of all particles and the reset of all counters.</summary>
@@ -36,7 +38,8 @@ namespace Rill
         /// <summary>Adds particles at once, in batches; their upload buffers live until the next call or <see cref="Trim"/>.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocities">xyz, d/s; as many as positions.</param>
-        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities)
+        /// <param name="tags">In which they have no phase and no end; null for none.</param>
+        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities, ParticleTags tags = null)
         {
             if (positions.Length != velocities.Length)
                 throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
@@ -50,7 +53,7 @@ namespace Rill
                     batchPositions.SetData(positions, first, 0, count);
                     batchVelocities.SetData(velocities, first, 0, count);
                     cmd.Clear();
-                    RecordAppend(cmd, particles, capacity, count);
+                    RecordAppend(cmd, particles, capacity, count, tags);
                     Graphics.ExecuteCommandBuffer(cmd);
                 }
             }
@@ -74,8 +77,11 @@ namespace Rill
             batchVelocities = GpuBuffer.Structured<float4>("Rill.BatchVelocities", count);
         }
 
-        void RecordAppend(CommandBuffer cmd, ParticleBuffers particles, int capacity, int count)
+        void RecordAppend(CommandBuffer cmd, ParticleBuffers particles, int capacity, int count, ParticleTags tags)
         {
+            cmd.SetKeyword(shader, withTags, tags != null);
+            if (tags != null)
+                cmd.SetComputeBufferParam(shader, append, ParticleTags.Ids.Tags, tags.Current);
             cmd.SetComputeIntParam(shader, Ids.BatchCount, count);
             cmd.SetComputeIntParam(shader, Ids.BatchCapacity, capacity);
 

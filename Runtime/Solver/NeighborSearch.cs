@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather;
+        readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather, gatherTags;
         readonly LocalKeyword sleep;
         readonly int cells;
         readonly PrefixSum prefixSum;
@@ -26,6 +26,7 @@ namespace Rill
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel("Gather");
+            gatherTags = shader.FindKernel("GatherTags");
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             cells = layout.CellTotal;
@@ -68,6 +69,20 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, gather, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, gather, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records that a value of each particle goes where the sort that was just recorded put the particle.</summary>
+        /// <param name="from">uint [capacity], as the particles were.</param>
+        /// <param name="to">uint [capacity], sorted.</param>
+        public void RecordGather(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to)
+        {
+            cmd.SetComputeBufferParam(shader, gatherTags, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, gatherTags, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, gatherTags, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, gatherTags, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, gatherTags, ParticleTags.Ids.Tags, from);
+            cmd.SetComputeBufferParam(shader, gatherTags, ParticleTags.Ids.SortedTags, to);
+            cmd.DispatchCompute(shader, gatherTags, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>

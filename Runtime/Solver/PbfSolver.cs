@@ -15,7 +15,7 @@ namespace Rill
     /// Positions and velocities on the GPU are in particle spacings and in the domain's frame, whose lowest corner is 0;
     /// see <see cref="ParticleBuffers"/>.
     /// </remarks>
-    sealed class PbfSolver : IDisposable
+    sealed partial class PbfSolver : IDisposable
     {
         readonly ParticleBuffers particles;
         readonly Emission emission;
@@ -32,7 +32,6 @@ namespace Rill
         NativeArray<SolverConstants> constantsUpload;
         uint stepIndex;
         float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
-        int added;                              // of those, with a finite position and within the capacity
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
         public PbfSolver(SolverLayout layout)
@@ -91,8 +90,8 @@ namespace Rill
             stepIndex = 0;
             statistics?.Forget();
             ReleaseCoarse();        // whether the next water is deep is decided anew
+            ClearSources();
             restingRegions?.Wake();
-            added = 0;
             lowestAdded = float.MaxValue;
             highestAdded = float.MinValue;
             using (var cmd = new CommandBuffer { name = "Rill.Clear" })
@@ -110,7 +109,7 @@ namespace Rill
             using (NativeArray<float4> scaledPositions = InSpacings(positions))
             using (NativeArray<float4> scaledVelocities = InSpacings(velocities))
             {
-                emission.Append(particles, Layout.Capacity, scaledPositions, scaledVelocities);
+                emission.Append(particles, Layout.Capacity, scaledPositions, scaledVelocities, tags);
                 foreach (float4 position in scaledPositions)
                 {
                     if (!math.all(math.isfinite(position.xyz)))
@@ -118,7 +117,6 @@ namespace Rill
                     float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
                     lowestAdded = math.min(lowestAdded, inside);
                     highestAdded = math.max(highestAdded, inside);
-                    added = math.min(added + 1, Layout.Capacity);
                 }
             }
             emission.Trim();
@@ -129,18 +127,23 @@ namespace Rill
         public void Step(CommandBuffer cmd, in StepInput input)
         {
             stepIndex++;
-            UploadConstants(cmd, input, Crowding);
+            UploadConstants(cmd, input);
+            PrepareSources(input);
             CoarseCorrection coarse = CoarseFor(input);
             RestingRegions resting = RestingFor(input);
             Colliders obstacles = CollidersFor(input);
+            ForceFields fields = FieldsFor(cmd, input, resting);
+            RecordDrains(cmd, input, resting);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
                 resting?.Record(cmd, constants, particles, Layout, input);
+                fields?.Record(cmd, constants, particles, Layout);
                 obstacles?.RecordSubstep(cmd, constants, input, substep, resting);
                 coarse?.RecordSolids(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
                 obstacles?.RecordPaths(cmd, particles, coarse, resting);
                 neighborSearch.RecordSort(cmd, constants, particles, obstacles == null ? coarse : null, resting);
+                tags?.RecordSort(cmd, particles, neighborSearch);
                 obstacles?.RecordBoundary(cmd, particles, resting);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles);
@@ -148,6 +151,7 @@ namespace Rill
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
                 particles.Advance();
             }
+            RecordEmission(cmd, input, resting);
             if (!VorticityConfinement.IsNeeded(input))
                 ReleaseVorticity();
         }
@@ -156,7 +160,7 @@ namespace Rill
         public void RecordStatistics(CommandBuffer cmd, in StepInput input)
         {
             statistics ??= new StatisticsPass(Layout.Capacity);
-            UploadConstants(cmd, input, 1f);
+            UploadConstants(cmd, input);
             colliders?.RecordBoundaryAtRest(cmd, constants, particles);
             statistics.Record(cmd, constants, particles, neighborSearch, colliders);
         }
@@ -190,13 +194,17 @@ namespace Rill
             return new List<StageDescription>
             {
                 state,
+                Drains.Describe(drains, input.sources, TagsWithLifetimes, restingRegions),
                 RestingRegions.Describe(restingRegions, input),
+                ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
                 Rill.Colliders.Describe(colliders, input, coarseCorrection != null),
                 neighborSearch.Describe(input.settings, coarseCorrection != null && colliders == null, restingRegions),
+                ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
+                Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 StatisticsPass.Describe(statistics, statisticsInterval, colliders),
             };
         }
@@ -211,6 +219,7 @@ namespace Rill
             ReleaseCoarse();
             ReleaseColliders();
             ReleaseVorticity();
+            ReleaseSources();
             ReleaseStatistics();
             GpuBuffer.Release(ref constants);
             if (constantsUpload.IsCreated)
@@ -299,12 +308,9 @@ namespace Rill
 
         VorticityConfinement Vorticity => vorticityConfinement ??= new VorticityConfinement(Layout.Capacity);
 
-        // Least density of what was added in this closed box, relative to rest: 1 unless there is more of it than fits.
-        float Crowding => math.max(added / (Layout.DomainSize.x * Layout.DomainSize.y * Layout.DomainSize.z), 1f);
-
-        void UploadConstants(CommandBuffer cmd, in StepInput input, float restDensity)
+        void UploadConstants(CommandBuffer cmd, in StepInput input)
         {
-            constantsUpload[0] = SolverConstants.For(Layout, input, stepIndex, restDensity);
+            constantsUpload[0] = SolverConstants.For(Layout, input, stepIndex);
             cmd.SetBufferData(constants, constantsUpload);
         }
 

@@ -24,7 +24,7 @@ namespace Rill
         /// <summary>Keyword of the kernels that leave out what sleeps.</summary>
         public const string Keyword = "RILL_SLEEP";
 
-        const int MotionStride = 5;             // kMotionStride in RestingRegions.compute
+        const int MotionStride = 5;             // kMotionStride in RestingRegions.hlsl
         const float GravityChange = 0.01f;      // share of it that wakes everything
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
@@ -92,6 +92,9 @@ namespace Rill
         /// <summary>Records what a kernel looks up. The shader's keyword is set by <see cref="RecordKeyword"/>.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel) => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, states);
 
+        /// <summary>Records where a kernel wakes regions that particles come to or leave.</summary>
+        public void BindMotion(CommandBuffer cmd, ComputeShader shader, int kernel) => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionMotion, motion);
+
         /// <summary>Records the keyword, with no regions that there are none: another solver may have left the shared shader on the other variant.</summary>
         public static void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword sleep, RestingRegions regions) => cmd.SetKeyword(shader, sleep, regions != null);
 
@@ -144,6 +147,7 @@ namespace Rill
             public static readonly int Motion = Shader.PropertyToID("_Motion");
             public static readonly int QuietSteps = Shader.PropertyToID("_QuietSteps");
             public static readonly int States = Shader.PropertyToID("_States");
+            public static readonly int RegionMotion = Shader.PropertyToID("_RegionMotion");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int RestingWay = Shader.PropertyToID("_RestingWay");

@@ -41,8 +41,7 @@ namespace Rill
         const float ViscosityRate = 60f;
 
         /// <param name="input">Valid settings and material; the time step is that of the whole step.</param>
-        /// <param name="restDensity">That the constraint seeks, relative to rest: above 1 where a closed box holds more than it can, which no iteration could press out of it and all would fight over.</param>
-        public static SolverConstants For(SolverLayout layout, in StepInput input, uint stepIndex, float restDensity = 1f)
+        public static SolverConstants For(SolverLayout layout, in StepInput input, uint stepIndex)
         {
             float dt = input.timeStep / input.settings.substeps;
             FluidMaterial material = input.material;
@@ -63,8 +62,8 @@ namespace Rill
                 neighborCapacity = layout.NeighborCapacity,
                 firstListParticles = layout.FirstListParticles,
                 stepIndex = stepIndex,
-                densityScale = (float)(LatticeKernels.Poly6Scale / LatticeKernels.RestDensity / restDensity),
-                selfDensity = (float)(LatticeKernels.Poly6(0.0) / LatticeKernels.RestDensity / restDensity),
+                densityScale = (float)(LatticeKernels.Poly6Scale / LatticeKernels.RestDensity),
+                selfDensity = (float)(LatticeKernels.Poly6(0.0) / LatticeKernels.RestDensity),
                 gradientScale = (float)(LatticeKernels.SpikyGradientScale / LatticeKernels.RestDensity),
                 epsilon = (float)(input.settings.softness * LatticeKernels.ReferenceSquares),
                 wallScale = (float)LatticeKernels.WallScale,

@@ -15,12 +15,8 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
         readonly int measure, measureBeside, reduce;
-        readonly Action<AsyncGPUReadbackRequest> onRead;
+        readonly Readback readback = new Readback(FluidStatistics.BlockSize);
         GraphicsBuffer partials, histogram, results;
-        NativeArray<uint> arriving, latest;
-        int pendingGeneration;
-        int generation;
-        bool disposed;
 
         public StatisticsPass(int capacity)
         {
@@ -32,19 +28,16 @@ namespace Rill
             histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
             results = GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize);
             histogram.SetData(new uint[Bins]);
-            arriving = new NativeArray<uint>(FluidStatistics.BlockSize, Allocator.Persistent);
-            latest = new NativeArray<uint>(FluidStatistics.BlockSize, Allocator.Persistent);
-            onRead = OnRead;
         }
 
         /// <summary>Whether a result is on its way; a new one is asked for only after it has come.</summary>
-        public bool IsPending { get; private set; }
+        public bool IsPending => readback.IsPending;
 
         /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Forget"/>.</summary>
-        public bool HasResult { get; private set; }
+        public bool HasResult => readback.HasResult;
 
         /// <summary>The newest result, uint bits as Statistics.compute writes them.</summary>
-        public NativeArray<uint> Latest => latest;
+        public NativeArray<uint> Latest => readback.Latest;
 
         /// <summary>Records the measuring of the current state.</summary>
         /// <param name="colliders">Whose boundary lies ready at rest; null for none.</param>
@@ -78,32 +71,17 @@ namespace Rill
         }
 
         /// <summary>Asks for what was recorded, after its command buffer was executed. Nothing while a result is pending.</summary>
-        public void Request()
-        {
-            if (IsPending)
-                return;
-            IsPending = true;
-            pendingGeneration = generation;
-            AsyncGPUReadback.RequestIntoNativeArray(ref arriving, results, onRead);
-        }
+        public void Request() => readback.Request(results);
 
         /// <summary>Results from before this call are dropped when they come.</summary>
-        public void Forget()
-        {
-            generation++;
-            HasResult = false;
-        }
+        public void Forget() => readback.Forget();
 
         public void Dispose()
         {
-            disposed = true;
-            if (IsPending)
-                AsyncGPUReadback.WaitAllRequests();     // it writes into memory that is about to go
+            readback.Dispose();
             GpuBuffer.Release(ref partials);
             GpuBuffer.Release(ref histogram);
             GpuBuffer.Release(ref results);
-            arriving.Dispose();
-            latest.Dispose();
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -125,15 +103,6 @@ namespace Rill
             description.Buffer("Rill.Statistics.Histogram", stage.histogram);
             description.Buffer("Rill.Statistics.Results", stage.results);
             return description;
-        }
-
-        void OnRead(AsyncGPUReadbackRequest request)
-        {
-            IsPending = false;
-            if (disposed || request.hasError || pendingGeneration != generation)
-                return;
-            latest.CopyFrom(arriving);      // which the next request may be writing while this one is read
-            HasResult = true;
         }
 
         static class Ids

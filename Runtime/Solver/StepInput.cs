@@ -19,5 +19,7 @@ namespace Rill
         public ColliderSet colliders;
         /// <summary>Shares of that frame at which the step starts and ends.</summary>
         public float frameFrom, frameTo;
+        /// <summary>Emitters, drains and force fields; null for none.</summary>
+        public StepSources sources;
     }
 }

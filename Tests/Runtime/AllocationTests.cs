@@ -58,6 +58,63 @@ namespace Rill.Tests
             Assert.That(statistics.particles, NUnit.Framework.Is.EqualTo(800));
         }
 
+        [UnityTest]
+        public IEnumerator A_hundred_frames_with_emitters_drains_and_force_fields_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Basin();
+            TestDelegate frame = () => simulation.Advance(Step);
+            yield return null;
+            for (int i = 0; i < WarmUp; i++)
+            {
+                frame();
+                yield return null;
+            }
+            for (int i = 0; i < 100; i++)
+            {
+                Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                yield return null;
+            }
+            Assert.That(simulation.TryGetStatistics(out FluidStatistics statistics));
+            Assert.That(statistics.emitted, NUnit.Framework.Is.GreaterThan(300));
+            Assert.That(statistics.drained, NUnit.Framework.Is.GreaterThan(100));
+        }
+
+        FluidSimulation Basin()
+        {
+            fluid = new GameObject("Fluid");
+            fluid.SetActive(false);
+            var simulation = fluid.AddComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(1f, 0.6f, 0.5f), 0.05f, 2000);     // room, or it would say that there is none
+            simulation.StatisticsInterval = 3;
+            fluid.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.4f, 0.5f);
+            AddSources();
+            fluid.SetActive(true);
+            return simulation;
+        }
+
+        void AddSources()
+        {
+            var emitter = Part<FluidEmitter>(new Vector3(0.3f, 0.25f, 0f));
+            emitter.transform.rotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);
+            emitter.Rate = 0.02f;
+            emitter.Phase = 2;
+            emitter.Lifetime = 1f;
+            var fountain = Part<FluidEmitter>(new Vector3(-0.3f, 0.1f, 0f));
+            fountain.Rate = 0f;
+            var drain = Part<FluidDrain>(new Vector3(0f, -0.3f, 0f));
+            drain.RateLimit = 0.01f;
+            drain.RecycleTo = fountain;
+            Part<FluidForceField>(Vector3.zero).Kind = ForceFieldKind.Wind;
+        }
+
+        T Part<T>(Vector3 position) where T : FluidPart
+        {
+            var part = new GameObject(typeof(T).Name);
+            part.transform.SetParent(fluid.transform, false);
+            part.transform.localPosition = position;
+            return part.AddComponent<T>();
+        }
+
         [Test]
         public void An_allocation_of_a_few_bytes_is_seen()
         {

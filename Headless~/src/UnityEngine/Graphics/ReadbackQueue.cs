@@ -84,9 +84,12 @@ namespace UnityEngine.Headless
             long start = offset & ~3, end = Math.Min((buffer.Bytes + 3) & ~3, (offset + bytes + 3) & ~3);
             request.Copies.Add(Gpu.Device.BeginReadback(buffer.Device, start, end - start));
             if (start != offset || end - start != bytes)
-                request.Convert = copies => new[] { copies[0].Data.Slice((int)(offset - start), (int)bytes).ToArray() };
+                request.Convert = PartOf((int)(offset - start), (int)bytes);
             return Enqueue(request, output, callback);
         }
+
+        // Apart, because what a lambda captures is allocated where its method begins, and a request's begins in a script's name.
+        static Func<List<DeviceReadback>, byte[][]> PartOf(int start, int bytes) => copies => new[] { copies[0].Data.Slice(start, bytes).ToArray() };
 
         public static AsyncGPUReadbackRequest Request(Texture texture, int mip, ReadbackRegion region, TextureFormat? format, ReadbackOutput output, Action<AsyncGPUReadbackRequest> callback)
         {

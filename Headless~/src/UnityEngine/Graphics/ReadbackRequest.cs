@@ -19,12 +19,15 @@ namespace UnityEngine.Headless
             using NativeWork.Scope native = NativeWork.Enter();
             if (!array.IsCreated)
                 throw new ArgumentException("AsyncGPUReadback: the output array was not created.");
-            return new ReadbackOutput
-            {
-                Bytes = (long)array.Length * ElementSize<T>.Bytes,
-                Fill = data => data.CopyTo(Transfer.Bytes(array)),      // throws when the array was disposed meanwhile
-            };
+            return Into(array);
         }
+
+        // Apart, because what a lambda captures is allocated where its method begins: here, in native code's name.
+        static ReadbackOutput Into<T>(NativeArray<T> array) where T : struct => new ReadbackOutput
+        {
+            Bytes = (long)array.Length * ElementSize<T>.Bytes,
+            Fill = data => data.CopyTo(Transfer.Bytes(array)),      // throws when the array was disposed meanwhile
+        };
     }
 
     internal readonly struct ReadbackRegion

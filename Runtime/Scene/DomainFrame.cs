@@ -1,0 +1,48 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>From world space into the frame of a domain: lowest corner at 0, lengths in particle spacings.</summary>
+    readonly struct DomainFrame
+    {
+        readonly Vector3 position;
+        readonly Quaternion toDomain;
+        readonly float3 half;
+        readonly float inverseSpacing;
+
+        /// <param name="position">Of the domain's centre, world space, m.</param>
+        /// <param name="size">m.</param>
+        /// <param name="spacing">m.</param>
+        public DomainFrame(Vector3 position, Quaternion rotation, float3 size, float spacing)
+        {
+            this.position = position;
+            toDomain = Quaternion.Inverse(rotation);
+            half = size * 0.5f;
+            inverseSpacing = 1f / spacing;
+        }
+
+        public float3 Point(Vector3 world) => ((float3)(toDomain * (world - position)) + half) * inverseSpacing;
+
+        /// <summary>Of a direction, a velocity or an acceleration: m to d.</summary>
+        public float3 Vector(Vector3 world) => (float3)(toDomain * world) * inverseSpacing;
+
+        public PlaceInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
+        {
+            Quaternion rotation = toDomain * worldRotation;
+            return new PlaceInDomain
+            {
+                position = Point(worldPosition),
+                axisX = rotation * Vector3.right,
+                axisY = rotation * Vector3.up,
+                axisZ = rotation * Vector3.forward,
+            };
+        }
+    }
+
+    /// <summary>Where an object is in a domain, d, and which way its axes point there.</summary>
+    struct PlaceInDomain
+    {
+        public float3 position, axisX, axisY, axisZ;
+    }
+}

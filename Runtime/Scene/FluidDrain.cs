@@ -1,0 +1,109 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What a drain has the shape of.</summary>
+    public enum DrainShape { Box, Sphere }
+
+    /// <summary>Takes the fluid out of a volume of a <see cref="FluidSimulation"/>, for good or to where an emitter lets it in again.</summary>
+    /// <remarks>
+    /// Looks at the particles at the start of every fixed step: what crosses it within one step is missed, so make it thicker
+    /// than that way.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Drain")]
+    public sealed class FluidDrain : FluidPart
+    {
+        [Tooltip("A box or a sphere around this object.")]
+        [SerializeField] DrainShape shape = DrainShape.Box;
+
+        [Tooltip("Size of the box, m.")]
+        [SerializeField] Vector3 size = new Vector3(0.5f, 0.2f, 0.5f);
+
+        [Tooltip("Radius of the sphere, m.")]
+        [SerializeField] float radius = 0.25f;
+
+        [Tooltip("Most volume taken out, m³/s. 0: all that gets in.")]
+        [SerializeField] float rateLimit;
+
+        [Tooltip("Emitter of the same fluid that lets the particles in again, as soon as it has room. None: they are gone.")]
+        [SerializeField] FluidEmitter recycleTo;
+
+        const int NoSize = FirstOwnProblem, NoTarget = FirstOwnProblem + 1;
+
+        double budget;      // m³ that may still go
+
+        /// <summary>A box or a sphere.</summary>
+        public DrainShape Shape { get => shape; set => shape = value; }
+        /// <summary>Size of the box, m.</summary>
+        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        /// <summary>Radius of the sphere, m.</summary>
+        public float Radius { get => radius; set { radius = value; Validate(); } }
+        /// <summary>Most volume taken out, m³/s; 0 for all that gets in. Out-of-range values are clamped with a warning.</summary>
+        public float RateLimit { get => rateLimit; set { rateLimit = value; Validate(); } }
+        /// <summary>Emitter of the same fluid that lets the particles in again; null for none.</summary>
+        public FluidEmitter RecycleTo { get => recycleTo; set => recycleTo = value; }
+
+        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago.</summary>
+        public int Drained => Simulation != null && Number >= 0 ? Simulation.DrainedCount(Number) : 0;
+
+        internal override void OnRestart() => budget = 0.0;
+
+        /// <summary>What it does in the next step.</summary>
+        /// <returns>Whether it does anything.</returns>
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, out DrainRegion region)
+        {
+            region = default;
+            if (!TryGetPlace(frame, out PlaceInDomain place))
+                return false;
+            float3 half = (shape == DrainShape.Sphere ? Vector3.one * radius : size * 0.5f) / spacing;
+            bool isEmpty = !(math.cmin(half) > 0f);
+            if (MustSay(NoSize, isEmpty))
+                Say($"its {(shape == DrainShape.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it takes out nothing. Set its size above 0.");
+            if (isEmpty)
+                return false;
+            region = new DrainRegion
+            {
+                center = place.position,
+                isSphere = shape == DrainShape.Sphere ? 1u : 0u,
+                axisX = place.axisX / half.x,
+                axisY = place.axisY / half.y,
+                axisZ = place.axisZ / half.z,
+                limit = LimitOf(step, (double)spacing * spacing * spacing),
+                emitter = Target(),
+                number = (uint)Number,
+            };
+            return true;
+        }
+
+        private protected override string ValidateValues()
+        {
+            string problem = null;
+            Limit.Clamp("rate limit", ref rateLimit, 0f, float.MaxValue, 0f, ref problem);
+            Limit.Finite("size", ref size, Vector3.one * 0.5f, ref problem);
+            Limit.Clamp("radius", ref radius, 0f, float.MaxValue, 0.25f, ref problem);
+            return problem;
+        }
+
+        // Whole particles; what is left of one is kept for the next step.
+        uint LimitOf(float step, double particleVolume)
+        {
+            if (rateLimit <= 0f)
+                return DrainRegion.NoLimit;
+            budget += rateLimit * (double)step;
+            double whole = math.min(math.floor(budget / particleVolume + 1e-9), SolverLayout.MaxCapacity);
+            budget -= whole * particleVolume;
+            return (uint)whole;
+        }
+
+        uint Target()
+        {
+            if (recycleTo == null)
+                return DrainRegion.NoEmitter;
+            bool takes = recycleTo.isActiveAndEnabled && recycleTo.Simulation == Simulation && recycleTo.Number >= 0;
+            if (MustSay(NoTarget, !takes))
+                Say($"its emitter '{recycleTo.name}' is disabled or belongs to another fluid, so particles are taken out for good. Enable it or choose one of '{Simulation.name}'.");
+            return takes ? (uint)recycleTo.Number : DrainRegion.NoEmitter;
+        }
+    }
+}

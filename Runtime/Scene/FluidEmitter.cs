@@ -1,0 +1,268 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Where an emitter puts particles.</summary>
+    public enum EmitterShape { Box, Sphere, Disc, MeshSurface }
+
+    /// <summary>How an emitter puts particles there.</summary>
+    public enum EmitterMode
+    {
+        /// <summary>A closed stream from the middle of the shape's cross-section, as wide as rate and speed make it.</summary>
+        Jet,
+        /// <summary>From all places of the cross-section in turn: a low rate is drops.</summary>
+        Spray,
+        /// <summary>Into the shape's volume, from its bottom up, where there is room.</summary>
+        Fill,
+    }
+
+    /// <summary>
+    /// Lets fluid into a <see cref="FluidSimulation"/>: a tap, a hose, a shower, a volume that is kept full. After any time it
+    /// has let in its rate times that time, to within one particle, as far as there is room and capacity.
+    /// </summary>
+    /// <remarks>
+    /// A particle due is put where it would have got to by the end of the step, unless the fluid there is at rest density: then it
+    /// waits, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
+    /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Emitter")]
+    public sealed class FluidEmitter : FluidPart
+    {
+        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2;
+        const float LongestWait = 1f;           // s
+        const float LeastSpeed = 0.01f, MostSpeed = 1000f, MostRate = 1e6f;
+        const float MostLifetime = 86400f;      // s: fits the steps that a tag holds
+
+        [Tooltip("Where the fluid comes from: a box, sphere or disc around this object, or the surface of a mesh along its normals.")]
+        [SerializeField] EmitterShape shape = EmitterShape.Disc;
+
+        [Tooltip("Jet: a closed stream along this object's forward axis, as wide as rate and speed make it. Spray: from the whole cross-section in turn. Fill: into the volume, where there is room.")]
+        [SerializeField] EmitterMode mode = EmitterMode.Jet;
+
+        [Tooltip("Size of the box, m. A jet leaves through x and y.")]
+        [SerializeField] Vector3 size = new Vector3(0.2f, 0.2f, 0.2f);
+
+        [Tooltip("Radius of the sphere or disc, m.")]
+        [SerializeField] float radius = 0.1f;
+
+        [Tooltip("Mesh whose surface emits. Scaled with this object.")]
+        [SerializeField] Mesh mesh;
+
+        [Tooltip("Volume let in, m³/s. 0 to 1e6. 0.001 is a litre a second.")]
+        [SerializeField] float rate = 0.01f;
+
+        [Tooltip("Speed at which the fluid leaves, m/s. 0.01 to 1000; a fill may have 0.")]
+        [SerializeField] float speed = 2f;
+
+        [Tooltip("Largest angle between a particle's velocity and the axis, degrees. 0 to 180.")]
+        [Range(0f, 180f)]
+        [SerializeField] float spread;
+
+        [Tooltip("Whether it begins by itself, with the fluid.")]
+        [SerializeField] bool startsItself = true;
+
+        [Tooltip("Fluid time from its start until it lets fluid in, s. 0 or more.")]
+        [SerializeField] float delay;
+
+        [Tooltip("Fluid time during which it lets fluid in, s. 0: for ever.")]
+        [SerializeField] float duration;
+
+        [Tooltip("Number of the colour that the particle renderer may give its particles, 0 to 7. Other than 0 takes 8 bytes a particle of capacity.")]
+        [Range(0, 7)]
+        [SerializeField] int phase;
+
+        [Tooltip("Fluid time after which its particles are removed, s. 0: never. Other than 0 takes 8 bytes a particle of capacity.")]
+        [SerializeField] float lifetime;
+
+        EmissionClock clock;
+        EmitterPlaces places;
+        PlacesKey placesKey;
+        string placesProblem;
+        bool isOn;
+        bool saysLast;              // one step after the last tells the GPU that nothing waits any more
+
+        /// <summary>Where the fluid comes from.</summary>
+        public EmitterShape Shape { get => shape; set { shape = value; Validate(); } }
+        /// <summary>Closed stream, spray or fill.</summary>
+        public EmitterMode Mode { get => mode; set { mode = value; Validate(); } }
+        /// <summary>Size of the box, m.</summary>
+        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        /// <summary>Radius of the sphere or disc, m.</summary>
+        public float Radius { get => radius; set { radius = value; Validate(); } }
+        /// <summary>Mesh whose surface emits.</summary>
+        public Mesh Mesh { get => mesh; set { mesh = value; Validate(); } }
+        /// <summary>Volume let in, m³/s. Out-of-range values are clamped with a warning.</summary>
+        public float Rate { get => rate; set { rate = value; Validate(); } }
+        /// <summary>Speed at which the fluid leaves, m/s. Out-of-range values are clamped with a warning.</summary>
+        public float Speed { get => speed; set { speed = value; Validate(); } }
+        /// <summary>Largest angle between a particle's velocity and the axis, degrees.</summary>
+        public float Spread { get => spread; set { spread = value; Validate(); } }
+        /// <summary>Whether it begins by itself, with the fluid.</summary>
+        public bool StartsItself { get => startsItself; set => startsItself = value; }
+        /// <summary>Fluid time from its start until it lets fluid in, s.</summary>
+        public float Delay { get => delay; set { delay = value; Validate(); } }
+        /// <summary>Fluid time during which it lets fluid in, s; 0 for ever.</summary>
+        public float Duration { get => duration; set { duration = value; Validate(); } }
+        /// <summary>Number of the colour that the particle renderer may give its particles, 0 to 7.</summary>
+        public int Phase { get => phase; set { phase = value; Validate(); } }
+        /// <summary>Fluid time after which its particles are removed, s; 0 for never.</summary>
+        public float Lifetime { get => lifetime; set { lifetime = value; Validate(); } }
+
+        /// <summary>Whether it lets fluid in now: started, past its delay and within its duration.</summary>
+        public bool IsEmitting => isOn && isActiveAndEnabled && clock.Time >= delay && clock.Time < End;
+
+        /// <summary>Volume that was due since its last start, m³: what it let in and what waits, was refused or was given up.</summary>
+        public double DueVolume => clock.Due * ParticleVolume;
+
+        /// <summary>Particles let in since the simulation's start, as far as the GPU has told: two or three frames ago.</summary>
+        public int Emitted => Count(EmitterStates.Word.Emitted);
+        /// <summary>Volume let in since the simulation's start, m³, as far as the GPU has told: two or three frames ago.</summary>
+        public double EmittedVolume => Emitted * ParticleVolume;
+        /// <summary>Particles due that wait for room, as far as the GPU has told.</summary>
+        public int Waiting => Count(EmitterStates.Word.Waiting);
+        /// <summary>Particles given up for want of room since the simulation's start, as far as the GPU has told.</summary>
+        public int Blocked => Count(EmitterStates.Word.Blocked);
+        /// <summary>Particles that the simulation's capacity did not hold since its start, as far as the GPU has told.</summary>
+        public int Refused => Count(EmitterStates.Word.Refused);
+
+        /// <summary>Lets fluid in from now on, after the delay and for the duration. Begins anew if it runs.</summary>
+        public void StartEmission()
+        {
+            clock = default;
+            isOn = true;
+        }
+
+        /// <summary>Lets no more in. What waits for room is given up.</summary>
+        public void StopEmission() => isOn = false;
+
+        internal override void OnRestart()
+        {
+            clock = default;
+            isOn = startsItself;
+        }
+
+        /// <summary>What it does in the next step, which it takes part in.</summary>
+        /// <param name="isTarget">Whether a drain gives it particles.</param>
+        /// <returns>Whether it does anything.</returns>
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, bool isTarget, out EmitterStep result)
+        {
+            result = default;
+            if (!TryGetPlace(frame, out PlaceInDomain place) || !TryGetPlaces(spacing))
+                return false;
+            EmissionClock.Share share = default;
+            double end = End;
+            // What waits at the end of the duration has as long as ever to find room.
+            bool lingers = isOn && clock.Time < end + LongestWait;
+            if (isOn)
+                share = clock.Advance(step, rate, delay, end, ParticleVolume, Emitters.MaxCandidates);
+            if (!lingers && !isTarget && !saysLast)
+                return false;
+            saysLast = lingers;
+
+            float perSecond = (float)(rate / ParticleVolume);
+            result = new EmitterStep
+            {
+                number = Number,
+                places = places,
+                origin = place.position,
+                axisX = place.axisX,
+                axisY = place.axisY,
+                axisZ = place.axisZ,
+                speed = (mode == EmitterMode.Fill && shape != EmitterShape.MeshSurface ? speed : math.max(speed, LeastSpeed)) / spacing,
+                cosSpread = math.cos(math.radians(spread)),
+                due = share.due,
+                firstSerial = (uint)share.first,
+                firstAge = share.firstAge,
+                interval = share.interval,
+                mostWaiting = lingers ? (int)math.min(math.ceil(perSecond * LongestWait), int.MaxValue / 2) : 0,
+                phase = phase,
+                lifetimeSteps = lifetime > 0f ? math.max((int)math.round(lifetime / step), 1) : 0,
+            };
+            result.ChoosePlaces(perSecond, step);
+            if (share.due > 0)
+                SayWhatCannotBe(result, perSecond, step, spacing);
+            return true;
+        }
+
+        /// <summary>Says once by name what the numbers from the GPU tell.</summary>
+        internal void ReportRefused(int capacity)
+        {
+            if (MustSay(NoCapacity, Refused > 0))
+                Say($"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.");
+        }
+
+        private protected override string ValidateValues()
+        {
+            string problem = null;
+            Limit.Clamp("rate", ref rate, 0f, MostRate, 0f, ref problem);
+            Limit.Clamp("speed", ref speed, mode == EmitterMode.Fill ? 0f : LeastSpeed, MostSpeed, 1f, ref problem);
+            Limit.Clamp("spread", ref spread, 0f, 180f, 0f, ref problem);
+            Limit.Clamp("delay", ref delay, 0f, float.MaxValue, 0f, ref problem);
+            Limit.Clamp("duration", ref duration, 0f, float.MaxValue, 0f, ref problem);
+            Limit.Clamp("phase", ref phase, 0, 7, ref problem);
+            Limit.Clamp("lifetime", ref lifetime, 0f, MostLifetime, 0f, ref problem);
+            Limit.Finite("size", ref size, Vector3.one * 0.2f, ref problem);
+            Limit.Clamp("radius", ref radius, 0f, float.MaxValue, 0.1f, ref problem);
+            return problem;
+        }
+
+        double End => duration > 0f ? (double)delay + duration : double.PositiveInfinity;
+
+        double ParticleVolume
+        {
+            get
+            {
+                double spacing = Simulation != null ? Simulation.ParticleSpacing : 0.0;
+                return spacing * spacing * spacing;
+            }
+        }
+
+        int Count(EmitterStates.Word word) => Simulation != null && Number >= 0 ? Simulation.EmitterCount(Number, word) : 0;
+
+        // Looks at the shape again only where something of it has changed.
+        bool TryGetPlaces(float spacing)
+        {
+            var key = new PlacesKey
+            {
+                shape = shape,
+                mode = mode,
+                size = size,
+                radius = radius,
+                mesh = mesh,
+                scale = shape == EmitterShape.MeshSurface ? transform.lossyScale : Vector3.one,
+                spacing = spacing,
+            };
+            if (!key.Equals(placesKey))
+            {
+                placesKey = key;
+                places = EmitterPlaces.Of(shape, mode, size, radius, mesh, key.scale, spacing, out placesProblem);
+                MustSay(NoShape, false);        // another problem is told anew
+            }
+            if (MustSay(NoShape, placesProblem != null))
+                Say(placesProblem + " It lets nothing in.");
+            return places != null;
+        }
+
+        void SayWhatCannotBe(in EmitterStep step, float perSecond, float seconds, float spacing)
+        {
+            float most = places.FillsVolume ? float.MaxValue : places.Count * step.speed;
+            most = math.min(most, Emitters.MaxCandidates / seconds);
+            if (MustSay(TooFast, perSecond > 1.01f * most))
+                Say($"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {most * ParticleVolume:0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.");
+        }
+
+        // What places are made for.
+        struct PlacesKey
+        {
+            public EmitterShape shape;
+            public EmitterMode mode;
+            public Vector3 size, scale;
+            public float radius, spacing;
+            public Mesh mesh;
+
+            public bool Equals(in PlacesKey other) => shape == other.shape && mode == other.mode && size.Equals(other.size) && scale.Equals(other.scale)
+                && radius == other.radius && spacing == other.spacing && ReferenceEquals(mesh, other.mesh);
+        }
+    }
+}

@@ -1,0 +1,126 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What a force field does; the numbers of ForceFields.compute.</summary>
+    public enum ForceFieldKind
+    {
+        /// <summary>Accelerates along the object's forward axis.</summary>
+        Direction,
+        /// <summary>Accelerates towards the object; away from it with a negative strength.</summary>
+        Point,
+        /// <summary>Accelerates around the object's forward axis.</summary>
+        Vortex,
+        /// <summary>Drags the surface along the object's forward axis: the more, the fewer neighbors a particle has.</summary>
+        Wind,
+    }
+
+    /// <summary>How a field's strength falls from its centre to its bounds; the numbers of ForceFields.compute.</summary>
+    public enum ForceFieldFalloff
+    {
+        /// <summary>Not at all.</summary>
+        None,
+        /// <summary>1 − t, with t = 0 at the centre and 1 at the bounds.</summary>
+        Linear,
+        /// <summary>(0.1 / t)², and 1 below t = 0.1.</summary>
+        InverseSquare,
+        /// <summary>(1 − t²)².</summary>
+        Smooth,
+    }
+
+    /// <summary>What bounds a force field.</summary>
+    public enum ForceFieldBounds { None, Sphere, Box }
+
+    /// <summary>Accelerates the particles of a <see cref="FluidSimulation"/> in its bounds.</summary>
+    /// <remarks>
+    /// All fields together accelerate a particle by at most 1000 m/s². A point or vortex fades to 0 towards its centre over a
+    /// tenth of its bounds' size, or over two particle spacings without bounds.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Force Field")]
+    public sealed class FluidForceField : FluidPart
+    {
+        const int NoSize = FirstOwnProblem;
+        const float CoreShare = 0.1f;           // kCore in ForceFields.compute
+        const float CoreWithoutBounds = 2f;     // d
+
+        [Tooltip("Direction: along the forward axis. Point: towards this object. Vortex: around the forward axis. Wind: drags the surface along the forward axis.")]
+        [SerializeField] ForceFieldKind kind = ForceFieldKind.Direction;
+
+        [Tooltip("Acceleration, m/s². -1000 to 1000. Of a wind: its speed, m/s.")]
+        [SerializeField] float strength = 5f;
+
+        [Tooltip("Of a wind: share of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
+        [SerializeField] float drag = 2f;
+
+        [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
+
+        [Tooltip("What bounds the field. None: all of the domain, without falloff.")]
+        [SerializeField] ForceFieldBounds bounds = ForceFieldBounds.None;
+
+        [Tooltip("Radius of the sphere, m.")]
+        [SerializeField] float radius = 1f;
+
+        [Tooltip("Size of the box, m.")]
+        [SerializeField] Vector3 size = Vector3.one;
+
+        /// <summary>What it does.</summary>
+        public ForceFieldKind Kind { get => kind; set => kind = value; }
+        /// <summary>Acceleration, m/s², or a wind's speed, m/s. Out-of-range values are clamped with a warning.</summary>
+        public float Strength { get => strength; set { strength = value; Validate(); } }
+        /// <summary>Of a wind: share of the difference to its velocity that a particle alone in the air loses in a second, at first.</summary>
+        public float Drag { get => drag; set { drag = value; Validate(); } }
+        /// <summary>How the strength falls towards the bounds.</summary>
+        public ForceFieldFalloff Falloff { get => falloff; set => falloff = value; }
+        /// <summary>What bounds the field.</summary>
+        public ForceFieldBounds Bounds { get => bounds; set => bounds = value; }
+        /// <summary>Radius of the sphere, m.</summary>
+        public float Radius { get => radius; set { radius = value; Validate(); } }
+        /// <summary>Size of the box, m.</summary>
+        public Vector3 Size { get => size; set { size = value; Validate(); } }
+
+        /// <summary>Largest acceleration that it asks for, m/s².</summary>
+        internal float LargestAcceleration => kind == ForceFieldKind.Wind ? 0f : math.abs(strength);
+
+        /// <summary>What it does in the next step.</summary>
+        /// <returns>Whether it does anything.</returns>
+        internal bool TakeStep(in DomainFrame frame, float spacing, out FieldRegion region)
+        {
+            region = default;
+            if (!TryGetPlace(frame, out PlaceInDomain place))
+                return false;
+            float3 half = (bounds == ForceFieldBounds.Sphere ? Vector3.one * radius : size * 0.5f) / spacing;
+            bool bounded = bounds != ForceFieldBounds.None;
+            bool isEmpty = bounded && !(math.cmin(half) > 0f);
+            if (MustSay(NoSize, isEmpty))
+                Say($"its {(bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.");
+            if (isEmpty)
+                return false;
+            bool isWind = kind == ForceFieldKind.Wind;
+            region = new FieldRegion
+            {
+                center = place.position,
+                kind = (uint)kind,
+                axisX = bounded ? place.axisX / half.x : 0f,
+                axisY = bounded ? place.axisY / half.y : 0f,
+                axisZ = bounded ? place.axisZ / half.z : 0f,
+                falloff = (uint)(bounded ? falloff : ForceFieldFalloff.None),
+                isSphere = bounds == ForceFieldBounds.Sphere ? 1u : 0u,
+                strength = isWind ? drag : strength / spacing,
+                flow = isWind ? place.axisZ * (strength / spacing) : place.axisZ,
+                core = bounded ? math.max(CoreShare * math.cmax(half), 1e-3f) : CoreWithoutBounds,
+            };
+            return true;
+        }
+
+        private protected override string ValidateValues()
+        {
+            string problem = null;
+            Limit.Clamp("strength", ref strength, -ForceFields.MostAcceleration, ForceFields.MostAcceleration, 0f, ref problem);
+            Limit.Clamp("drag", ref drag, 0f, 1000f, 0f, ref problem);
+            Limit.Clamp("radius", ref radius, 0f, float.MaxValue, 1f, ref problem);
+            Limit.Finite("size", ref size, Vector3.one, ref problem);
+            return problem;
+        }
+    }
+}

@@ -1,0 +1,118 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
+    /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
+    public abstract class FluidPart : MonoBehaviour
+    {
+        [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
+        [SerializeField] FluidSimulation simulation;
+
+        FluidSimulation attached;
+        int said;           // bit p: problem p was logged and is still there
+
+        /// <summary>The fluid that this acts on; null while there is none or this is disabled. Setting null means the nearest above it.</summary>
+        public FluidSimulation Simulation
+        {
+            get => attached;
+            set
+            {
+                simulation = value;
+                Reattach();
+            }
+        }
+
+        /// <summary>Number among its kind in the simulation, -1 where it has none.</summary>
+        internal int Number { get; set; } = -1;
+
+        /// <summary>Problems of every part; those of a kind of its own come from <see cref="FirstOwnProblem"/> on.</summary>
+        const int NoPlace = 0, NoSimulation = 1, TooMany = 2;
+        private protected const int FirstOwnProblem = 3;
+
+        /// <summary>Puts every value into its range.</summary>
+        /// <returns>What was wrong and what it became; null if nothing was.</returns>
+        private protected abstract string ValidateValues();
+
+        /// <summary>The simulation begins anew.</summary>
+        internal virtual void OnRestart() { }
+
+        /// <summary>Whether a problem is there that is yet to be logged: true once for as long as it stays.</summary>
+        private protected bool MustSay(int problem, bool isThere)
+        {
+            bool isNew = isThere && (said >> problem & 1) == 0;
+            said = isThere ? said | 1 << problem : said & ~(1 << problem);
+            return isNew;
+        }
+
+        private protected void Say(string problem) => Debug.LogWarning($"Rill: {GetType().Name} '{name}': {problem}", this);
+
+        /// <summary>Where this is and how it is turned in the domain's frame, d; false, and said once, where that is no place.</summary>
+        internal bool TryGetPlace(in DomainFrame frame, out PlaceInDomain place)
+        {
+            Vector3 position = transform.position;
+            Quaternion rotation = transform.rotation;
+            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
+            bool isNowhere = float.IsNaN(sum) || float.IsInfinity(sum);
+            if (MustSay(NoPlace, isNowhere))
+                Say($"its transform is not finite (position {position}, rotation {rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.");
+            place = isNowhere ? default : frame.Place(position, rotation);
+            return !isNowhere;
+        }
+
+        private protected void Validate()
+        {
+            string problem = ValidateValues();
+            if (problem != null)
+                Say(problem);
+        }
+
+        void OnEnable()
+        {
+            Validate();
+            Attach();
+        }
+
+        void OnDisable() => Detach();
+
+        void OnValidate()
+        {
+            Validate();
+            if (attached != null && simulation != null && simulation != attached)
+                Reattach();
+        }
+
+        void OnTransformParentChanged() => Reattach();
+
+        void Reattach()
+        {
+            FluidSimulation wanted = Wanted;
+            if (!isActiveAndEnabled || wanted == attached)
+                return;
+            Detach();
+            Attach();
+        }
+
+        FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
+
+        void Attach()
+        {
+            attached = Wanted;
+            if (MustSay(NoSimulation, attached == null))
+                Say("there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.");
+            if (attached == null)
+                return;
+            int most = attached.Attach(this);
+            if (MustSay(TooMany, Number < 0))
+                Say($"FluidSimulation '{attached.name}' has {most} of its kind, the most it takes, and leaves this one out. Disable another and enable this anew.");
+        }
+
+        void Detach()
+        {
+            if (attached != null)       // it may have been destroyed first
+                attached.Detach(this);
+            attached = null;
+            Number = -1;
+        }
+    }
+}

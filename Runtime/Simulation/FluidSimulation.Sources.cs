@@ -1,0 +1,142 @@
+using UnityEngine;
+
+namespace Rill
+{
+    // What acts on the fluid from the scene: emitters, drains and force fields, each with a number of its own.
+    public sealed partial class FluidSimulation
+    {
+        const int ReadbackInterval = 10;        // steps between readbacks of the emitters' and drains' numbers
+
+        readonly FluidEmitter[] emitters = new FluidEmitter[StepSources.MostEmitters];
+        readonly FluidDrain[] drains = new FluidDrain[StepSources.MostDrains];
+        readonly FluidForceField[] fields = new FluidForceField[StepSources.MostFields];
+        int partCount;
+        uint goneEmitters, goneDrains;      // since the last step, a bit for each number
+        StepSources sources;
+        int stepsSinceReadback;
+
+        /// <summary>Gives a part its number, or none where there are too many of its kind.</summary>
+        /// <returns>The most of its kind.</returns>
+        internal int Attach(FluidPart part)
+        {
+            FluidPart[] kind = PartsLike(part);
+            for (int number = 0; number < kind.Length; number++)
+            {
+                if (kind[number] != null)
+                    continue;
+                kind[number] = part;
+                part.Number = number;
+                partCount++;
+                part.OnRestart();
+                break;
+            }
+            return kind.Length;
+        }
+
+        /// <summary>Takes a part's number back.</summary>
+        internal void Detach(FluidPart part)
+        {
+            FluidPart[] kind = PartsLike(part);
+            if (part.Number < 0 || kind[part.Number] != part)
+                return;
+            kind[part.Number] = null;
+            partCount--;
+            if (part is FluidEmitter)
+                goneEmitters |= 1u << part.Number;
+            else if (part is FluidDrain)
+                goneDrains |= 1u << part.Number;
+        }
+
+        /// <summary>A number of an emitter, as far as it has come back.</summary>
+        internal int EmitterCount(int number, EmitterStates.Word word) => pbf?.EmitterStates?.Latest(number, word) ?? 0;
+
+        /// <summary>Particles that a drain has removed, as far as it has come back.</summary>
+        internal int DrainedCount(int number) => pbf?.DrainedBy(number) ?? 0;
+
+        FluidPart[] PartsLike(FluidPart part)
+        {
+            if (part is FluidEmitter)
+                return emitters;
+            return part is FluidDrain ? (FluidPart[])drains : fields;
+        }
+
+        /// <summary>What acts in the next step; null where there is nothing.</summary>
+        StepSources TakeSources()
+        {
+            if (partCount == 0 && goneEmitters == 0 && goneDrains == 0)
+            {
+                ReleaseSources();
+                return null;
+            }
+            sources ??= new StepSources();
+            sources.Clear();
+            sources.goneEmitters = goneEmitters;
+            sources.goneDrains = goneDrains;
+            goneEmitters = goneDrains = 0;
+            GetPlace(out Vector3 place, out Quaternion rotation);
+            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            uint targets = 0;
+            foreach (FluidDrain drain in drains)
+                if (drain != null && drain.TakeStep(frame, particleSpacing, FixedStep, out DrainRegion region))
+                {
+                    sources.Add(region);
+                    if (region.emitter != DrainRegion.NoEmitter)
+                        targets |= 1u << (int)region.emitter;
+                }
+            foreach (FluidEmitter emitter in emitters)
+                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                    sources.Add(step);
+            foreach (FluidForceField field in fields)
+                if (field != null && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+                    sources.Add(region);
+            return sources;
+        }
+
+        // How strongly the strongest field pulls, m/s²: like gravity, it needs shorter steps where it is strong.
+        float StrongestField
+        {
+            get
+            {
+                float strongest = 0f;
+                if (partCount > 0)
+                    foreach (FluidForceField field in fields)
+                        if (field != null)
+                            strongest = Mathf.Max(strongest, field.LargestAcceleration);
+                return strongest;
+            }
+        }
+
+        /// <summary>After the steps of a frame were executed: asks for the numbers of emitters and drains, and tells what the last ones say.</summary>
+        void ReadSources(int steps)
+        {
+            if (partCount == 0)
+                return;
+            stepsSinceReadback += steps;
+            if (stepsSinceReadback < ReadbackInterval)
+                return;
+            stepsSinceReadback = 0;
+            foreach (FluidEmitter emitter in emitters)
+                if (emitter != null)
+                    emitter.ReportRefused(capacity);
+            pbf.RequestSourceCounts();
+        }
+
+        void RestartSources()
+        {
+            goneEmitters = goneDrains = 0;
+            stepsSinceReadback = 0;
+            foreach (FluidEmitter emitter in emitters)
+                if (emitter != null)
+                    emitter.OnRestart();
+            foreach (FluidDrain drain in drains)
+                if (drain != null)
+                    drain.OnRestart();
+        }
+
+        void ReleaseSources()
+        {
+            sources?.Dispose();
+            sources = null;
+        }
+    }
+}

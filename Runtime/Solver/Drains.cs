@@ -1,0 +1,194 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>A drain in one step, as Drains.compute has it; lengths in d, in the domain's frame.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct DrainRegion
+    {
+        public const uint NoLimit = uint.MaxValue;
+        public const uint NoEmitter = uint.MaxValue;
+
+        public float3 center;
+        public uint isSphere;
+        /// <summary>Along the sides, over half their length.</summary>
+        public float3 axisX;
+        /// <summary>Particles that go in this step at most.</summary>
+        public uint limit;
+        public float3 axisY;
+        /// <summary>Number of the emitter that puts them back.</summary>
+        public uint emitter;
+        public float3 axisZ;
+        /// <summary>Its number, below <see cref="StepSources.MostDrains"/>.</summary>
+        public uint number;
+    }
+
+    /// <summary>Removes particles in drains and those whose time is over, at the start of a step. Made when first needed.</summary>
+    sealed class Drains : IDisposable
+    {
+        const int Lots = 1024;          // kLots in Drains.compute
+        const int StateWords = 4;       // kDrainWords
+        const int DrainedWord = 2;      // kDrainDrained
+        const string LifetimesKeyword = "RILL_LIFETIMES", RecyclingKeyword = "RILL_RECYCLING";
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Drain");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Drains");
+        readonly int drawLots, chooseLots, drain;
+        readonly LocalKeyword sleep, lifetimes, recycling;
+        readonly uint[] zeros = new uint[StepSources.MostDrains * StateWords];
+        readonly Readback readback = new Readback(StepSources.MostDrains * StateWords);
+        GraphicsBuffer regions, states, histogram;
+        uint gone;
+
+        public Drains()
+        {
+            drawLots = shader.FindKernel("DrawLots");
+            chooseLots = shader.FindKernel("ChooseLots");
+            drain = shader.FindKernel("Drain");
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            lifetimes = new LocalKeyword(shader, LifetimesKeyword);
+            recycling = new LocalKeyword(shader, RecyclingKeyword);
+            regions = GpuBuffer.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MostDrains);
+            regions.SetData(new DrainRegion[StepSources.MostDrains]);
+            states = GpuBuffer.Structured<uint>("Rill.Drains.States", zeros.Length);
+            Clear();
+        }
+
+        /// <param name="tags">Null where no particle has a lifetime.</param>
+        public static bool IsNeeded(StepSources sources, ParticleTags tags) => sources != null && sources.drainCount > 0 || tags != null;
+
+        /// <summary>No drain has drained anything.</summary>
+        public void Clear()
+        {
+            states.SetData(zeros);
+            readback.Forget();
+        }
+
+        /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
+        public void Forget(uint drains) => gone |= drains;
+
+        /// <summary>Records what goes, from the particles at the start of a step.</summary>
+        /// <param name="emitters">Null where nothing is recycled.</param>
+        /// <param name="tags">Null where no particle has a lifetime.</param>
+        /// <param name="resting">Null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, StepSources sources, EmitterStates emitters, ParticleTags tags, RestingRegions resting)
+        {
+            cmd.BeginSample(Marker);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            cmd.SetKeyword(shader, lifetimes, tags != null);
+            cmd.SetKeyword(shader, recycling, emitters != null);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            for (int number = 0; gone != 0; number++, gone >>= 1)
+                if ((gone & 1) != 0)
+                    RecordReset(cmd, number);
+            int count = sources?.drainCount ?? 0;
+            cmd.SetComputeIntParam(shader, Ids.DrainCount, count);
+            if (count > 0)
+                cmd.SetBufferData(regions, sources.drains, 0, 0, count);
+            if (count > 0 && sources.limitsDrains)
+                RecordLots(cmd, particles);
+            else
+                GpuBuffer.Release(ref histogram);
+
+            cmd.SetComputeBufferParam(shader, drain, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, drain, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, drain, Ids.Drains, regions);
+            cmd.SetComputeBufferParam(shader, drain, Ids.DrainStates, states);
+            cmd.SetComputeBufferParam(shader, drain, Ids.Counters, particles.Counters);
+            if (tags != null)
+                cmd.SetComputeBufferParam(shader, drain, ParticleTags.Ids.Tags, tags.Current);
+            if (emitters != null)
+                cmd.SetComputeBufferParam(shader, drain, Ids.EmitterStates, emitters.Buffer);
+            resting?.BindMotion(cmd, shader, drain);
+            cmd.DispatchCompute(shader, drain, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
+        public void Request() => readback.Request(states);
+
+        /// <summary>Whether numbers are on their way.</summary>
+        public bool IsPending => readback.IsPending;
+
+        /// <summary>Particles that a drain has removed, as far as it has come back since the last <see cref="Clear"/>.</summary>
+        public int Drained(int number) => readback.HasResult ? (int)readback.Latest[number * StateWords + DrainedWord] : 0;
+
+        public void Dispose()
+        {
+            readback.Dispose();
+            GpuBuffer.Release(ref regions);
+            GpuBuffer.Release(ref states);
+            GpuBuffer.Release(ref histogram);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="tags">Null for none.</param>
+        /// <param name="resting">Null for none.</param>
+        public static StageDescription Describe(Drains stage, StepSources sources, ParticleTags tags, RestingRegions resting)
+        {
+            bool needed = IsNeeded(sources, tags);
+            int count = sources?.drainCount ?? 0;
+            var description = new StageDescription("Drains", needed, !needed ? "no drain, and no particle has a lifetime" : $"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}");
+            if (!needed || stage == null)
+                return description;
+            string variant = RestingRegions.Variant(tags != null ? LifetimesKeyword : null, resting);
+            if (count > 0 && sources.recycles)
+                variant = variant == null ? RecyclingKeyword : variant + " " + RecyclingKeyword;
+            if (count > 0 && sources.limitsDrains)
+            {
+                description.Kernel("Drains", "DrawLots", 1, variant);
+                description.Kernel("Drains", "ChooseLots", 1, variant);
+            }
+            description.Kernel("Drains", "Drain", 1, variant);
+            description.Buffer("Rill.Drains.Regions", stage.regions);
+            description.Buffer("Rill.Drains.States", stage.states);
+            description.Buffer("Rill.Drains.Histogram", stage.histogram);
+            return description;
+        }
+
+        void RecordReset(CommandBuffer cmd, int number)
+        {
+            cmd.SetBufferData(states, zeros, 0, number * StateWords, StateWords);
+            readback.Zero(number * StateWords, StateWords);
+        }
+
+        void RecordLots(CommandBuffer cmd, ParticleBuffers particles)
+        {
+            if (histogram == null)
+            {
+                histogram = GpuBuffer.Structured<uint>("Rill.Drains.Histogram", StepSources.MostDrains * Lots);
+                histogram.SetData(new uint[StepSources.MostDrains * Lots]);
+            }
+            cmd.SetComputeBufferParam(shader, drawLots, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, drawLots, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, drawLots, Ids.Drains, regions);
+            cmd.SetComputeBufferParam(shader, drawLots, Ids.DrainHistogram, histogram);
+            cmd.SetComputeBufferParam(shader, drawLots, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, drawLots, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+
+            cmd.SetComputeBufferParam(shader, chooseLots, Ids.Drains, regions);
+            cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainStates, states);
+            cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainHistogram, histogram);
+            cmd.DispatchCompute(shader, chooseLots, 1, 1, 1);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int Drains = Shader.PropertyToID("_Drains");
+            public static readonly int DrainStates = Shader.PropertyToID("_DrainStates");
+            public static readonly int DrainHistogram = Shader.PropertyToID("_DrainHistogram");
+            public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int DrainCount = Shader.PropertyToID("_DrainCount");
+        }
+    }
+}

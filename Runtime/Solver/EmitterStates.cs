@@ -1,0 +1,54 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What is known of each emitter on the GPU alone, and the numbers that come back from there without waiting.</summary>
+    sealed class EmitterStates : IDisposable
+    {
+        /// <summary>Words of an emitter; kEmitterWords in EmitterStates.hlsl.</summary>
+        public const int Words = 8;
+
+        /// <summary>Words by their place; the constants of EmitterStates.hlsl.</summary>
+        public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked }
+
+        readonly uint[] zeros = new uint[StepSources.MostEmitters * Words];
+        readonly Readback readback = new Readback(StepSources.MostEmitters * Words);
+        GraphicsBuffer states;
+
+        public EmitterStates()
+        {
+            states = GpuBuffer.Structured<uint>("Rill.Emitters.States", zeros.Length);
+            Clear();
+        }
+
+        /// <summary>uint [emitters * <see cref="Words"/>].</summary>
+        public GraphicsBuffer Buffer => states;
+
+        /// <summary>No emitter has done anything, and none of what is under way counts.</summary>
+        public void Clear()
+        {
+            states.SetData(zeros);
+            readback.Forget();
+        }
+
+        /// <summary>One emitter has done nothing: its number goes to another.</summary>
+        public void Forget(int emitter) => readback.Zero(emitter * Words, Words);
+
+        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
+        public void Request() => readback.Request(states);
+
+        /// <summary>Whether numbers are on their way.</summary>
+        public bool IsPending => readback.IsPending;
+
+        /// <summary>The newest number that has come back since the last <see cref="Clear"/>; 0 before the first.</summary>
+        public int Latest(int emitter, Word word) => readback.HasResult ? (int)readback.Latest[emitter * Words + (int)word] : 0;
+
+        public void Dispose()
+        {
+            readback.Dispose();
+            GpuBuffer.Release(ref states);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>What one emitter does in one step. Lengths in d, times in seconds, directions in the domain's frame.</summary>
+    struct EmitterStep
+    {
+        /// <summary>Its number, below <see cref="StepSources.MostEmitters"/>.</summary>
+        public int number;
+        public EmitterPlaces places;
+        public float3 origin, axisX, axisY, axisZ;
+        /// <summary>d/s, along each place's direction of flow.</summary>
+        public float speed;
+        /// <summary>Of the largest angle between a particle's velocity and its direction of flow.</summary>
+        public float cosSpread;
+        /// <summary>Particles due in this step, and how many were before since the reset.</summary>
+        public int due;
+        public uint firstSerial;
+        /// <summary>At the end of the step, s, since the first particle due was emitted; and the time between two.</summary>
+        public float firstAge, interval;
+        /// <summary>Places of the cross-section that are filled in turn, 1 to the number of places.</summary>
+        public int layerPlaces;
+        /// <summary>Places tried in this step, 1 to <see cref="Emitters.MaxCandidates"/>.</summary>
+        public int candidates;
+        /// <summary>Particles that wait for room at most; what is beyond is given up.</summary>
+        public int mostWaiting;
+        /// <summary>0 to 255; 0 for none.</summary>
+        public int phase;
+        /// <summary>Steps that a particle lives; 0 for ever.</summary>
+        public int lifetimeSteps;
+
+        /// <summary>Tag of the particles that are emitted in a step; see ParticleTags.hlsl.</summary>
+        public uint TagIn(uint step)
+        {
+            if (lifetimeSteps == 0)
+                return (uint)phase << 24;
+            uint last = (step + (uint)lifetimeSteps) & ParticleTags.StepMask;
+            return (uint)phase << 24 | math.max(last, 1u);
+        }
+
+        /// <summary>Chooses the places that a step tries, from the particles a second that are asked for.</summary>
+        /// <param name="perSecond">Particles a second.</param>
+        /// <param name="step">Length of the step, s.</param>
+        public void ChoosePlaces(float perSecond, float step)
+        {
+            int count = places.Count;
+            if (places.FillsVolume)
+            {
+                layerPlaces = count;
+                candidates = math.min(count, Emitters.MaxCandidates);
+                return;
+            }
+            // So many that they fill a layer in the time in which it moves on by a spacing: the flow is as wide as it needs
+            // to be at rest density, and no wider.
+            float needed = math.ceil(perSecond / speed - 1e-3f);
+            layerPlaces = places.UsesAllPlaces ? count : (int)math.clamp(needed, 1f, count);
+            candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
+        }
+
+        /// <summary>Radius of a ball around <see cref="origin"/> that holds all that this step can emit, d.</summary>
+        public float Reach(float step) => places.Radius + speed * step + 1f;
+    }
+}

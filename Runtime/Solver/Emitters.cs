@@ -1,0 +1,205 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Puts the particles of emitters into the fluid at the end of a step. Made when first needed.</summary>
+    /// <remarks>
+    /// At its end, because then the grid of the step's sort still holds the particles in their order, so that room is found
+    /// without another sort, and because a particle that leaves the emitter within the step is then where it has got to.
+    /// </remarks>
+    sealed class Emitters : IDisposable
+    {
+        /// <summary>Most places that one emitter tries in a step; kMaxCandidates in Emitters.compute.</summary>
+        public const int MaxCandidates = 16384;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
+        readonly int findRoomAlone, findRoomBeside, emit, reset;
+        readonly LocalKeyword sleep, withTags;
+        readonly GraphicsBuffer[] placeBuffers = new GraphicsBuffer[StepSources.MostEmitters];
+        readonly EmitterPlaces[] uploaded = new EmitterPlaces[StepSources.MostEmitters];
+        GraphicsBuffer free;
+
+        public Emitters()
+        {
+            findRoomAlone = shader.FindKernel("FindRoom");
+            findRoomBeside = shader.FindKernel("FindRoomBeside");
+            emit = shader.FindKernel("Emit");
+            reset = shader.FindKernel("Reset");
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            withTags = new LocalKeyword(shader, ParticleTags.Keyword);
+            free = GpuBuffer.Structured<uint>("Rill.Emitters.Free", MaxCandidates);
+            States = new EmitterStates();
+        }
+
+        public EmitterStates States { get; private set; }
+
+        public static bool IsNeeded(StepSources sources) => sources != null && (sources.emitterCount > 0 || sources.goneEmitters != 0);
+
+        /// <summary>Records what all emitters do in a step, one after the other, after its last substep.</summary>
+        /// <param name="tags">Null for none.</param>
+        /// <param name="resting">Null for none.</param>
+        /// <param name="colliders">In which nothing has room; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, in StepInput input, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
+        {
+            cmd.BeginSample(Marker);
+            StepSources sources = input.sources;
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            cmd.SetKeyword(shader, withTags, tags != null);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            for (int number = 0; number < StepSources.MostEmitters; number++)
+                if ((sources.goneEmitters >> number & 1) != 0)
+                    RecordReset(cmd, particles, number);
+            for (int e = 0; e < sources.emitterCount; e++)
+                Record(cmd, particles, search, sources, e, input.timeStep, stepIndex, tags, resting, colliders);
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose()
+        {
+            for (int number = 0; number < placeBuffers.Length; number++)
+                GpuBuffer.Release(ref placeBuffers[number]);
+            GpuBuffer.Release(ref free);
+            States?.Dispose();
+            States = null;
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="tags">Null for none.</param>
+        /// <param name="resting">Null for none.</param>
+        /// <param name="colliders">Null for none.</param>
+        public static StageDescription Describe(Emitters stage, StepSources sources, ParticleTags tags, RestingRegions resting, Colliders colliders)
+        {
+            bool needed = IsNeeded(sources);
+            var description = new StageDescription("Emitters", needed, needed ? $"{sources.emitterCount} emitters, each tried for room at the end of a step" : "no emitter");
+            if (!needed || stage == null)
+                return description;
+            string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, resting);
+            description.Kernel("Emitters", colliders != null ? "FindRoomBeside" : "FindRoom", sources.emitterCount, variant);
+            description.Kernel("Emitters", "Emit", sources.emitterCount, variant);
+            description.Buffer("Rill.Emitters.States", stage.States.Buffer);
+            description.Buffer("Rill.Emitters.Free", stage.free);
+            foreach (GraphicsBuffer places in stage.placeBuffers)
+                description.Buffer("Rill.Emitters.Places", places);
+            return description;
+        }
+
+        void Record(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search, StepSources sources, int index, float step, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
+        {
+            int findRoom = colliders != null ? findRoomBeside : findRoomAlone;
+            colliders?.BindShapes(cmd, shader, findRoom);
+            ref EmitterStep emitter = ref sources.emitters[index];
+            RecordParameters(cmd, emitter, step, SeesNew(sources, index, step), stepIndex);
+            GraphicsBuffer places = PlacesOf(emitter);
+
+            cmd.SetComputeBufferParam(shader, findRoom, Ids.Places, places);
+            cmd.SetComputeBufferParam(shader, findRoom, Ids.CellStarts, search.CellStarts);
+            cmd.SetComputeBufferParam(shader, findRoom, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, findRoom, Ids.Free, free);
+            cmd.SetComputeBufferParam(shader, findRoom, Ids.EmitterStates, States.Buffer);
+            cmd.SetComputeBufferParam(shader, findRoom, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, findRoom, (emitter.candidates + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
+
+            cmd.SetComputeBufferParam(shader, emit, Ids.Places, places);
+            cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, emit, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, emit, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, emit, Ids.Free, free);
+            cmd.SetComputeBufferParam(shader, emit, Ids.EmitterStates, States.Buffer);
+            cmd.SetComputeBufferParam(shader, emit, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, emit, Ids.AliveArguments, particles.AliveArguments);
+            if (tags != null)
+                cmd.SetComputeBufferParam(shader, emit, ParticleTags.Ids.Tags, tags.Current);
+            resting?.BindMotion(cmd, shader, emit);
+            cmd.DispatchCompute(shader, emit, 1, 1, 1);
+        }
+
+        void RecordParameters(CommandBuffer cmd, in EmitterStep emitter, float step, bool seesNew, uint stepIndex)
+        {
+            cmd.SetComputeVectorParam(shader, Ids.Origin, new Vector4(emitter.origin.x, emitter.origin.y, emitter.origin.z, emitter.speed));
+            cmd.SetComputeVectorParam(shader, Ids.AxisX, (Vector3)emitter.axisX);
+            cmd.SetComputeVectorParam(shader, Ids.AxisY, (Vector3)emitter.axisY);
+            cmd.SetComputeVectorParam(shader, Ids.AxisZ, (Vector3)emitter.axisZ);
+            cmd.SetComputeVectorParam(shader, Ids.Instants, new Vector4(emitter.firstAge, emitter.interval, step, emitter.cosSpread));
+            cmd.SetComputeIntParam(shader, Ids.Emitter, emitter.number);
+            cmd.SetComputeIntParam(shader, Ids.Due, emitter.due);
+            cmd.SetComputeIntParam(shader, Ids.FirstSerial, (int)emitter.firstSerial);
+            cmd.SetComputeIntParam(shader, Ids.LayerPlaces, emitter.layerPlaces);
+            cmd.SetComputeIntParam(shader, Ids.PlaceCount, emitter.places.Count);
+            cmd.SetComputeIntParam(shader, Ids.Candidates, emitter.candidates);
+            cmd.SetComputeIntParam(shader, Ids.MostWaiting, emitter.mostWaiting);
+            cmd.SetComputeIntParam(shader, Ids.Fills, emitter.places.FillsVolume ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.SeesNew, seesNew ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.Tag, (int)emitter.TagIn(stepIndex));
+        }
+
+        void RecordReset(CommandBuffer cmd, ParticleBuffers particles, int number)
+        {
+            cmd.SetComputeIntParam(shader, Ids.Emitter, number);
+            cmd.SetComputeBufferParam(shader, reset, Ids.EmitterStates, States.Buffer);
+            cmd.SetComputeBufferParam(shader, reset, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, reset, 1, 1, 1);
+            States.Forget(number);
+            GpuBuffer.Release(ref placeBuffers[number]);
+            uploaded[number] = null;
+        }
+
+        // What another put nearby in this step is not in the grid yet.
+        static bool SeesNew(StepSources sources, int index, float step)
+        {
+            ref EmitterStep emitter = ref sources.emitters[index];
+            for (int before = 0; before < index; before++)
+            {
+                ref EmitterStep other = ref sources.emitters[before];
+                if (math.distance(emitter.origin, other.origin) < emitter.Reach(step) + other.Reach(step) + (float)LatticeKernels.Support)
+                    return true;
+            }
+            return false;
+        }
+
+        GraphicsBuffer PlacesOf(in EmitterStep emitter)
+        {
+            ref GraphicsBuffer buffer = ref placeBuffers[emitter.number];
+            if (uploaded[emitter.number] == emitter.places)
+                return buffer;
+            GpuBuffer.Release(ref buffer);
+            buffer = GpuBuffer.Structured<float4>("Rill.Emitters.Places", emitter.places.Data.Length);
+            buffer.SetData(emitter.places.Data);
+            uploaded[emitter.number] = emitter.places;
+            return buffer;
+        }
+
+        static class Ids
+        {
+            public static readonly int Places = Shader.PropertyToID("_Places");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int Free = Shader.PropertyToID("_Free");
+            public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
+            public static readonly int Origin = Shader.PropertyToID("_Origin");
+            public static readonly int AxisX = Shader.PropertyToID("_AxisX");
+            public static readonly int AxisY = Shader.PropertyToID("_AxisY");
+            public static readonly int AxisZ = Shader.PropertyToID("_AxisZ");
+            public static readonly int Instants = Shader.PropertyToID("_Instants");
+            public static readonly int Emitter = Shader.PropertyToID("_Emitter");
+            public static readonly int Due = Shader.PropertyToID("_Due");
+            public static readonly int FirstSerial = Shader.PropertyToID("_FirstSerial");
+            public static readonly int LayerPlaces = Shader.PropertyToID("_LayerPlaces");
+            public static readonly int PlaceCount = Shader.PropertyToID("_PlaceCount");
+            public static readonly int Candidates = Shader.PropertyToID("_Candidates");
+            public static readonly int MostWaiting = Shader.PropertyToID("_MostWaiting");
+            public static readonly int Fills = Shader.PropertyToID("_Fills");
+            public static readonly int SeesNew = Shader.PropertyToID("_SeesNew");
+            public static readonly int Tag = Shader.PropertyToID("_Tag");
+        }
+    }
+}

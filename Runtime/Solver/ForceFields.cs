@@ -1,0 +1,115 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>A force field in one step, as ForceFields.compute has it; lengths in d, in the domain's frame.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct FieldRegion : IEquatable<FieldRegion>
+    {
+        public float3 center;
+        /// <summary>A <see cref="ForceFieldKind"/>.</summary>
+        public uint kind;
+        /// <summary>Along the bounds' sides, over half their length; of a sphere over its radius; 0 without bounds.</summary>
+        public float3 axisX;
+        /// <summary>A <see cref="ForceFieldFalloff"/>.</summary>
+        public uint falloff;
+        public float3 axisY;
+        public uint isSphere;
+        public float3 axisZ;
+        /// <summary>d/s²; of a wind: drag, 1/s.</summary>
+        public float strength;
+        /// <summary>Direction or axis, length 1; of a wind: its velocity, d/s.</summary>
+        public float3 flow;
+        /// <summary>Distance below which a point or vortex fades towards its centre, d, above 0.</summary>
+        public float core;
+
+        public bool Equals(FieldRegion other) => center.Equals(other.center) && kind == other.kind && axisX.Equals(other.axisX) && falloff == other.falloff
+            && axisY.Equals(other.axisY) && isSphere == other.isSphere && axisZ.Equals(other.axisZ) && strength == other.strength && flow.Equals(other.flow) && core == other.core;
+
+        public override bool Equals(object other) => other is FieldRegion region && Equals(region);
+
+        public override int GetHashCode() => center.GetHashCode() ^ flow.GetHashCode();
+    }
+
+    /// <summary>Adds the acceleration of force fields to the velocities, before each substep's prediction. Made when first needed.</summary>
+    sealed class ForceFields : IDisposable
+    {
+        /// <summary>Most that all fields together accelerate a particle, m/s²: about a hundred times gravity.</summary>
+        public const float MostAcceleration = 1000f;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Fields");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("ForceFields");
+        readonly int accelerate;
+        readonly FieldRegion[] last = new FieldRegion[StepSources.MostFields];
+        int lastCount = -1;
+        GraphicsBuffer regions;
+
+        public ForceFields()
+        {
+            accelerate = shader.FindKernel("Accelerate");
+            regions = GpuBuffer.Structured<FieldRegion>("Rill.Fields", StepSources.MostFields);
+        }
+
+        public static bool IsNeeded(StepSources sources) => sources != null && sources.fieldCount > 0;
+
+        /// <summary>Records the fields of this step.</summary>
+        /// <returns>Whether they are others than those of the step before.</returns>
+        public bool Upload(CommandBuffer cmd, StepSources sources)
+        {
+            cmd.SetBufferData(regions, sources.fields, 0, 0, sources.fieldCount);
+            bool changed = lastCount != sources.fieldCount;
+            lastCount = sources.fieldCount;
+            for (int i = 0; i < sources.fieldCount; i++)
+            {
+                changed |= !last[i].Equals(sources.fields[i]);
+                last[i] = sources.fields[i];
+            }
+            return changed;
+        }
+
+        /// <summary>Records the acceleration of one substep.</summary>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, SolverLayout layout)
+        {
+            cmd.BeginSample(Marker);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeIntParam(shader, Ids.FieldCount, lastCount);
+            cmd.SetComputeFloatParam(shader, Ids.MostAcceleration, MostAcceleration / layout.Spacing);
+            cmd.SetComputeBufferParam(shader, accelerate, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, accelerate, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, accelerate, Ids.Fields, regions);
+            cmd.SetComputeBufferParam(shader, accelerate, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, accelerate, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose() => GpuBuffer.Release(ref regions);
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(ForceFields stage, StepSources sources, int substeps)
+        {
+            bool needed = IsNeeded(sources);
+            var description = new StageDescription("Force fields", needed, needed ? $"{sources.fieldCount} fields" : "no force field");
+            if (!needed || stage == null)
+                return description;
+            description.Kernel("ForceFields", "Accelerate", substeps);
+            description.Buffer("Rill.Fields", stage.regions);
+            return description;
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Fields = Shader.PropertyToID("_Fields");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int FieldCount = Shader.PropertyToID("_FieldCount");
+            public static readonly int MostAcceleration = Shader.PropertyToID("_MostAcceleration");
+        }
+    }
+}

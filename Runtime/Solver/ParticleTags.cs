@@ -1,0 +1,64 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Phase and lifetime of each particle, which travel with it through every sort. Made when an emitter first gives one.</summary>
+    sealed class ParticleTags : IDisposable
+    {
+        /// <summary>Bits of a tag that hold a step; kTagSteps in ParticleTags.hlsl.</summary>
+        public const uint StepMask = 0x00FFFFFFu;
+
+        /// <summary>Keyword of the kernels that write tags, and of the shader that draws them.</summary>
+        public const string Keyword = "RILL_TAGS";
+
+        readonly int capacity;
+        GraphicsBuffer current, sorted;
+
+        public ParticleTags(int capacity)
+        {
+            this.capacity = capacity;
+            current = GpuBuffer.Structured<uint>("Rill.Tags", capacity);
+            sorted = GpuBuffer.Structured<uint>("Rill.SortedTags", capacity);
+            Clear();
+        }
+
+        /// <summary>uint [capacity], see ParticleTags.hlsl; those of the particles alive come first.</summary>
+        public GraphicsBuffer Current => current;
+
+        /// <summary>No particle has a phase, and all live for ever.</summary>
+        public void Clear() => current.SetData(new uint[capacity]);
+
+        /// <summary>Records that the tags follow their particles through the sort that was just recorded.</summary>
+        public void RecordSort(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search)
+        {
+            search.RecordGather(cmd, particles, current, sorted);
+            (current, sorted) = (sorted, current);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref current);
+            GpuBuffer.Release(ref sorted);
+        }
+
+        /// <param name="tags">The tags, or null where none were made.</param>
+        public static StageDescription Describe(ParticleTags tags, int substeps, RestingRegions resting)
+        {
+            var description = new StageDescription("Particle tags", tags != null, tags != null ? "an emitter gives its particles a phase or a lifetime" : "no emitter gives its particles a phase or a lifetime");
+            if (tags == null)
+                return description;
+            description.Kernel("NeighborSearch", "GatherTags", substeps, RestingRegions.Variant(null, resting));
+            description.Buffer("Rill.Tags", tags.current);
+            description.Buffer("Rill.SortedTags", tags.sorted);
+            return description;
+        }
+
+        public static class Ids
+        {
+            public static readonly int Tags = Shader.PropertyToID("_Tags");
+            public static readonly int SortedTags = Shader.PropertyToID("_SortedTags");
+        }
+    }
+}

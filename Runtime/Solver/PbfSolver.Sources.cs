@@ -1,0 +1,131 @@
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    // What comes and goes while the fluid runs: each stage is made when first needed.
+    sealed partial class PbfSolver
+    {
+        Emitters emitters;
+        Drains drains;
+        ForceFields forceFields;
+        ParticleTags tags;
+        bool hasLifetimes;
+
+        /// <summary>uint [capacity], see ParticleTags.hlsl; null while no emitter gives its particles a phase or a lifetime.</summary>
+        public GraphicsBuffer Tags => tags?.Current;
+
+        /// <summary>What the emitters have done; null while there are none.</summary>
+        public EmitterStates EmitterStates => emitters?.States;
+
+        /// <summary>Particles that a drain has removed, as far as it has come back.</summary>
+        public int DrainedBy(int number) => drains?.Drained(number) ?? 0;
+
+        /// <summary>Starts the readback of what emitters and drains have done.</summary>
+        public void RequestSourceCounts()
+        {
+            emitters?.States.Request();
+            drains?.Request();
+        }
+
+        ParticleTags TagsWithLifetimes => hasLifetimes ? tags : null;
+
+        // Makes what the sources of this step need and gives back what they no longer do.
+        void PrepareSources(in StepInput input)
+        {
+            StepSources sources = input.sources;
+            if (sources != null && sources.needsTags)
+                tags ??= new ParticleTags(Layout.Capacity);
+            hasLifetimes |= sources != null && sources.needsLifetimes;
+            if (Emitters.IsNeeded(sources))
+                emitters ??= new Emitters();
+            else if (emitters != null && !emitters.States.IsPending)        // releasing a pending one would wait for the GPU
+                ReleaseEmitters();
+            if (Drains.IsNeeded(sources, TagsWithLifetimes))
+                drains ??= new Drains();
+            else if (drains != null && !drains.IsPending)
+                ReleaseDrains();
+            drains?.Forget(sources?.goneDrains ?? 0);
+            if (ForceFields.IsNeeded(sources))
+                forceFields ??= new ForceFields();
+            else
+                ReleaseFields();
+            for (int e = 0; e < (sources?.emitterCount ?? 0); e++)
+                if (sources.emitters[e].due > 0 || sources.recycles)
+                    ReachDown(sources.emitters[e], input.gravity);
+        }
+
+        void RecordDrains(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        {
+            StepSources sources = input.sources;
+            if (Drains.IsNeeded(sources, TagsWithLifetimes))
+                drains.Record(cmd, constants, particles, sources, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
+        }
+
+        // Fields that change or come wake what rests.
+        ForceFields FieldsFor(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        {
+            if (!ForceFields.IsNeeded(input.sources))
+                return null;
+            if (forceFields.Upload(cmd, input.sources))
+                resting?.Wake();
+            return forceFields;
+        }
+
+        void RecordEmission(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        {
+            if (Emitters.IsNeeded(input.sources))
+                emitters.Record(cmd, constants, particles, neighborSearch, input, stepIndex, tags, resting, colliders);
+        }
+
+        // How deep the water gets is as far as an emitter lies above where gravity takes what it lets in.
+        void ReachDown(in EmitterStep emitter, float3 gravity)
+        {
+            float3 down = math.normalizesafe(gravity) * math.length(Layout.DomainSize);
+            float3 low = emitter.origin - emitter.places.Radius, high = emitter.origin + emitter.places.Radius;
+            lowestAdded = math.min(lowestAdded, math.clamp(math.min(low, low + down), 0f, Layout.DomainSize));
+            highestAdded = math.max(highestAdded, math.clamp(math.max(high, high + down), 0f, Layout.DomainSize));
+        }
+
+        void ClearSources()
+        {
+            emitters?.States.Clear();
+            drains?.Clear();
+            ReleaseTags();
+        }
+
+        void ReleaseSources()
+        {
+            ReleaseEmitters();
+            ReleaseDrains();
+            ReleaseFields();
+            ReleaseTags();
+        }
+
+        void ReleaseEmitters()
+        {
+            emitters?.Dispose();
+            emitters = null;
+        }
+
+        void ReleaseDrains()
+        {
+            drains?.Dispose();
+            drains = null;
+        }
+
+        void ReleaseFields()
+        {
+            forceFields?.Dispose();
+            forceFields = null;
+        }
+
+        void ReleaseTags()
+        {
+            tags?.Dispose();
+            tags = null;
+            hasLifetimes = false;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>What emitters, drains and force fields do to one step, in the domain's frame; used again for every step.</summary>
+    sealed class StepSources : IDisposable
+    {
+        /// <summary>Most emitters of a simulation.</summary>
+        public const int MostEmitters = 32;
+        /// <summary>Most drains of a simulation; the threads of ChooseLots in Drains.compute.</summary>
+        public const int MostDrains = 32;
+        /// <summary>Most force fields of a simulation.</summary>
+        public const int MostFields = 32;
+
+        public readonly EmitterStep[] emitters = new EmitterStep[MostEmitters];
+        public NativeArray<DrainRegion> drains;
+        public NativeArray<FieldRegion> fields;
+        public int emitterCount, drainCount, fieldCount;
+
+        /// <summary>Bit e: the emitter with number e is gone, and what waits for it is given up before this step emits.</summary>
+        public uint goneEmitters;
+        /// <summary>Bit d: the drain with number d is gone, and what it took does not count for the next with that number.</summary>
+        public uint goneDrains;
+        /// <summary>Whether an emitter gives its particles a phase or a lifetime.</summary>
+        public bool needsTags;
+        /// <summary>Whether an emitter gives its particles a lifetime.</summary>
+        public bool needsLifetimes;
+        /// <summary>Whether a drain gives its particles to an emitter.</summary>
+        public bool recycles;
+        /// <summary>Whether one of the drains has a limit.</summary>
+        public bool limitsDrains;
+        /// <summary>Whether a wind asks for the density at the particles.</summary>
+        public bool hasWind;
+
+        public StepSources()
+        {
+            drains = new NativeArray<DrainRegion>(MostDrains, Allocator.Persistent);
+            fields = new NativeArray<FieldRegion>(MostFields, Allocator.Persistent);
+        }
+
+        /// <summary>Nothing acts, until it is added.</summary>
+        public void Clear()
+        {
+            emitterCount = drainCount = fieldCount = 0;
+            goneEmitters = goneDrains = 0;
+            needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
+        }
+
+        public void Add(in EmitterStep emitter)
+        {
+            emitters[emitterCount++] = emitter;
+            needsTags |= emitter.phase != 0 || emitter.lifetimeSteps != 0;
+            needsLifetimes |= emitter.lifetimeSteps != 0;
+        }
+
+        public void Add(in DrainRegion drain)
+        {
+            drains[drainCount++] = drain;
+            recycles |= drain.emitter != DrainRegion.NoEmitter;
+            limitsDrains |= drain.limit != DrainRegion.NoLimit;
+        }
+
+        public void Add(in FieldRegion field)
+        {
+            fields[fieldCount++] = field;
+            hasWind |= field.kind == (uint)ForceFieldKind.Wind;
+        }
+
+        public void Dispose()
+        {
+            if (drains.IsCreated)
+                drains.Dispose();
+            if (fields.IsCreated)
+                fields.Dispose();
+        }
+    }
+}

@@ -1,0 +1,288 @@
+using System;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>Drains and lifetimes, judged by counts and by who is left.</summary>
+    public class DrainTests
+    {
+        const float Spacing = 0.05f;
+
+        [Test]
+        public void All_that_is_inside_a_drain_goes_and_nothing_else([Values(DrainShape.Box, DrainShape.Sphere)] DrainShape shape)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 5000).Fill(0.5f))
+            {
+                ParticleState before = scene.Read();
+                FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0.1f, -0.2f, 0f), new Vector3(1f, 0.3f, 0.5f), d =>
+                {
+                    d.Shape = shape;
+                    d.Size = new Vector3(0.6f, 0.2f, 0.4f);
+                    d.Radius = 0.27f;
+                });
+                uint[] expected = Enumerable.Range(0, before.Count).Where(i => !IsInside(drain, before.positions[i].xyz * Spacing - 0.5f)).Select(i => before.ids[i]).OrderBy(id => id).ToArray();
+                scene.Step();
+                uint[] left = scene.Read().ids.OrderBy(id => id).ToArray();
+                Assert.That(before.Count - expected.Length, Is.GreaterThan(100));
+                Compare.Same("ids", left, expected);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.drained, Is.EqualTo(before.Count - expected.Length));
+                Assert.That(statistics.nonFinite, Is.Zero);
+                scene.ReadBack();
+                Assert.That(drain.Drained, Is.EqualTo(statistics.drained));
+            }
+        }
+
+        // Slow and obvious, by the component's own numbers.
+        static bool IsInside(FluidDrain drain, float3 world)
+        {
+            float3 local = Quaternion.Inverse(drain.transform.rotation) * ((Vector3)world - drain.transform.position);
+            return drain.Shape == DrainShape.Sphere ? math.length(local) <= drain.Radius : math.all(math.abs(local) <= (float3)drain.Size * 0.5f);
+        }
+
+        [Test]
+        public void A_drain_with_a_limit_takes_out_the_limit_times_the_time([Values(0.0007f, 0.01f, 0.06f)] float limit)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 5000).Fill(0.5f))
+            {
+                scene.Add<FluidDrain>(new Vector3(0f, -0.3f, 0f), Vector3.forward, drain =>
+                {
+                    drain.Size = new Vector3(1f, 0.4f, 1f);
+                    drain.RateLimit = limit;
+                });
+                for (int i = 1; i <= 30; i++)
+                {
+                    scene.Step();
+                    double most = limit * i / 60.0 / scene.ParticleVolume;
+                    Assert.That(scene.Count(ParticleCounter.Drained), Is.LessThanOrEqualTo((int)(most + 1e-3)));
+                }
+                double all = limit * 0.5 / scene.ParticleVolume;
+                Assert.That(scene.Count(ParticleCounter.Drained), Is.InRange((int)all - 5, (int)(all + 1e-3)), "of a few thousand, up to five have the next lot");
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void A_drain_with_a_limit_takes_from_everywhere_inside()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 8000).Fill(1f))
+            {
+                ParticleState before = scene.Read();
+                scene.Add<FluidDrain>(Vector3.zero, Vector3.forward, drain =>
+                {
+                    drain.Size = Vector3.one * 1.1f;
+                    drain.RateLimit = 30f;      // half of all in the first step
+                });
+                scene.Step();
+                var left = scene.Read().ids.ToLookup(id => id);
+                float3[] gone = Enumerable.Range(0, before.Count).Where(i => !left.Contains(before.ids[i])).Select(i => before.positions[i].xyz).ToArray();
+                Assert.That(gone.Length, Is.InRange(3900, 4000));
+                for (int octant = 0; octant < 8; octant++)
+                {
+                    var corner = new float3(octant & 1, octant >> 1 & 1, octant >> 2);
+                    Assert.That(gone.Count(p => math.all((p > 10f) == (corner > 0.5f))), Is.InRange(430, 560));
+                }
+            }
+        }
+
+        [Test]
+        public void What_a_drain_recycles_comes_back_and_the_count_stays([Values(0, 400)] int room)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 1600 + room).Fill(0.2f))
+            {
+                FluidEmitter fountain = scene.Add<FluidEmitter>(new Vector3(0f, 0.3f, 0f), Vector3.up, emitter =>
+                {
+                    emitter.Rate = 0f;
+                    emitter.Speed = 1.5f;
+                    emitter.Radius = 0.12f;
+                });
+                scene.Add<FluidDrain>(new Vector3(0.3f, -0.45f, 0f), Vector3.up, drain =>
+                {
+                    drain.Size = new Vector3(0.3f, 0.3f, 0.1f);
+                    drain.RateLimit = 0.02f;
+                    drain.RecycleTo = fountain;
+                });
+                for (int i = 0; i < 30; i++)
+                {
+                    scene.Step(5);
+                    FluidStatistics now = scene.AssertConserved();
+                    Assert.That(now.particles + now.recycling, Is.EqualTo(1600));
+                    Assert.That(now.particles, Is.InRange(1570, 1600), "no more come back than went");
+                }
+                FluidStatistics statistics = scene.Measure();
+                TestContext.Out.WriteLine($"drained {statistics.drained}, on their way {statistics.recycling}");
+                Assert.That(statistics.drained, Is.GreaterThan(300));
+                Assert.That(statistics.refused + statistics.blocked + statistics.waiting, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void A_drain_inside_an_emitter_takes_all_and_the_counts_agree()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 300))
+            {
+                scene.Add<FluidEmitter>(Vector3.zero, Vector3.down, emitter => emitter.Rate = 0.03f);
+                scene.Add<FluidDrain>(Vector3.zero, Vector3.down, drain => drain.Size = Vector3.one * 0.5f);
+                for (int i = 0; i < 20; i++)
+                {
+                    scene.Step(3);
+                    Assert.That(scene.AssertConserved().particles, Is.LessThan(10));
+                }
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(240).Within(1));
+            }
+        }
+
+        [Test]
+        public void A_particle_lives_as_long_as_its_emitter_says_and_others_for_ever()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 2f, 1f), Spacing, 3000).Fill(0.1f))
+            {
+                scene.Add<FluidEmitter>(new Vector3(0.3f, 0.9f, 0f), Vector3.down, emitter =>
+                {
+                    emitter.Rate = 0.015f;      // 2 a step
+                    emitter.Lifetime = 10f / 60f;
+                });
+                scene.Add<FluidEmitter>(new Vector3(-0.3f, 0.9f, 0f), Vector3.down, emitter => emitter.Rate = 0.0075f);
+                for (int steps = 1; steps <= 40; steps++)
+                {
+                    scene.Step();
+                    int mortal = scene.Count(ParticleCounter.Alive) - 800 - (int)(steps * 0.0075 / 60.0 / scene.ParticleVolume + 1e-3);
+                    Assert.That(mortal, Is.EqualTo(2 * math.min(steps, 11)).Within(2), "let in at the end of a step, they take part in ten more");
+                    Assert.That(scene.Count(ParticleCounter.Drained), Is.EqualTo(2 * math.max(steps - 11, 0)).Within(2));
+                }
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void Particles_added_by_code_have_neither_phase_nor_end_where_others_have()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 2f, 1f), Spacing, 3000))
+            {
+                scene.Add<FluidEmitter>(new Vector3(0.3f, 0.9f, 0f), Vector3.down, emitter =>
+                {
+                    emitter.Rate = 0.03f;
+                    emitter.Phase = 5;
+                    emitter.Lifetime = 0.1f;
+                });
+                scene.Step(30);
+                using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(0f, -0.8f, 0f), new float3(0.2f, -0.8f, 0f) }, Unity.Collections.Allocator.Persistent))
+                    scene.Fluid.AddParticles(places, places);
+                scene.Step(20);
+                ParticleState state = scene.Read();
+                uint[] tags = GpuTest.Read<uint>(scene.Fluid.Solver.Tags, state.Count);
+                Assert.That(tags.Count(tag => tag == 0), Is.EqualTo(2));
+                Assert.That(tags.Where(tag => tag != 0).Select(tag => tag >> 24), Is.All.EqualTo(5));
+                Assert.That(state.positions.Zip(tags, (p, tag) => (p, tag)).Where(pair => pair.tag == 0).Select(pair => pair.p.y * Spacing), Is.All.LessThan(0.5f), "tags go with their particles");
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void A_tag_stays_with_its_particle_through_every_sort()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 3000))
+            {
+                foreach (int phase in new[] { 1, 2, 3 })
+                    scene.Add<FluidEmitter>(new Vector3(0.25f * (phase - 2), 0.4f, 0f), Vector3.down, emitter =>
+                    {
+                        emitter.Rate = 0.01f;
+                        emitter.Phase = phase;
+                    });
+                var phases = new System.Collections.Generic.Dictionary<uint, uint>();
+                for (int i = 0; i < 60; i++)
+                {
+                    scene.Step();
+                    uint[] ids = scene.Read().ids;
+                    uint[] tags = GpuTest.Read<uint>(scene.Fluid.Solver.Tags, ids.Length);
+                    for (int p = 0; p < ids.Length; p++)
+                    {
+                        if (!phases.ContainsKey(ids[p]))
+                            phases[ids[p]] = tags[p] >> 24;
+                        Assert.That(tags[p] >> 24, Is.EqualTo(phases[ids[p]]));
+                    }
+                }
+                Assert.That(phases.Values.GroupBy(phase => phase).Select(group => group.Count()), Is.EqualTo(new[] { 80, 80, 80 }).Within(1));
+            }
+        }
+
+        [Test]
+        public void An_overfull_box_seeks_its_rest_density_again_once_it_has_drained([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            using (var scene = new SourceScene(new Vector3(0.5f, 0.5f, 0.5f), Spacing, 1500, deepWater))
+            {
+                float3[] places = Enumerable.Range(0, 1250).Select(i => (new float3(i % 10, i / 10 % 10, i / 100 * 0.8f) + 0.5f) * Spacing - 0.25f).ToArray();
+                using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
+                    scene.Fluid.AddParticles(positions, velocities);
+                FluidStatistics full = scene.Step(60).AssertConserved();
+                Assert.That(full.densityError, Is.InRange(0.2f, 0.32f));
+                Assert.That(full.jitter, Is.LessThan(0.15f));
+
+                FluidDrain drain = scene.Add<FluidDrain>(Vector3.zero, Vector3.up, d =>
+                {
+                    d.Size = Vector3.one;
+                    d.RateLimit = 0.2f;
+                });
+                scene.Step(20);         // 0.0667 m³ of 0.156
+                Object.DestroyImmediate(drain.gameObject);
+                FluidStatistics drained = scene.Step(100).AssertConserved();
+                TestContext.Out.WriteLine($"{full.densityError:0.000} with {full.particles}, {drained.densityError:0.000} with {drained.particles}, p99.9 {drained.densityError999:0.000}");
+                Assert.That(drained.particles, Is.InRange(715, 725));
+                Assert.That(drained.densityError, Is.LessThan(0.03f));
+                Assert.That(drained.centerOfMass.y, Is.InRange(0.17f, 0.2f));
+            }
+        }
+
+        [Test]
+        public void Sleeping_water_wakes_above_a_drain()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 3000).Fill(0.3f))
+            {
+                SolverSettings settings = scene.Fluid.Settings;
+                settings.sleepSpeed = 0.5f;
+                scene.Fluid.Settings = settings;
+                scene.Step(60);
+                ParticleState asleep = scene.Read();
+                scene.Step(5);
+                TestFluid.AssertSame(scene.Read(), asleep);
+
+                scene.Add<FluidDrain>(new Vector3(0f, -0.5f, 0f), Vector3.up, drain => drain.Size = Vector3.one * 0.3f);
+                scene.Step(30);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.drained, Is.GreaterThan(700), "more than lay in it");
+                Assert.That(statistics.centerOfMass.y, Is.LessThan(0.12f));
+            }
+        }
+
+        [Test]
+        public void Particles_let_into_a_sleeping_box_fall()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 3000).Fill(0.1f))
+            {
+                SolverSettings settings = scene.Fluid.Settings;
+                settings.sleepSpeed = 0.5f;
+                scene.Fluid.Settings = settings;
+                scene.Step(60);
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.3f, 0f), Vector3.up, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Speed = 0f;
+                    emitter.Rate = 0.1f;
+                    emitter.Duration = 0.05f;
+                });
+                scene.Step(5);
+                float top = scene.AssertConserved().furthest.y;
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(20));
+                scene.Step(15);
+                Assert.That(scene.Measure().furthest.y, Is.LessThan(top - 0.2f));
+            }
+        }
+    }
+}

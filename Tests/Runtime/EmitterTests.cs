@@ -1,0 +1,396 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>Emitters in a fluid, judged by counts, by instants and by the room that particles leave each other.</summary>
+    public class EmitterTests
+    {
+        const float Spacing = 0.05f;
+        const float NoNearer = 0.7f;        // d, kClearance in Emitters.compute
+        static readonly Vector3 Box = new Vector3(2f, 2f, 2f);
+
+        static Action<FluidEmitter> Jet(float rate, float speed = 2f, float radius = 0.1f) => emitter =>
+        {
+            emitter.Rate = rate;
+            emitter.Speed = speed;
+            emitter.Radius = radius;
+        };
+
+        [Test]
+        public void A_jet_lets_in_the_rate_times_the_time_at_any_frame_rate([Values(1f / 30f, 1f / 60f, 1f / 144f, 0.05f)] float frame, [Values(0.003f, 0.02f)] float rate)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                FluidEmitter emitter = scene.Add(new Vector3(0f, 0.9f, 0f), Vector3.down, Jet(rate));
+                for (int i = 0; i < 20; i++)
+                {
+                    scene.Fluid.Advance(frame);
+                    double due = rate * scene.Fluid.FluidTime / scene.ParticleVolume;
+                    Assert.That(scene.Count(ParticleCounter.Emitted), Is.InRange((int)Math.Floor(due - 1e-3), (int)Math.Floor(due + 1e-3)), $"after {scene.Fluid.FluidTime} s");
+                }
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.blocked + statistics.waiting + statistics.refused, Is.Zero);
+                scene.ReadBack();
+                Assert.That(emitter.Emitted, Is.EqualTo(statistics.emitted));
+                Assert.That(emitter.EmittedVolume, Is.EqualTo(emitter.DueVolume).Within(1e-9));
+            }
+        }
+
+        // Without gravity and at rest density nothing else moves them: each is as far out as its own instant says, across all steps.
+        [Test]
+        public void A_particle_is_where_it_would_be_by_then([Values(1, 5, 12)] int steps, [Values(0.004f, 0.015f)] float rate)
+        {
+            const float speed = 2.3f;
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.Add(new Vector3(-0.9f, 0.1f, 0.2f), Vector3.right, Jet(rate, speed));
+                scene.Step(steps);
+                ParticleState state = scene.Read();
+                Assert.That(state.Count, Is.EqualTo((int)(rate * steps / 60f / scene.ParticleVolume)));
+                for (int i = 0; i < state.Count; i++)
+                {
+                    float age = steps / 60f - (state.ids[i] + 1) * scene.ParticleVolume / rate;
+                    float3 metres = state.positions[i].xyz * Spacing - (float3)Box * 0.5f;
+                    Assert.That(metres.x, Is.EqualTo(-0.9f + 0.5f * Spacing + speed * age).Within(0.1f * Spacing), $"particle {state.ids[i]} of age {age}");
+                    Assert.That(math.length(metres.yz - new float2(0.1f, 0.2f)), Is.LessThan(0.1f + 0.1f * Spacing));
+                    Assert.That(math.distance(state.velocities[i].xyz * Spacing, new float3(speed, 0f, 0f)), Is.LessThan(0.15f));
+                }
+            }
+        }
+
+        [Test]
+        public void Gravity_acts_on_a_particle_within_the_step_in_which_it_is_let_in()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Add(new Vector3(-0.9f, 0f, 0f), Vector3.right, Jet(0.01f, 3f));
+                scene.Step();
+                ParticleState state = scene.Read();
+                for (int i = 0; i < state.Count; i++)
+                {
+                    float age = 1f / 60f - (state.ids[i] + 1) * scene.ParticleVolume / 0.01f;
+                    Assert.That(state.velocities[i].y * Spacing, Is.EqualTo(-9.81f * age).Within(1e-4f));
+                }
+                Assert.That(state.Count, Is.EqualTo(1));
+            }
+        }
+
+        [Test]
+        public void A_jet_is_as_wide_as_its_rate_needs_and_dense([Values(0.002f, 0.01f, 0.03f)] float rate)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.Add(new Vector3(-0.95f, 0f, 0f), Vector3.right, Jet(rate, 2f, 0.2f));
+                scene.Step(40);
+                float2[] across = scene.Read().positions.Select(p => p.yz * Spacing - 1f).ToArray();
+                float radius = math.sqrt(rate / 2f / math.PI);
+                Assert.That(across.Max(p => math.length(p)), Is.InRange(radius - Spacing, radius + Spacing));
+                FluidStatistics statistics = scene.AssertConserved();
+                TestContext.Out.WriteLine($"radius {radius:0.000} m, neighbors {statistics.neighborsMean:0.0}, C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}");
+                Assert.That(statistics.densityErrorMax, Is.LessThan(0.2f));
+                Assert.That(statistics.blocked + statistics.waiting, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void Nothing_is_put_nearer_to_another_than_room_allows([Values(EmitterMode.Jet, EmitterMode.Spray, EmitterMode.Fill)] EmitterMode mode)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 8000).Fill(0.5f))
+            {
+                for (int e = 0; e < 3; e++)     // three that overlap, half under water
+                    scene.Add<FluidEmitter>(new Vector3(0.013f * e, 0.05f, 0.02f * e), Vector3.up, emitter =>
+                    {
+                        emitter.Shape = EmitterShape.Sphere;
+                        emitter.Mode = mode;
+                        emitter.Radius = 0.2f;
+                        emitter.Rate = 0.05f;
+                        emitter.Speed = 1f;
+                    });
+                int nearest = 0;
+                for (int step = 0; step < 6; step++)
+                {
+                    int before = scene.Count(ParticleCounter.Emitted);
+                    scene.Step();
+                    ParticleState state = scene.Read();
+                    int fresh = scene.Count(ParticleCounter.Emitted) - before;
+                    Assert.That(CountTooNear(state, fresh), Is.Zero, $"in step {step}, {fresh} let in");
+                    nearest += fresh;
+                }
+                Assert.That(nearest, Is.GreaterThan(20));
+                scene.AssertConserved();
+            }
+        }
+
+        // Of the last ones of a state, those nearer to any other than is allowed.
+        static int CountTooNear(ParticleState state, int fresh) => Enumerable.Range(state.Count - fresh, fresh)
+            .Count(i => Enumerable.Range(0, state.Count).Any(j => j != i && math.distance(state.positions[i].xyz, state.positions[j].xyz) < NoNearer - 1e-3f));
+
+        [Test]
+        public void Two_particles_in_one_place_would_be_seen()
+        {
+            var state = new ParticleState(10f, new[] { new float3(1f), new float3(5f), new float3(5.2f) });
+            Assert.That(CountTooNear(state, 1), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void A_volume_is_filled_once_and_what_has_no_room_waits_and_is_given_up()
+        {
+            using (var scene = new SourceScene(new Vector3(0.3f, 0.3f, 0.3f), Spacing, 1000))
+            {
+                scene.Add<FluidEmitter>(Vector3.zero, Vector3.forward, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Size = Vector3.one * 0.3f;
+                    emitter.Rate = 0.06f;      // 8 particles a step, the box in 27
+                    emitter.Speed = 0f;
+                });
+                scene.Step(120);
+                FluidStatistics statistics = scene.AssertConserved();
+                TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, C+ {statistics.densityError}");
+                Assert.That(statistics.particles, Is.InRange(200, 229), "up to the density that is allowed");
+                Assert.That(statistics.densityError, Is.LessThan(0.07f));
+                Assert.That(statistics.waiting, Is.EqualTo(480), "a second's worth");
+                Assert.That(statistics.emitted + statistics.waiting + statistics.blocked, Is.EqualTo(960).Within(1));
+            }
+        }
+
+        [Test]
+        public void Nothing_is_let_into_an_obstacle()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                var ball = new GameObject("Ball");
+                ball.transform.SetParent(scene.Fluid.transform, false);
+                var collider = ball.AddComponent<FluidCollider>();
+                collider.Shape = ColliderShape.Sphere;
+                collider.Radius = 0.25f;
+                scene.Add<FluidEmitter>(new Vector3(0.1f, 0f, 0f), Vector3.up, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Size = Vector3.one * 0.6f;
+                    emitter.Rate = 10f;
+                    emitter.Speed = 0f;
+                });
+                scene.Step();
+                ParticleState state = scene.Read();
+                float[] distances = state.positions.Select(p => math.length(p.xyz * Spacing - 1f)).ToArray();
+                Assert.That(distances.Min(), Is.GreaterThan(0.25f + 0.44f * Spacing));
+                Assert.That(state.Count, Is.InRange(900, 1728 - 450), "1,728 less what the ball takes of it");
+                scene.Step(20);
+                Assert.That(scene.AssertConserved().waiting, Is.GreaterThan(0));
+            }
+        }
+
+        // In each step all places beside what is there look free at once; if all were taken, they would be too dense together.
+        [Test]
+        public void Water_that_is_filled_up_fast_stays_at_rest_density()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 9000).Fill(0.3f))
+            {
+                scene.Step(30);
+                scene.Add<FluidEmitter>(new Vector3(0.017f, -0.19f, 0.011f), Vector3.forward, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Size = new Vector3(0.9f, 0.6f, 0.9f);
+                    emitter.Rate = 10f;
+                    emitter.Speed = 0f;
+                });
+                for (int i = 0; i < 8; i++)
+                {
+                    scene.Step();
+                    FluidStatistics statistics = scene.AssertConserved();
+                    TestContext.Out.WriteLine($"{statistics.emitted} let in, C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, max {statistics.densityErrorMax:0.000}");
+                    Assert.That(statistics.densityErrorMax, Is.LessThan(0.3f));
+                }
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(1500));
+            }
+        }
+
+        [Test]
+        public void What_waited_is_let_in_as_soon_as_there_is_room()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 9000).Fill(1f))
+            {
+                FluidEmitter emitter = scene.Add(new Vector3(0f, 0.3f, 0f), Vector3.down, Jet(0.01f, 2f, 0.15f));
+                scene.Step(20);
+                int waiting = scene.Count(ParticleCounter.Waiting);
+                Assert.That(waiting, Is.GreaterThan(15), "under water there is no room");
+                scene.Add<FluidDrain>(Vector3.zero, Vector3.forward, drain => drain.Size = Box * 1.1f).gameObject.AddComponent<OneStep>();
+                scene.Step();
+                Object.DestroyImmediate(scene.Fluid.GetComponentInChildren<OneStep>().gameObject);
+                scene.Step(39);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.waiting, Is.Zero);
+                Assert.That(statistics.emitted, Is.EqualTo((int)math.round(emitter.DueVolume / scene.ParticleVolume)));
+                Assert.That(statistics.blocked, Is.Zero);
+            }
+        }
+
+        sealed class OneStep : MonoBehaviour { }
+
+        [Test]
+        public void At_capacity_what_does_not_fit_is_refused_counted_and_said_once([Values(0, 37)] int room)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 40 * 40 * 2 + room).Fill(0.1f))
+            {
+                scene.Add(new Vector3(0f, 0.9f, 0f), Vector3.down, Jet(0.02f));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter 'FluidEmitter'.*capacity of FluidSimulation 'Fluid': .* particles are all in use.*Raise the capacity"));
+                for (int i = 0; i < 40; i++)
+                {
+                    scene.Step();
+                    UnityEngine.Rendering.AsyncGPUReadback.WaitAllRequests();
+                }
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.emitted, Is.EqualTo(room));
+                Assert.That(statistics.emitted + statistics.refused, Is.EqualTo((int)(0.02 * 40 / 60 / scene.ParticleVolume + 1e-3)));
+                LogAssert.NoUnexpectedReceived();
+            }
+        }
+
+        [Test]
+        public void Two_runs_end_in_the_same_bits()
+        {
+            ParticleState[] runs = Enumerable.Range(0, 2).Select(_ =>
+            {
+                using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 500).Fill(0.05f))
+                {
+                    scene.Add(new Vector3(0f, 0.45f, 0f), Vector3.down, Jet(0.02f));
+                    scene.Add<FluidEmitter>(new Vector3(0.02f, 0.4f, 0f), Vector3.right, emitter =>
+                    {
+                        emitter.Mode = EmitterMode.Spray;
+                        emitter.Spread = 30f;
+                    });
+                    scene.Add<FluidDrain>(new Vector3(0f, -0.45f, 0f), Vector3.up, drain => drain.RateLimit = 0.01f);
+                    return scene.Step(60).Read();
+                }
+            }).ToArray();
+            Assert.That(runs[0].Count, Is.GreaterThan(350));
+            TestFluid.AssertSame(runs[0], runs[1]);
+        }
+
+        [Test]
+        public void A_restart_repeats_what_was_let_in()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 2000))
+            {
+                scene.Add(new Vector3(0f, 0.45f, 0f), Vector3.down, Jet(0.013f));
+                ParticleState first = scene.Step(25).Read();
+                scene.Fluid.Restart();
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.Zero);
+                TestFluid.AssertSame(scene.Step(25).Read(), first);
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void It_lets_in_the_rate_times_the_duration_after_the_delay_and_again_when_started_anew()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, 0.9f, 0f), Vector3.down, e =>
+                {
+                    Jet(0.013f)(e);
+                    e.StartsItself = false;
+                    e.Delay = 0.105f;
+                    e.Duration = 0.33f;
+                });
+                scene.Step(20);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.Zero);
+                Assert.That(emitter.IsEmitting, Is.False);
+                int expected = (int)(0.013 * 0.33 / scene.ParticleVolume);
+                for (int time = 1; time <= 2; time++)
+                {
+                    emitter.StartEmission();
+                    scene.Step(6);
+                    Assert.That(emitter.IsEmitting, Is.False);
+                    scene.Step(1);
+                    Assert.That(emitter.IsEmitting, Is.True);
+                    scene.Step(33);
+                    Assert.That(emitter.IsEmitting, Is.False);
+                    Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(time * expected));
+                }
+            }
+        }
+
+        [Test]
+        public void Stopped_it_lets_nothing_in_and_gives_up_what_waits()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 0.5f, 1f), Spacing, 5000).Fill(0.5f))
+            {
+                FluidEmitter emitter = scene.Add(Vector3.zero, Vector3.down, Jet(0.02f));
+                scene.Step(30);
+                int due = (int)math.round(emitter.DueVolume / scene.ParticleVolume);
+                Assert.That(scene.Count(ParticleCounter.Waiting), Is.GreaterThan(0));
+                emitter.StopEmission();
+                scene.Step(10);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.waiting, Is.Zero);
+                Assert.That(statistics.emitted + statistics.blocked, Is.EqualTo(due));
+            }
+        }
+
+        [Test]
+        public void Its_surface_emits_everywhere_along_the_normals()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                GameObject sphere = GameObject.CreatePrimitive(PrimitiveType.Sphere);
+                Mesh mesh = sphere.GetComponent<MeshFilter>().sharedMesh;
+                Object.DestroyImmediate(sphere);
+                scene.Add<FluidEmitter>(new Vector3(0.1f, 0f, 0f), Vector3.forward, emitter =>
+                {
+                    emitter.Shape = EmitterShape.MeshSurface;
+                    emitter.Mesh = mesh;            // of radius 0.5 m
+                    emitter.Rate = 0.1f;
+                    emitter.Speed = 1f;
+                });
+                scene.Step(10);
+                ParticleState state = scene.Read();
+                float3[] places = state.positions.Select(p => p.xyz * Spacing - 1f - new float3(0.1f, 0f, 0f)).ToArray();
+                Assert.That(state.Count, Is.EqualTo((int)(0.1 / 6 / scene.ParticleVolume)));
+                for (int i = 0; i < places.Length; i++)
+                    Assert.That(math.dot(math.normalize(places[i]), math.normalize(state.velocities[i].xyz)), Is.GreaterThan(0.9f));
+                Assert.That(places.Select(p => math.length(p)).Min(), Is.GreaterThan(0.47f));
+                for (int axis = 0; axis < 3; axis++)
+                    Assert.That(math.abs(places.Average(p => p[axis])), Is.LessThan(0.1f), "evenly over the sphere");
+            }
+        }
+
+        [Test]
+        public void Spread_stays_within_its_angle_and_reaches_it()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.Add<FluidEmitter>(new Vector3(-0.9f, 0f, 0f), Vector3.right, emitter =>
+                {
+                    Jet(0.03f, 3f, 0.3f)(emitter);
+                    emitter.Spread = 25f;
+                });
+                var angles = new List<float>();
+                scene.Step(4);
+                ParticleState state = scene.Read();
+                int fresh = scene.Count(ParticleCounter.Alive) - scene.Count(ParticleCounter.Sorted);
+                foreach (float4 velocity in state.velocities.Skip(state.Count - fresh))
+                    angles.Add(math.degrees(math.acos(math.normalize(velocity.xyz).x)));
+                Assert.That(angles.Max(), Is.InRange(12f, 25.1f));
+                Assert.That(angles.Count, Is.GreaterThanOrEqualTo(3));
+            }
+        }
+    }
+}

@@ -1,0 +1,415 @@
+using System;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>Emitters, drains and force fields as components: come and go, wrong input, several fluids, all at once.</summary>
+    public class FluidPartTests
+    {
+        const float Spacing = 0.05f;
+        static readonly Vector3 Box = new Vector3(1f, 1f, 1f);
+
+        [Test]
+        public void Every_particle_is_accounted_for_over_many_steps_whatever_comes_and_goes()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 900).Fill(0.1f))
+            {
+                var random = new Unity.Mathematics.Random(11);
+                FluidEmitter fountain = scene.Add<FluidEmitter>(new Vector3(-0.3f, -0.2f, 0f), Vector3.up, e => e.Rate = 0f);
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0.03f);
+                scene.Add<FluidDrain>(new Vector3(0.3f, -0.45f, 0f), Vector3.up, d => d.RateLimit = 0.02f);
+                int full = 0;
+                for (int round = 0; round < 25; round++)
+                {
+                    FluidPart part = null;
+                    switch (round % 5)
+                    {
+                        case 0:
+                            part = scene.Add<FluidEmitter>(random.NextFloat3(-0.4f, 0.4f), random.NextFloat3Direction(), e =>
+                            {
+                                e.Rate = 0.05f;
+                                e.Mode = (EmitterMode)(round / 5 % 3);
+                                e.Lifetime = 0.2f;
+                                e.Phase = round / 5;
+                            });
+                            break;
+                        case 1:
+                            part = scene.Add<FluidDrain>(random.NextFloat3(-0.4f, 0.4f), random.NextFloat3Direction(), d =>
+                            {
+                                d.Size = Vector3.one * 0.2f;
+                                d.RecycleTo = fountain;
+                            });
+                            break;
+                        case 2:
+                            part = scene.Add<FluidForceField>(random.NextFloat3(-0.4f, 0.4f), random.NextFloat3Direction(), f => f.Strength = 30f);
+                            break;
+                        case 3:
+                            using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(float.NaN), new float3(0f, 0.2f, 0f) }, Unity.Collections.Allocator.Persistent))
+                            using (var velocities = new Unity.Collections.NativeArray<float3>(2, Unity.Collections.Allocator.Persistent))
+                                scene.Fluid.AddParticles(places, velocities);
+                            break;
+                    }
+                    scene.Step(6);
+                    FluidStatistics s = scene.AssertConserved();
+                    full += s.particles >= 900 ? 1 : 0;
+                    if (part != null && round % 2 == 0)
+                        Object.DestroyImmediate(part.gameObject);
+                }
+                FluidStatistics last = scene.Step().AssertConserved();
+                TestContext.Out.WriteLine($"emitted {last.emitted}, drained {last.drained}, not finite {last.nonFinite}, refused {last.refused}, alive {last.particles}, recycling {last.recycling}, full {full} times");
+                Assert.That(last.emitted, Is.GreaterThan(300));
+                Assert.That(last.drained, Is.GreaterThan(200));
+                Assert.That(last.nonFinite, Is.InRange(1, 5));
+                Assert.That(last.refused, Is.GreaterThan(0));
+                LogAssert.Expect(LogType.Warning, new Regex("capacity of FluidSimulation"));
+                AsyncGPUReadback.WaitAllRequests();
+                scene.Step(20);
+                scene.Fluid.Restart();
+                FluidStatistics anew = scene.Step().AssertConserved();
+                Assert.That(anew.added, Is.EqualTo(800));
+                Assert.That(anew.drained + anew.emitted, Is.LessThan(60));
+            }
+        }
+
+        [Test]
+        public void A_lost_particle_would_be_seen()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 900).Fill(0.1f))
+            {
+                scene.Step();
+                uint[] counters = GpuTest.Read<uint>(scene.Fluid.Solver.Counters, ParticleBuffers.CounterCount);
+                counters[(int)ParticleCounter.Alive]--;
+                scene.Fluid.Solver.Counters.SetData(counters);
+                Assert.Throws<AssertionException>(() => scene.AssertConserved());
+            }
+        }
+
+        [TestCase(float.NaN, "rate NaN is outside 0 to 1000000; using 0.")]
+        [TestCase(-1f, "rate -1 is outside 0 to 1000000; using 0.")]
+        [TestCase(float.PositiveInfinity, "is outside 0 to 1000000; using 0.")]
+        public void A_rate_that_is_none_lets_nothing_in_and_says_so(float rate, string message)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 500))
+            {
+                LogAssert.Expect(LogType.Warning, new Regex("Rill: FluidEmitter 'FluidEmitter': .*" + Regex.Escape(message)));
+                FluidEmitter emitter = scene.Add<FluidEmitter>(Vector3.zero, Vector3.up, e => e.Rate = rate);
+                scene.Step(5);
+                Assert.That(emitter.Rate, Is.Zero);
+                Assert.That(scene.AssertConserved().particles, Is.Zero);
+            }
+        }
+
+        [Test]
+        public void Values_out_of_range_are_clamped_with_a_message()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 500))
+            {
+                FluidEmitter emitter = scene.Add<FluidEmitter>(Vector3.zero, Vector3.up);
+                FluidDrain drain = scene.Add<FluidDrain>(Vector3.zero, Vector3.up);
+                FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.up);
+                Expect("speed NaN", () => emitter.Speed = float.NaN);
+                Expect("spread 200", () => emitter.Spread = 200f);
+                Expect("delay -1", () => emitter.Delay = -1f);
+                Expect("duration NaN", () => emitter.Duration = float.NaN);
+                Expect("phase 9", () => emitter.Phase = 9);
+                Expect("lifetime -2", () => emitter.Lifetime = -2f);
+                Expect("size", () => emitter.Size = Vector3.one * float.NaN);
+                Expect("radius", () => emitter.Radius = float.NaN);
+                Expect("rate limit NaN", () => drain.RateLimit = float.NaN);
+                Expect("size", () => drain.Size = Vector3.one * float.PositiveInfinity);
+                Expect("strength NaN", () => field.Strength = float.NaN);
+                Expect("strength 2000", () => field.Strength = 2000f);
+                Expect("drag -1", () => field.Drag = -1f);
+                Assert.That(field.Strength, Is.EqualTo(1000f));
+                LogAssert.NoUnexpectedReceived();
+            }
+
+            void Expect(string text, Action set)
+            {
+                LogAssert.Expect(LogType.Warning, new Regex("^Rill: Fluid(Emitter|Drain|ForceField) '.*" + Regex.Escape(text)));
+                set();
+            }
+        }
+
+        [Test]
+        public void A_transform_that_is_no_place_is_said_once_and_nothing_is_lost_until_it_is_one()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 2000).Fill(0.1f))
+            {
+                var parts = new FluidPart[]
+                {
+                    scene.Add<FluidDrain>(new Vector3(0f, 0f, 0f), Vector3.up),
+                    scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0.02f),
+                    scene.Add<FluidForceField>(Vector3.zero, Vector3.up),
+                };
+                scene.Step(3);
+                int emitted = scene.Count(ParticleCounter.Emitted);
+                var stretched = new GameObject("Stretched");
+                stretched.transform.SetParent(scene.Fluid.transform, false);
+                stretched.transform.localPosition = new Vector3(0f, -2f, 0f);
+                foreach (FluidPart part in parts)
+                {
+                    LogAssert.Expect(LogType.Warning, new Regex($"{part.GetType().Name} '.*its transform is not finite"));
+                    part.transform.SetParent(stretched.transform, true);
+                }
+                stretched.transform.localScale = Vector3.one * 3e38f;
+                scene.Step(5);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(emitted));
+                stretched.transform.localScale = Vector3.one;
+                scene.Step(3);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(emitted));
+                LogAssert.NoUnexpectedReceived();
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void A_shape_without_a_size_or_a_mesh_is_said_once_and_mended()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 2000).Fill(0.1f))
+            {
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter .*its Disc has the radius 0 m.*lets nothing in"));
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Radius = 0f);
+                scene.Step(4);
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter .*its box of 0 x 0.2 x 0.2 m has no size"));
+                emitter.Size = new Vector3(0f, 0.2f, 0.2f);
+                emitter.Shape = EmitterShape.Box;
+                scene.Step(4);
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter .*it has no mesh"));
+                emitter.Shape = EmitterShape.MeshSurface;
+                scene.Step(4);
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter .*its mesh 'Empty' has no triangles"));
+                emitter.Mesh = new Mesh { name = "Empty" };
+                scene.Step(4);
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter .*more than 1,048,576 particles at once"));
+                emitter.Shape = EmitterShape.Sphere;
+                emitter.Mode = EmitterMode.Fill;
+                emitter.Radius = 100f;
+                scene.Step(4);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.Zero);
+                emitter.Radius = 0.1f;
+                scene.Step(4);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(0));
+
+                LogAssert.Expect(LogType.Warning, new Regex("FluidDrain .*box of 1 x 0 x 1 m has no size"));
+                scene.Add<FluidDrain>(Vector3.zero, Vector3.up, d => d.Size = new Vector3(1f, 0f, 1f));
+                LogAssert.Expect(LogType.Warning, new Regex("FluidForceField .*sphere of radius 0 m has no size"));
+                scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f =>
+                {
+                    f.Bounds = ForceFieldBounds.Sphere;
+                    f.Radius = 0f;
+                });
+                scene.Step(4);
+                Assert.That(scene.Count(ParticleCounter.Drained), Is.Zero);
+                LogAssert.NoUnexpectedReceived();
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void A_rate_that_no_shape_of_this_size_lets_through_is_said_once_with_the_most()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 2000))
+            {
+                LogAssert.Expect(LogType.Warning, new Regex("rate of 0.1 m³/s is more than leaves its shape at rest density: at most 0.0[36]\\d* m³/s do at 1 m/s"));
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e =>
+                {
+                    e.Rate = 0.1f;
+                    e.Speed = 1f;
+                });
+                scene.Step(30);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.waiting, Is.GreaterThan(100));
+                Assert.That(statistics.densityErrorMax, Is.LessThan(1f));
+                LogAssert.NoUnexpectedReceived();
+            }
+        }
+
+        [Test]
+        public void An_emitter_outside_the_box_lets_nothing_in_and_counts_it()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 500))
+            {
+                scene.Add<FluidEmitter>(new Vector3(3f, 0f, 0f), Vector3.up, e => e.Rate = 0.02f);
+                scene.Step(90);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.emitted, Is.Zero);
+                Assert.That(statistics.blocked + statistics.waiting, Is.EqualTo(240).Within(1));
+            }
+        }
+
+        [Test]
+        public void Without_a_fluid_it_says_so_and_with_one_it_works()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 500))
+            {
+                var alone = new GameObject("Alone");
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter 'Alone': there is no FluidSimulation"));
+                FluidEmitter emitter = alone.AddComponent<FluidEmitter>();
+                Assert.That(emitter.Simulation, Is.Null);
+                Assert.That(emitter.DueVolume, Is.Zero);
+                emitter.Simulation = scene.Fluid;
+                scene.Step(10);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(5));
+                emitter.Simulation = null;
+                Assert.That(emitter.Simulation, Is.Null);
+                alone.transform.SetParent(scene.Fluid.transform);
+                Assert.That(emitter.Simulation, Is.SameAs(scene.Fluid));
+                Object.DestroyImmediate(alone);
+                int emitted = scene.Count(ParticleCounter.Emitted);
+                scene.Step(10);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(emitted));
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void A_part_that_takes_the_number_of_another_begins_at_nothing()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 2000).Fill(0.2f))
+            {
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, -0.4f, 0f), Vector3.down, e => e.Rate = 0.02f);      // under water
+                FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0.4f, -0.45f, 0f), Vector3.up);
+                scene.Step(10);
+                scene.ReadBack();
+                int drained = drain.Drained;
+                Assert.That(drained, Is.GreaterThan(0));
+                Assert.That(emitter.Waiting, Is.GreaterThan(0));
+                Object.DestroyImmediate(emitter.gameObject);
+                Object.DestroyImmediate(drain.gameObject);
+                emitter = scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0f);
+                drain = scene.Add<FluidDrain>(new Vector3(0f, 5f, 0f), Vector3.up);
+                Assert.That(emitter.Number + drain.Number, Is.Zero);
+                scene.Step(2);
+                Assert.That(emitter.Waiting + emitter.Emitted + drain.Drained, Is.Zero);
+                scene.ReadBack();
+                Assert.That(emitter.Waiting + emitter.Emitted + drain.Drained, Is.Zero);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.waiting, Is.Zero);
+                Assert.That(statistics.blocked, Is.GreaterThan(0), "what waited for the first was given up");
+                Assert.That(statistics.drained, Is.EqualTo(drained));
+            }
+        }
+
+        [Test]
+        public void The_thirty_third_of_a_kind_is_left_out_by_name_and_takes_a_place_that_gets_free()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 500))
+            {
+                FluidForceField first = null;
+                for (int i = 0; i < 32; i++)
+                {
+                    FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.up);
+                    first = first ?? field;
+                }
+                LogAssert.Expect(LogType.Warning, new Regex("FluidForceField 'FluidForceField': FluidSimulation 'Fluid' has 32 of its kind, the most it takes, and leaves this one out"));
+                FluidForceField late = scene.Add<FluidForceField>(Vector3.zero, Vector3.up);
+                scene.Step();
+                Assert.That(scene.Fluid.Input.sources.fieldCount, Is.EqualTo(32));
+                first.enabled = false;
+                late.enabled = false;
+                late.enabled = true;
+                Assert.That(late.Number, Is.Zero);
+                scene.Step();
+                Assert.That(scene.Fluid.Input.sources.fieldCount, Is.EqualTo(32));
+            }
+        }
+
+        [Test]
+        public void A_drain_whose_emitter_is_of_another_fluid_says_so_and_takes_out_for_good()
+        {
+            using (SourceScene scene = new SourceScene(Box, Spacing, 900).Fill(0.1f), other = new SourceScene(Box, Spacing, 900))
+            {
+                FluidEmitter elsewhere = other.Add<FluidEmitter>(Vector3.zero, Vector3.up);
+                LogAssert.Expect(LogType.Warning, new Regex("FluidDrain .*its emitter 'FluidEmitter' is disabled or belongs to another fluid"));
+                scene.Add<FluidDrain>(new Vector3(0f, -0.5f, 0f), Vector3.up, d => d.RecycleTo = elsewhere);
+                scene.Step(5);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.drained, Is.GreaterThan(50));
+                Assert.That(statistics.recycling, Is.Zero);
+                LogAssert.NoUnexpectedReceived();
+            }
+        }
+
+        [Test]
+        public void Two_fluids_with_parts_of_their_own_do_not_disturb_each_other()
+        {
+            ParticleState alone, beside, otherAlone, otherBeside;
+            using (SourceScene scene = First())
+                alone = scene.Step(30).Read();
+            using (SourceScene scene = Second())
+                otherAlone = scene.Step(30).Read();
+            using (SourceScene scene = First(), other = Second())
+            {
+                for (int i = 0; i < 30; i++)
+                {
+                    scene.Step();
+                    other.Step();
+                }
+                beside = scene.Read();
+                otherBeside = other.Read();
+            }
+            TestFluid.AssertSame(beside, alone);
+            TestFluid.AssertSame(otherBeside, otherAlone);
+
+            SourceScene First()
+            {
+                var scene = new SourceScene(Box, Spacing, 900);
+                scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0.02f);
+                scene.Add<FluidForceField>(Vector3.zero, Vector3.right);
+                return scene;
+            }
+
+            SourceScene Second()
+            {
+                SourceScene scene = new SourceScene(Box, 0.04f, 3000).Fill(0.1f);
+                scene.Add<FluidEmitter>(new Vector3(0.1f, 0.4f, 0f), Vector3.left, e =>
+                {
+                    e.Rate = 0.01f;
+                    e.Phase = 3;
+                    e.Lifetime = 0.3f;
+                });
+                scene.Add<FluidDrain>(new Vector3(0f, -0.5f, 0f), Vector3.up, d => d.RateLimit = 0.01f);
+                return scene;
+            }
+        }
+
+        [Test]
+        public void A_disabled_part_does_nothing_and_one_enabled_again_goes_on()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 900))
+            {
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0.02f);
+                scene.Step(6);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(16).Within(1));
+                emitter.enabled = false;
+                Assert.That(emitter.IsEmitting, Is.False);
+                scene.Step(6);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(16).Within(1));
+                emitter.enabled = true;
+                scene.Step(6);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(32).Within(2));
+                scene.Fluid.enabled = false;
+                Assert.That(emitter.Emitted, Is.Zero);
+                scene.Fluid.enabled = true;
+                scene.Step(6);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(16).Within(1), "a fluid that is enabled again begins anew");
+                Object.DestroyImmediate(scene.Fluid.gameObject);      // with its parts
+            }
+        }
+
+        [Test]
+        public void The_regions_are_laid_out_as_the_shaders_read_them()
+        {
+            Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<DrainRegion>(), Is.EqualTo(64));
+            Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<FieldRegion>(), Is.EqualTo(80));
+        }
+    }
+}
