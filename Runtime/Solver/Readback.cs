@@ -21,6 +21,9 @@ namespace Rill
             onRead = OnRead;
         }
 
+        /// <summary>Called when a result has come.</summary>
+        public Action Arrived;
+
         /// <summary>Whether a result is on its way.</summary>
         public bool IsPending { get; private set; }
 
@@ -70,6 +73,7 @@ namespace Rill
                 return;
             latest.CopyFrom(arriving);      // which the next request may be writing while this one is read
             HasResult = true;
+            Arrived?.Invoke();
         }
     }
 }

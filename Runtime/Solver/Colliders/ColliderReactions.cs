@@ -15,12 +15,10 @@ namespace Rill
 
         readonly ComputeShader shader;
         readonly int take;
-        readonly Action<AsyncGPUReadbackRequest> onRead;
+        readonly Readback readback = new Readback(Words);
         GraphicsBuffer sums, taken;
-        NativeArray<uint> latest, zeros;
+        NativeArray<uint> zeros;
         float time, takenTime;
-        int generation, pendingGeneration;
-        bool disposed;
 
         public ColliderReactions(ComputeShader shader)
         {
@@ -28,17 +26,16 @@ namespace Rill
             take = shader.FindKernel("TakeReactions");
             sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
             taken = GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words);
-            latest = new NativeArray<uint>(Words, Allocator.Persistent);
             zeros = new NativeArray<uint>(Words, Allocator.Persistent);
             sums.SetData(zeros);
-            onRead = OnRead;
+            readback.Arrived = OnArrived;
         }
 
         /// <summary>Called with each result when it has come; read it with <see cref="Get"/>.</summary>
         public Action Arrived;
 
         /// <summary>Whether a result is on its way; sums go on meanwhile.</summary>
-        public bool IsPending { get; private set; }
+        public bool IsPending => readback.IsPending;
 
         /// <summary>Fluid time over which the newest result was summed, s; 0 before the first.</summary>
         public float Duration { get; private set; }
@@ -54,7 +51,7 @@ namespace Rill
         {
             cmd.SetBufferData(sums, zeros);
             time = 0f;
-            generation++;
+            readback.Forget();
         }
 
         /// <summary>Records the handing over of the sums; call <see cref="Request"/> after the commands ran.</summary>
@@ -68,12 +65,7 @@ namespace Rill
             CoarseGrid.Dispatch(cmd, shader, take, Words);
         }
 
-        public void Request()
-        {
-            IsPending = true;
-            pendingGeneration = generation;
-            AsyncGPUReadback.Request(taken, onRead);
-        }
+        public void Request() => readback.Request(taken);
 
         /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its radius + 1.</summary>
         public void Get(int index, out double3 sum, out double3 moment)
@@ -92,21 +84,16 @@ namespace Rill
 
         public void Dispose()
         {
-            disposed = true;
+            readback.Dispose();
             GpuBuffer.Release(ref sums);
             GpuBuffer.Release(ref taken);
-            latest.Dispose();
             zeros.Dispose();
         }
 
-        double Signed(int at) => (long)((ulong)latest[at + 1] << 32 | latest[at]) / Scale;
+        double Signed(int at) => (long)((ulong)readback.Latest[at + 1] << 32 | readback.Latest[at]) / Scale;
 
-        void OnRead(AsyncGPUReadbackRequest request)
+        void OnArrived()
         {
-            IsPending = false;
-            if (disposed || request.hasError || pendingGeneration != generation)
-                return;
-            latest.CopyFrom(request.GetData<uint>());
             Duration = takenTime;
             Arrived?.Invoke();
         }

@@ -227,8 +227,11 @@ namespace Rill
         {
             if (!set.Reacts)
             {
-                reactions?.Dispose();
-                reactions = null;
+                if (reactions != null && !reactions.IsPending)      // releasing a pending one would wait for the GPU
+                {
+                    reactions.Dispose();
+                    reactions = null;
+                }
                 return;
             }
             reactions ??= new ColliderReactions(shader);
