@@ -42,7 +42,7 @@ namespace Host.Baking
         {
             MeshFile read = MeshFile.Read(file);
             Mesh = new TriangleMesh(read.Name, scale == 1f ? read.Vertices : Array.ConvertAll(read.Vertices, v => scale * v), read.Triangles);
-            Say($"{Path.GetFileName(file)}: {Mesh.TriangleCount:N0} triangles, {Mesh.Vertices.Length:N0} vertices, {read.Parts:N0} parts; x mirrored into Unity's left-handed frame");
+            Say($"{Path.GetFileName(file)}: {Mesh.TriangleCount:N0} triangles, {Mesh.Vertices.Length:N0} vertices{(read.Parts > 1 ? $", {read.Parts:N0} parts" : "")}; x mirrored into Unity's left-handed frame");
             foreach (string note in read.Notes)
                 output.WriteLine("  " + note);
 
@@ -102,17 +102,17 @@ namespace Host.Baking
             {
                 Output.Progress.Run(output, "baking " + Mesh.Name, 1, report =>
                 {
-                    using var baker = new MeshSdfBaker(Mesh, settings);
-                    for (bool more = true; more;)
+                    device.BeginSample("Bake");
+                    bake = MeshSdfBaker.Bake(Mesh, settings, (share, stage) =>
                     {
-                        device.BeginSample("Bake");
-                        more = baker.Step();
-                        device.EndSample();
                         // The bar shows what the device has done, not what waits for it.
+                        device.EndSample();
                         device.WaitIdle();
-                        report(baker.Progress, baker.Stage);
-                    }
-                    bake = baker.Result;
+                        report(share, stage);
+                        device.BeginSample("Bake");
+                        return true;
+                    });
+                    device.EndSample();
                 });
                 seconds = clock.Elapsed.TotalSeconds;
                 gpu = device.CollectSamples().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds);

@@ -40,12 +40,14 @@ namespace Host.Baking
             for (int i = 0; i < Views.Length; i++)
             {
                 (int right, int up, int normal) = Views[i];
+                if (i > 0)
+                    Line($"unset colorbox");
                 Line($"set title '{Axes[normal]} = {Lowest(bake, normal) + bake.Resolution[normal] / 2 * bake.VoxelSize:G4} m'");
                 Line($"set xlabel '{Axes[right]} (m)'");
                 Line($"set ylabel '{Axes[up]} (m)'");
                 Line($"set xrange [{bake.Bounds.min[right]:R}:{bake.Bounds.max[right]:R}]");
                 Line($"set yrange [{bake.Bounds.min[up]:R}:{bake.Bounds.max[up]:R}]");
-                Line($"plot $slice{i} using 1:2:3 with image pixels notitle, $zero{i} using 1:2 with lines lw 1.5 lc rgb 'black' notitle");
+                Line($"plot $slice{i} using 1:2:3 with image notitle, $zero{i} using 1:2 with lines lw 1.5 lc rgb 'black' notitle");
             }
             Line($"unset multiplot");
             Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file)));
