@@ -157,13 +157,17 @@ namespace Host.Tests
         [Test]
         public void A_slice_lies_as_its_axes_say() => WithDevice(() =>
         {
-            BakeRun run = Bake(Box(1, 2, 3), Settings(20), out _);
-            SdfBake bake = MeshSdfBaker.Bake(run.Mesh, Settings(20));
+            var box = new BakeRun(Box(1, 2, 3), folder, Settings(20), 1f, TextWriter.Null);
+            box.Read();
+            SdfBake bake = MeshSdfBaker.Bake(box.Mesh, Settings(20));
             Vector3Int n = bake.Resolution;
-            float[,] slice = SlicePicture.Slice(bake, (2, 1, 0), 3);
-            Assert.That((slice.GetLength(0), slice.GetLength(1)), Is.EqualTo((n.y, n.z)));
-            Assert.That(slice[4, 7], Is.EqualTo(bake.Distances[(7 * n.y + 4) * n.x + 3]));
-            Assert.That(SlicePicture.Slice(bake, (0, 2, 1), 5)[6, 2], Is.EqualTo(bake.Distances[(6 * n.y + 5) * n.x + 2]));
+            float[,] x = SlicePicture.Slice(bake, (2, 1, 0), 2), y = SlicePicture.Slice(bake, (0, 2, 1), 6), z = SlicePicture.Slice(bake, (0, 1, 2), 17);
+            int At(int i, int j, int k) => (k * n.y + j) * n.x + i;
+            for (int i = 0; i < bake.Distances.Length; i++)
+            {
+                (int a, int b, int c) = (i % n.x, i / n.x % n.y, i / n.x / n.y);
+                Assert.That((x[b, c], y[c, a], z[b, a]), Is.EqualTo((bake.Distances[At(2, b, c)], bake.Distances[At(a, 6, c)], bake.Distances[At(a, b, 17)])));
+            }
         });
 
         [Test]
