@@ -9,7 +9,7 @@ using UnityEngine;
 namespace Host.Assets
 {
     /// <summary>Wavefront OBJ: positions and faces; polygons become fans around their first corner. What else a file has does not bear on its shape.</summary>
-    /// <remarks>Wavefront, Advanced Visualizer manual, appendix B1 "Object Files". Works on the bytes: text of a million triangles takes about a second.</remarks>
+    /// <remarks>Wavefront, Advanced Visualizer manual, appendix B1 "Object Files". Works on the bytes: a million triangles are read in less than a second.</remarks>
     internal sealed class ObjReader
     {
         /// <summary>Statements that would add to the shape; the others name, shade or group.</summary>
