@@ -5,6 +5,7 @@ using System.CommandLine.Invocation;
 using System.Linq;
 using System.Reflection;
 using Host.Assets;
+using Host.Baking;
 using Host.Commands;
 using Host.Fluids;
 using Host.Report;
@@ -25,6 +26,7 @@ namespace Host
                 RunCommand.Create(),
                 TestCommand.Create(),
                 ExplainCommand.Create(),
+                BakeCommand.Create(),
                 BenchCommand.Create(),
                 StudyCommand.Create(),
                 MeasureCommand.Create(),

@@ -1,0 +1,71 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.Linq;
+using Rill;
+
+namespace Host.Baking
+{
+    /// <summary><c>bake</c>: a mesh file becomes a distance field's asset and a picture of its slices.</summary>
+    static class BakeCommand
+    {
+        public static Command Create()
+        {
+            MeshSdfSettings normal = MeshSdfSettings.Default;
+            var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file." };
+            var target = new Option<string>("--out") { Description = "Folder for <name>.asset and <name>-slices.png; out/<name> by default." };
+            var voxel = new Option<float?>("--voxel") { Description = "Edge of a voxel, m, instead of --resolution." };
+            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.LeastResolution} to {MeshSdfSettings.MostResolution}; {normal.resolution} by default." };
+            var padding = new Option<int>("--padding") { Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MostPadding}.", DefaultValueFactory = _ => normal.padding };
+            var sign = new Option<string>("--sign") { Description = "How inside is told from outside: " + Choices<MeshSdfSign>() + ".", DefaultValueFactory = _ => "automatic" };
+            var shell = new Option<float>("--shell") { Description = "Thickness of the shell that an open surface becomes, m; 0 for two voxels." };
+            var format = new Option<string>("--format") { Description = "Bits of a voxel: " + Choices<SdfFormat>() + " (16 or 32).", DefaultValueFactory = _ => "automatic" };
+            var memory = new Option<string>("--memory") { Description = $"Most memory of the bake in bytes, or with K, M, G: 512M; {normal.memoryCap}M by default." };
+            var scale = new Option<float>("--scale") { Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimetres.", DefaultValueFactory = _ => 1f };
+
+            var command = new Command("bake", "Bakes a mesh file to a signed distance field.") { mesh, target, voxel, resolution, padding, sign, shell, format, memory, scale };
+            command.SetAction(parsed =>
+            {
+                if (parsed.GetValue(voxel) != null && parsed.GetValue(resolution) != null)
+                    throw new HostException("--voxel and --resolution say the same in two ways; give one of them.");
+                MeshSdfSettings settings = normal;
+                settings.voxelSize = parsed.GetValue(voxel) is float size ? Positive(size, "--voxel") : 0f;
+                settings.resolution = parsed.GetValue(resolution) ?? normal.resolution;
+                settings.padding = parsed.GetValue(padding);
+                settings.sign = Choice<MeshSdfSign>(parsed.GetValue(sign), "--sign");
+                settings.shellThickness = parsed.GetValue(shell);
+                settings.format = Choice<SdfFormat>(parsed.GetValue(format), "--format");
+                settings.memoryCap = parsed.GetValue(memory) is string bytes ? MebiBytes(bytes) : normal.memoryCap;
+
+                var run = new BakeRun(parsed.GetValue(mesh), parsed.GetValue(target), settings, Positive(parsed.GetValue(scale), "--scale"), Console.Out);
+                run.Read();
+                using var session = new Session(Session.Root());
+                run.Bake(session.Assets, session.DescribeDevice());
+                return session.ErrorsLogged == 0 ? 0 : 1;
+            });
+            return command;
+        }
+
+        static float Positive(float value, string option) => value > 0f && float.IsFinite(value) ? value : throw new HostException(string.Create(CultureInfo.InvariantCulture, $"{option} must be above 0, not {value}."));
+
+        internal static int MebiBytes(string text)
+        {
+            int shift = text.Length == 0 ? 0 : char.ToUpperInvariant(text[^1]) switch { 'K' => 10, 'M' => 20, 'G' => 30, _ => 0 };
+            if (!double.TryParse(shift > 0 ? text[..^1] : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !(number >= 0))
+                throw new HostException($"--memory {text}: give bytes, or a number with K, M or G, as in 512M.");
+            double mebi = Math.Floor(number * (1L << shift) / (1 << 20));
+            return mebi is >= 1 and <= int.MaxValue ? (int)mebi : throw new HostException($"--memory {text}: the least is 1M, the most {int.MaxValue}M.");
+        }
+
+        /// <summary>As "open-shell" for OpenShell.</summary>
+        internal static T Choice<T>(string text, string option) where T : struct, Enum
+        {
+            foreach (T value in Enum.GetValues<T>())
+                if (string.Equals(text.Replace("-", ""), value.ToString(), StringComparison.OrdinalIgnoreCase))
+                    return value;
+            throw new HostException($"{option} {text}: it is one of {Choices<T>()}.");
+        }
+
+        static string Choices<T>() where T : struct, Enum => string.Join(", ", Enum.GetNames<T>().Select(name => string.Concat(name.Select((c, i) => (i > 0 && char.IsUpper(c) ? "-" : "") + char.ToLowerInvariant(c)))));
+    }
+}

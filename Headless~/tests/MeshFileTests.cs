@@ -1,0 +1,170 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Host.Assets;
+using NUnit.Framework;
+using Rill;
+using UnityEngine;
+
+namespace Host.Tests
+{
+    /// <summary>Mesh files as triangles in Unity's frame.</summary>
+    public class MeshFileTests
+    {
+        const string CubeVertices = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\nv 2 0 3\nv 2 1 3\nv 0 1 3\n";
+        const string CubeFaces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+
+        string folder;
+
+        [SetUp]
+        public void Start() => folder = Directory.CreateTempSubdirectory("rill-mesh-file-").FullName;
+
+        [TearDown]
+        public void End() => Directory.Delete(folder, recursive: true);
+
+        MeshFile Obj(string text) => MeshFile.Read(Write("Mesh.obj", Encoding.UTF8.GetBytes(text)));
+
+        string Write(string name, byte[] bytes)
+        {
+            string file = Path.Combine(folder, name);
+            File.WriteAllBytes(file, bytes);
+            return file;
+        }
+
+        static MeshReport Check(MeshFile mesh) => MeshCheck.Run(new TriangleMesh(mesh.Name, mesh.Vertices, mesh.Triangles));
+
+        static void IsTheBox(MeshFile mesh, Vector3 min, Vector3 max)
+        {
+            MeshReport report = Check(mesh);
+            Assert.That((report.Triangles, report.IsWatertight, report.FlippedTriangles), Is.EqualTo((12, true, 0)));
+            Vector3 size = max - min;
+            Assert.That(report.SignedVolume, Is.EqualTo(size.x * size.y * size.z).Within(1e-5), "positive: faces look outside in Unity's frame");
+            for (int axis = 0; axis < 3; axis++)
+            {
+                Assert.That(mesh.Vertices.Min(v => v[axis]), Is.EqualTo(min[axis]).Within(1e-6));
+                Assert.That(mesh.Vertices.Max(v => v[axis]), Is.EqualTo(max[axis]).Within(1e-6));
+            }
+        }
+
+        [Test]
+        public void An_obj_is_mirrored_in_x_and_faces_still_look_outside() => IsTheBox(Obj(CubeVertices + CubeFaces), new Vector3(-2, 0, 0), new Vector3(0, 1, 3));
+
+        [TestCase("f -8 -5 -6 -7\nf -4 -3 -2 -1\nf -8 -7 -3 -4\nf -5 -1 -2 -6\nf -8 -4 -1 -5\nf -7 -6 -2 -3\n", TestName = "Corners_count_backwards_from_the_latest")]
+        [TestCase("vn 0 0 1\nvt 0 0\nf 1/1 4/1 3/1 2/1\nf 5//1 6//1 7//1 8//1\nf 1/1/1 2/1/1 6/1/1 5/1/1\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n", TestName = "Corners_carry_texture_and_normal")]
+        [TestCase("# a box\no Box\ng a\nusemtl red\r\ns 1\r\n\tf  1 4 3 \\\r\n 2 # bottom\r\n\r\nf 5 6 7 8\rf 1 2 6 5\nf 4 8 7 3\ng b\nf 1 5 8 4\nf 2 3 7 6", TestName = "Comments_groups_line_ends_and_lines_that_go_on")]
+        [TestCase("f 1 4 3\nf 1 3 2\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 4 8 7\nf 4 7 3\nf 1 5 8\nf 1 8 4\nf 2 3 7\nf 2 7 6\n", TestName = "Triangles")]
+        public void Every_way_to_write_faces_gives_the_same_mesh(string faces)
+        {
+            MeshFile expected = Obj(CubeVertices + CubeFaces), mesh = Obj(CubeVertices + faces);
+            Assert.That(mesh.Vertices, Is.EqualTo(expected.Vertices));
+            Assert.That(mesh.Triangles, Is.EqualTo(expected.Triangles));
+        }
+
+        [Test]
+        public void Groups_with_faces_are_counted_and_lines_and_points_are_told()
+        {
+            MeshFile mesh = Obj(CubeVertices + "g empty\ng a\nf 1 4 3 2\nusemtl red\nf 5 6 7 8\nl 1 2 3\nl 4 5\np 1\n");
+            Assert.That(mesh.Parts, Is.EqualTo(2));
+            Assert.That(mesh.Notes, Is.EqualTo(new[] { "2 lines are left out.", "1 points are left out." }));
+        }
+
+        [Test]
+        public void Numbers_are_read_in_every_form_of_c()
+        {
+            Assert.That(Obj("v -1e-3 +.5 3. 1.0 0.5 0.5 0.5\nv nan -inf 1.#IND\n").Vertices[0], Is.EqualTo(new Vector3(1e-3f, 0.5f, 3f)));
+            Assert.That(Obj("v nan 0 0\n").Vertices[0].x, Is.NaN);
+        }
+
+        [TestCase("v 0 0 0\nv 1 0 0\nf 1 2\n", "Mesh.obj(3): a face of 2 corners")]
+        [TestCase("v 0 0 0\nf 1 2 3\n", "Mesh.obj(2): the face refers to vertex 2, but 1 come before it")]
+        [TestCase("v 0 0 0\nf 0 1 1\n", "Mesh.obj(2): the face refers to vertex 0")]
+        [TestCase("v 0 0 0\nf -2 1 1\n", "Mesh.obj(2): the face refers to vertex -2")]
+        [TestCase("v 0 0 0\n\\\n\nf 1x 1 1\n", "Mesh.obj(4): '1x' is no corner")]
+        [TestCase("v 0 0\n", "Mesh.obj(1): a vertex takes three numbers")]
+        [TestCase("v 0 zero 0\n", "Mesh.obj(1): 'zero' is no number")]
+        [TestCase("PNG and other things\n", "is no OBJ file: no line starts with v or f")]
+        [TestCase("", "Mesh.obj is empty")]
+        public void A_broken_obj_is_refused_with_its_line(string text, string message)
+        {
+            Assert.That(Assert.Throws<AssetException>(() => Obj(text)).Message, Does.Contain(message));
+        }
+
+        [Test]
+        public void What_is_no_mesh_is_refused_by_name()
+        {
+            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Path.Combine(folder, "None.obj"))).Message, Does.EndWith("None.obj does not exist"));
+            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(folder)).Message, Does.Contain("is a folder"));
+            Assert.That(Assert.Throws<AssetException>(() => MeshFile.Read(Write("Mesh.fbx", new byte[9]))).Message, Does.Contain("save it as .obj or .glb"));
+        }
+
+        // ---- GLB
+
+        static readonly float[] CubePositions = { 0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0, 0, 0, 3, 2, 0, 3, 2, 1, 3, 0, 1, 3 };
+        static readonly ushort[] CubeIndices = { 0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4, 3, 7, 6, 3, 6, 2, 0, 4, 7, 0, 7, 3, 1, 2, 6, 1, 6, 5 };
+
+        static byte[] Glb(string json, uint version = 2)
+        {
+            byte[] binary = CubePositions.SelectMany(BitConverter.GetBytes).Concat(CubeIndices.SelectMany(BitConverter.GetBytes)).ToArray();
+            byte[] text = Encoding.UTF8.GetBytes(json.Replace('\'', '"'));
+            text = text.Concat(Enumerable.Repeat((byte)' ', (4 - text.Length % 4) % 4)).ToArray();
+            var file = new List<byte>();
+            foreach (uint word in new[] { 0x46546C67u, version, (uint)(28 + text.Length + binary.Length), (uint)text.Length, 0x4E4F534Au })
+                file.AddRange(BitConverter.GetBytes(word));
+            file.AddRange(text);
+            file.AddRange(BitConverter.GetBytes((uint)binary.Length));
+            file.AddRange(BitConverter.GetBytes(0x004E4942u));
+            file.AddRange(binary);
+            return file.ToArray();
+        }
+
+        static string Scene(string nodes, string primitive = "'attributes':{'POSITION':0},'indices':1", string more = "") =>
+            "{'asset':{'version':'2.0'}," + more + "'scene':0,'scenes':[{'nodes':[0]}],'nodes':[" + nodes + "],'meshes':[{'primitives':[{" + primitive + "}]}],"
+            + "'accessors':[{'bufferView':0,'componentType':5126,'count':8,'type':'VEC3'},{'bufferView':1,'componentType':5123,'count':36,'type':'SCALAR'}],"
+            + "'bufferViews':[{'buffer':0,'byteOffset':0,'byteLength':96},{'buffer':0,'byteOffset':96,'byteLength':72}],'buffers':[{'byteLength':168}]}";
+
+        MeshFile ReadGlb(string json) => MeshFile.Read(Write("Mesh.glb", Glb(json)));
+
+        [Test]
+        public void A_glb_is_mirrored_in_x_and_faces_still_look_outside() => IsTheBox(ReadGlb(Scene("{'mesh':0}")), new Vector3(-2, 0, 0), new Vector3(0, 1, 3));
+
+        [Test]
+        public void Nodes_place_their_meshes()
+        {
+            // Moved by (10, 0, 0), and below that turned by 90 degrees about y: x to -z, z to x.
+            IsTheBox(ReadGlb(Scene("{'translation':[10,0,0],'children':[1]},{'mesh':0,'rotation':[0,0.70710678,0,0.70710678]}")), new Vector3(-13, 0, -2), new Vector3(-10, 1, 0));
+            IsTheBox(ReadGlb(Scene("{'mesh':0,'matrix':[2,0,0,0, 0,3,0,0, 0,0,1,0, 0,0,5,1]}")), new Vector3(-4, 0, 5), new Vector3(0, 3, 8));
+        }
+
+        [Test]
+        public void A_node_that_mirrors_keeps_outside_outside() => IsTheBox(ReadGlb(Scene("{'mesh':0,'scale':[1,-1,1]}")), new Vector3(-2, -1, 0), new Vector3(0, 0, 3));
+
+        [Test]
+        public void A_strip_and_a_fan_have_the_corners_of_their_list()
+        {
+            string Primitive(int mode) => Scene("{'mesh':0}", "'mode':" + mode + ",'attributes':{'POSITION':0}");
+            Assert.That(ReadGlb(Primitive(5)).Triangles.Take(9), Is.EqualTo(new[] { 0, 2, 1, 2, 3, 1, 2, 4, 3 }), "every second triangle of a strip is the other way around");
+            Assert.That(ReadGlb(Primitive(6)).Triangles.Take(6), Is.EqualTo(new[] { 0, 2, 1, 0, 3, 2 }));
+            MeshFile lines = ReadGlb(Primitive(1));
+            Assert.That((lines.Triangles.Length, lines.Notes.Single()), Is.EqualTo((0, "1 primitives of points or lines are left out.")));
+        }
+
+        [Test]
+        public void A_broken_glb_is_refused_by_what_is_wrong()
+        {
+            string Refusal(byte[] file) => Assert.Throws<AssetException>(() => MeshFile.Read(Write("Mesh.glb", file))).Message;
+            byte[] good = Glb(Scene("{'mesh':0}"));
+            Assert.That(Refusal(Encoding.ASCII.GetBytes("solid of some other program")), Does.Contain("does not start with \"glTF\""));
+            Assert.That(Refusal(Glb("{}", version: 1)), Does.Contain("is of glTF 1"));
+            Assert.That(Refusal(good.Take(good.Length - 10).ToArray()), Does.Contain("it is cut off"));
+            Assert.That(Refusal(Glb("{'nodes':")), Does.Contain("is damaged"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':7}"))), Does.Contain("is damaged"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0,'children':[0]}"))), Does.Contain("node 0 has two parents"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':36", "'count':37"))), Does.Contain("accessor 1 reaches beyond the end"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("'count':8", "'count':7"))), Does.Contain("an index is not below the 7 vertices"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}", more: "'extensionsRequired':['KHR_draco_mesh_compression'],"))), Does.Contain("KHR_draco_mesh_compression"));
+            Assert.That(Refusal(Glb(Scene("{'mesh':0}").Replace("{'byteLength':168}", "{'byteLength':168,'uri':'a.bin'}"))), Does.Contain("keeps its vertices in another file"));
+        }
+    }
+}
