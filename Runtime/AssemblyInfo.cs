@@ -1,5 +1,7 @@
 using System.Runtime.CompilerServices;
 
+[assembly: InternalsVisibleTo("Rill.Physics")]
+[assembly: InternalsVisibleTo("Rill.Physics.Tests")]
 [assembly: InternalsVisibleTo("Rill.Editor")]
 [assembly: InternalsVisibleTo("Rill.Tests")]
 [assembly: InternalsVisibleTo("Rill.Editor.Tests")]

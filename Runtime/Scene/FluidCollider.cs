@@ -113,6 +113,17 @@ namespace Rill
             return known && measuresForce;
         }
 
+        /// <summary>The newest of each simulation; some may have ended since.</summary>
+        internal List<FluidForce> Forces => forces;
+
+        /// <summary>Drops the result of a simulation that it has left, which else would act for ever.</summary>
+        internal void Leave(FluidSimulation simulation)
+        {
+            for (int i = forces.Count - 1; i >= 0; i--)
+                if (ReferenceEquals(forces[i].From, simulation))
+                    forces.RemoveAt(i);
+        }
+
         /// <summary>Takes a new result of a simulation in place of its last.</summary>
         internal void Feel(in FluidForce force)
         {

@@ -25,6 +25,9 @@ namespace Rill
         [SerializeField] string sourceMesh = "";
         [SerializeField] MeshSdfSettings settings = MeshSdfSettings.Default;
 
+        [NonSerialized] float volume;
+        [NonSerialized] bool volumeIsKnown;
+
         /// <summary>Of the serialized content; above <see cref="CurrentVersion"/> in an asset of a newer package.</summary>
         public int Version => version;
 
@@ -92,6 +95,7 @@ namespace Rill
             // Stays readable: without its copy in memory the texture could not be saved, nor sampled by TrySample.
             texture.Apply(false, false);
 
+            volumeIsKnown = false;
             version = CurrentVersion;
             bounds = bake.Bounds;
             voxelSize = bake.VoxelSize;
@@ -126,6 +130,32 @@ namespace Rill
             float2 plane = math.lerp(row.xz, row.yw, weight.y);
             distance = math.lerp(plane.x, plane.y, weight.z) + math.distance(local, inside);
             return true;
+        }
+
+        /// <summary>What lies inside of the surface, m³: summed over all voxels at the first call after a bake. 0 without a texture that can be read.</summary>
+        public float Volume
+        {
+            get
+            {
+                if (!volumeIsKnown && texture != null && texture.isReadable)
+                {
+                    volume = MeasureVolume();
+                    volumeIsKnown = true;
+                }
+                return volume;
+            }
+        }
+
+        // Of a voxel the share that a flat surface at its distance leaves inside.
+        float MeasureVolume()
+        {
+            var voxels = new Voxels(texture);
+            double sum = 0.0;
+            for (int z = 0; z < texture.depth; z++)
+                for (int y = 0; y < texture.height; y++)
+                    for (int x = 0; x < texture.width; x++)
+                        sum += math.saturate(0.5f - voxels[x, y, z] / voxelSize);
+            return (float)(sum * voxelSize * voxelSize * voxelSize);
         }
 
         /// <summary>Whether the content can be used.</summary>

@@ -18,7 +18,8 @@ namespace Rill
         internal int ColliderCount => colliders.Count;
 
         /// <summary>Gathers the obstacles that can touch the fluid in the coming steps.</summary>
-        void CollectColliders()
+        /// <param name="duration">Fluid time of the steps, s.</param>
+        void CollectColliders(float duration)
         {
             if (FluidCollider.Enabled.Count == 0 && colliders.Count == 0)
                 return;
@@ -38,16 +39,23 @@ namespace Rill
             FluidCollider leftOut = null;
             int leftOutCount = 0;
             bool changed = false, reordered = false;
+            BeginTracks();
             foreach (FluidCollider collider in FluidCollider.Enabled)
             {
                 if (!collider.TryDescribe(out ColliderMotion motion))
                     continue;
+                RigidPose pose = motion.end;
                 ToDomain(ref motion, place, toDomain);
                 int last = LastIndex(collider);
-                if (last >= 0 && lastTeleports[last] == collider.Teleports)
+                bool follows = last >= 0 && lastTeleports[last] == collider.Teleports;
+                if (follows)
                     motion.start = lastMotions[last].end;
                 if (!IsNear(motion))
+                {
+                    if (last >= 0)
+                        collider.Leave(this);
                     continue;
+                }
                 if (colliders.Count == ColliderSet.Most)
                 {
                     leftOut = leftOut == null ? collider : leftOut;
@@ -60,6 +68,8 @@ namespace Rill
                 colliders.Items[index] = motion;
                 colliderOwners[index] = collider;
                 colliderTeleports[index] = collider.Teleports;
+                if (motion.reacts)
+                    Track(index, follows ? last : -1, pose, duration);
             }
             if (changed || colliders.Count != lastColliderCount)
                 colliders.Version++;

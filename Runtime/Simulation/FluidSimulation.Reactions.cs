@@ -7,11 +7,27 @@ namespace Rill
     // What the fluid does to obstacles: asked for after the steps of a frame, handed to them when it has come.
     public sealed partial class FluidSimulation
     {
+        ColliderTrack[] tracks, lastTracks;
+        ObstacleMotion[] takenMotions;
         FluidCollider[] takenOwners;
         float[] takenRadii;
         int takenCount;
         double takenImpulse;        // N s of a displacement of one particle by d
         Quaternion takenRotation;
+
+        void BeginTracks() => (tracks, lastTracks) = (lastTracks, tracks);
+
+        /// <summary>Follows an obstacle whose force is summed through the coming steps.</summary>
+        /// <param name="last">Its number in the last steps; negative where nothing is known of its motion since.</param>
+        void Track(int index, int last, in RigidPose pose, float duration)
+        {
+            tracks ??= new ColliderTrack[ColliderSet.Most];
+            lastTracks ??= new ColliderTrack[ColliderSet.Most];
+            bool follows = last >= 0 && lastMotions[last].reacts;
+            ColliderTrack track = follows ? lastTracks[last] : ColliderTrack.At(pose);
+            track.Follow(pose, duration);
+            tracks[index] = track;
+        }
 
         /// <summary>Records the handing over of the sums, unless earlier ones are on their way.</summary>
         /// <returns>What to request after the commands ran; null for nothing.</returns>
@@ -22,11 +38,16 @@ namespace Rill
                 return null;
             takenOwners ??= new FluidCollider[ColliderSet.Most];
             takenRadii ??= new float[ColliderSet.Most];
+            takenMotions ??= new ObstacleMotion[ColliderSet.Most];
             reactions.Arrived ??= OnReactions;
             takenCount = colliders.Count;
             Array.Copy(colliderOwners, takenOwners, takenCount);
             for (int i = 0; i < takenCount; i++)
+            {
                 takenRadii[i] = math.max(colliders.Items[i].Radius, 1f) + 1f;
+                if (colliders.Items[i].reacts)
+                    takenMotions[i] = tracks[i].Take();
+            }
             GetPlace(out _, out takenRotation);
             double spacing = particleSpacing;
             takenImpulse = material.density * spacing * spacing * spacing * spacing * input.settings.substeps / FixedStep;
@@ -43,12 +64,13 @@ namespace Rill
             for (int i = 0; i < takenCount; i++)
             {
                 FluidCollider owner = takenOwners[i];
-                if (owner == null || !owner.MeasuresForce)
+                bool left = i >= colliders.Count || !ReferenceEquals(colliderOwners[i], owner);
+                if (left || owner == null || !owner.MeasuresForce)
                     continue;
                 reactions.Get(i, out double3 sum, out double3 moment);
                 var force = (Vector3)(float3)(sum * scale);
                 var torque = (Vector3)(float3)(moment * (scale * particleSpacing * takenRadii[i]));
-                owner.Feel(new FluidForce(this, takenRotation * force, takenRotation * torque));
+                owner.Feel(new FluidForce(this, takenRotation * force, takenRotation * torque, takenMotions[i]));
             }
         }
     }

@@ -253,7 +253,7 @@ namespace Rill
         /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
         void Simulate(int steps, float duration)
         {
-            CollectColliders();
+            CollectColliders(steps * FixedStep);
             PrepareInput(duration);
             commands.Clear();
             if (!TryRecordSteps(steps))

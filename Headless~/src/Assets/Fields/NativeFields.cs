@@ -20,6 +20,10 @@ namespace Host.Assets
             ["Renderer.m_Materials"] = "sharedMaterials", ["Renderer.m_CastShadows"] = "shadowCastingMode",
             ["RenderSettings.m_LinearFogStart"] = "fogStartDistance", ["RenderSettings.m_LinearFogEnd"] = "fogEndDistance",
             ["RenderSettings.m_SkyboxMaterial"] = "skybox", ["Collider.m_Material"] = "sharedMaterial",
+            ["Rigidbody.m_LinearDamping"] = "drag", ["Rigidbody.m_AngularDamping"] = "angularDrag", ["Rigidbody.m_Interpolate"] = "interpolation",
+            ["Rigidbody.m_CollisionDetection"] = "collisionDetectionMode", ["Rigidbody.m_InertiaRotation"] = "inertiaTensorRotation",
+            // After the tensor and the centre, which they take back.
+            ["Rigidbody.m_ImplicitCom"] = "automaticCenterOfMass", ["Rigidbody.m_ImplicitTensor"] = "automaticInertiaTensor",
             // Set with the object itself; a tag or name is no property of these.
             ["Object.m_Name"] = "", ["Object.m_ObjectHideFlags"] = "", ["Component.m_GameObject"] = "",
         };

@@ -8,7 +8,7 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Assets
 {
-    /// <summary>What a project's ProjectSettings folder changes in the player: colour space, names, time step, scenes of the build.</summary>
+    /// <summary>What a project's ProjectSettings folder changes in the player: colour space, names, time step, gravity of bodies, scenes of the build.</summary>
     internal static class ProjectSettings
     {
         /// <param name="exists">Whether an asset path leads to a file; scenes that do not are not in the build.</param>
@@ -29,6 +29,8 @@ namespace Host.Assets
                 Time.maximumDeltaTime = time.Float("Maximum Allowed Timestep", Time.maximumDeltaTime);
                 Time.timeScale = time.Float("m_TimeScale", Time.timeScale);
             }
+            if (Settings(root, "DynamicsManager") is YamlNode physics)
+                PhysicsWorld.Gravity = BuiltInValues.Vector3(physics["m_Gravity"], PhysicsWorld.Gravity);
             SceneManager.BuildScenes.AddRange(BuildScenes(root).Where(exists));
         }
 

@@ -45,6 +45,7 @@ namespace Host.Scripts.Stubs
 
         public string Text(Manner manner)
         {
+            if (owner.FullName == "UnityEngine.Physics" && signature == "static Vector3 gravity { get set }") return Gravity;
             if (owner.Kind == "interface") return InInterface();
             if (IsConstructor) return Constructor(manner);
             if (signature.StartsWith("const ", StringComparison.Ordinal)) return $"{Access}{signature} = default;";
@@ -114,6 +115,9 @@ namespace Host.Scripts.Stubs
                 return text.ToString();
             }
         }
+
+        // Rigidbodies of the host fall by it.
+        const string Gravity = "public static Vector3 gravity { get => global::UnityEngine.Headless.PhysicsWorld.Gravity; set => global::UnityEngine.Headless.PhysicsWorld.Gravity = value; }";
 
         string Thrown => $"throw global::UnityEngine.Headless.StubCalls.Missing({Named})";
         string Counted => $"global::UnityEngine.Headless.StubCalls.Count({Named})";

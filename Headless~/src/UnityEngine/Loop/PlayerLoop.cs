@@ -30,9 +30,12 @@ namespace UnityEngine.Headless
 
             while (Time.Clock.StepFixed())
             {
+                PhysicsWorld.BeginStep();
                 fixedUpdates.Run();
+                PhysicsWorld.Step(Time.fixedDeltaTime);
                 CoroutineScheduler.Resume(CoroutinePoint.FixedUpdate);
             }
+            PhysicsWorld.Show(Time.Clock.StepShare);
 
             updates.Run();
             Invocations.Run();
@@ -111,6 +114,7 @@ namespace UnityEngine.Headless
             lateUpdates.Clear();
             RenderObjects.Clear();
             Time.Clock.Reset();
+            PhysicsWorld.Reset();
             Random.InitState(Environment.TickCount);
             Application.ResetState();
             ResetOthers?.Invoke();

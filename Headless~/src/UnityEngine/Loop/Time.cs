@@ -102,6 +102,9 @@ namespace UnityEngine.Headless
             Scaled += Delta;
         }
 
+        /// <summary>Of the coming fixed step what has passed of it, 0 to 1.</summary>
+        public float StepShare => Mathf.Clamp01((float)((Scaled - Fixed) / FixedDelta));
+
         /// <summary>Enters the next fixed step that is due; false when there is none.</summary>
         public bool StepFixed()
         {

@@ -1,0 +1,140 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// Lets the fluid carry this object's Rigidbody: at each fixed step it gets the force and the torque that the fluid exerts on its
+    /// <see cref="FluidCollider"/>, stable although they come a few frames late.
+    /// </summary>
+    /// <remarks>
+    /// The water looks at the object frame by frame, so a body that does not interpolate is set to. Kinematic bodies are left
+    /// alone. See the page on floating bodies for how a late force is made stable. Without the physics module this component
+    /// is not there; <see cref="FluidCollider.TryGetForce"/> gives the force to an integrator of your own.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Buoyancy")]
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(FluidCollider), typeof(Rigidbody))]
+    public sealed class FluidBuoyancy : MonoBehaviour
+    {
+        const float PatienceTime = 5f;          // s without a fluid before that is said
+
+        [Tooltip("Mass of water that the body is computed to carry along, as a share of the water that it displaces. Steadies the late force; rest and draft do not depend on it. 0.25 to 4; flat plates that lie on the water need more.")]
+        [Range(0.25f, 4f)]
+        [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
+
+        [Tooltip("Largest acceleration that the fluid gives to the body, m/s². Above 0. Impacts are cut off there.")]
+        [SerializeField] float maxAcceleration = FloatingResponse.DefaultMaxAcceleration;
+
+        FluidCollider obstacle;
+        Rigidbody body;
+        FloatingResponse response;
+        float waited;
+        bool measuredBefore, problemIsKnown;
+
+        /// <summary>Mass of water that the body is computed to carry along, as a share of the water that it displaces, 0.25 to 4.</summary>
+        public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
+
+        /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its centre of mass, and by turning it, to its farthest points.</summary>
+        public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
+
+        /// <summary>Share of the body that was under water in the newest steps that are known, 0 to 1.</summary>
+        public float SubmergedShare => response.Share;
+
+        /// <summary>Clamps what is out of range.</summary>
+        /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            Limit.Clamp("virtual mass", ref virtualMass, 0.25f, 4f, FloatingResponse.DefaultVirtualMass, ref problem);
+            Limit.Clamp("max acceleration", ref maxAcceleration, 0.01f, 1e6f, FloatingResponse.DefaultMaxAcceleration, ref problem);
+            return problem == null;
+        }
+
+        void OnEnable()
+        {
+            obstacle = GetComponent<FluidCollider>();
+            body = GetComponent<Rigidbody>();
+            measuredBefore = obstacle.MeasuresForce;
+            obstacle.MeasuresForce = true;
+            if (body.interpolation == RigidbodyInterpolation.None)
+                body.interpolation = RigidbodyInterpolation.Interpolate;
+            waited = 0f;
+        }
+
+        void OnDisable()
+        {
+            if (obstacle != null)
+                obstacle.MeasuresForce = measuredBefore;
+            response = default;
+        }
+
+        void OnValidate()
+        {
+            problemIsKnown = false;
+            if (!Validate(out string problem))
+                Debug.LogWarning($"Rill: FluidBuoyancy '{name}': {problem}", this);
+        }
+
+        void FixedUpdate()
+        {
+            if (body.isKinematic || !obstacle.isActiveAndEnabled || !obstacle.TryDescribe(out ColliderMotion shape))
+                return;
+            float volume = shape.shape == ColliderShape.Mesh ? obstacle.Field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : ColliderMeasures.Volume(shape);
+            Say(Problem(shape, volume));
+            if (problemIsKnown)
+                return;
+
+            response.Begin(shape, volume, virtualMass);
+            foreach (FluidForce force in obstacle.Forces)
+                if (force.From != null && force.From.isActiveAndEnabled)
+                    response.Add(force, force.From.Material.density, force.From.Gravity);
+            if (!response.IsKnown)
+            {
+                Wait();
+                return;
+            }
+
+            waited = float.NegativeInfinity;
+            Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
+            Vector3 torque = response.TorqueAbout(body.worldCenterOfMass);
+            response.Solve(body.mass, gravity, Turn(torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
+            body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
+            body.AddTorque(angularAcceleration, ForceMode.Acceleration);
+        }
+
+        // Angular acceleration of the body alone, rad/s².
+        Vector3 Turn(Vector3 torque)
+        {
+            Quaternion axes = body.rotation * body.inertiaTensorRotation;
+            Vector3 local = Quaternion.Inverse(axes) * torque, inertia = body.inertiaTensor;
+            for (int i = 0; i < 3; i++)
+                local[i] = inertia[i] > 0f ? local[i] / inertia[i] : 0f;        // 0 does not turn
+            return axes * local;
+        }
+
+        string Problem(in ColliderMotion shape, float volume)
+        {
+            if (shape.shape == ColliderShape.Plane || shape.insideOut)
+                return "its FluidCollider is a plane or inside out, which has no volume that floats. Use another shape, or a kinematic body.";
+            if (!(volume > 0f))
+                return "its FluidCollider has no volume. Give the shape sizes above 0; a mesh needs a field whose texture can be read.";
+            return null;
+        }
+
+        void Wait()
+        {
+            waited += Time.fixedDeltaTime;
+            if (waited < PatienceTime)
+                return;
+            waited = float.NegativeInfinity;
+            Debug.LogWarning($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs has it in its box. Place it there, or enable the simulation.", this);
+        }
+
+        void Say(string problem)
+        {
+            if (problem != null && !problemIsKnown)
+                Debug.LogError($"Rill: FluidBuoyancy '{name}' carries nothing: {problem}", this);
+            problemIsKnown = problem != null;
+        }
+    }
+}
