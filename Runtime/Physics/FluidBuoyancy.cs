@@ -22,6 +22,10 @@ namespace Rill
         [Range(0.25f, 4f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
+        [Tooltip("Share of the critical damping with which heave and turns die out, beside what the water does. 0 to 2.")]
+        [Range(0f, 2f)]
+        [SerializeField] float damping = FloatingResponse.DefaultDamping;
+
         [Tooltip("Largest acceleration that the fluid gives to the body, m/s². Above 0. Impacts are cut off there.")]
         [SerializeField] float maxAcceleration = FloatingResponse.DefaultMaxAcceleration;
 
@@ -33,6 +37,9 @@ namespace Rill
 
         /// <summary>Mass of water that the body is computed to carry along, as a share of the water that it displaces, 0.25 to 4.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
+
+        /// <summary>Share of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
+        public float Damping { get => damping; set { damping = value; OnValidate(); } }
 
         /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its centre of mass, and by turning it, to its farthest points.</summary>
         public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
@@ -46,6 +53,7 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("virtual mass", ref virtualMass, 0.25f, 4f, FloatingResponse.DefaultVirtualMass, ref problem);
+            Limit.Clamp("damping", ref damping, 0f, 2f, FloatingResponse.DefaultDamping, ref problem);
             Limit.Clamp("max acceleration", ref maxAcceleration, 0.01f, 1e6f, FloatingResponse.DefaultMaxAcceleration, ref problem);
             return problem == null;
         }
@@ -84,7 +92,7 @@ namespace Rill
             if (problemIsKnown)
                 return;
 
-            response.Begin(shape, volume, virtualMass);
+            response.Begin(shape, volume, virtualMass, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity, damping);
             foreach (FluidForce force in obstacle.Forces)
                 if (force.From != null && force.From.isActiveAndEnabled)
                     response.Add(force, force.From.Material.density, force.From.Gravity);
@@ -97,7 +105,7 @@ namespace Rill
             waited = float.NegativeInfinity;
             Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
             Vector3 torque = response.TorqueAbout(body.worldCenterOfMass);
-            response.Solve(body.mass, gravity, Turn(torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
+            response.Solve(gravity, Turn(torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
             body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
             body.AddTorque(angularAcceleration, ForceMode.Acceleration);
         }

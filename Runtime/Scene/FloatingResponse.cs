@@ -14,16 +14,21 @@ namespace Rill
     struct FloatingResponse
     {
         public const float DefaultVirtualMass = 1f;
+        public const float DefaultDamping = 0.3f;
         public const float DefaultMaxAcceleration = 100f;       // m/s²
         const float AddedMass = 0.5f;           // of the displaced water: a sphere's far from walls (Lamb 1932, art. 92)
-        const float DryShare = 0.05f;           // submerged less than this the draft is not known well enough to correct
-        const float WetShare = 0.1f;            // and dry less than this
+        const float MissingMass = 0.3f;
+        const float Certain = 0.95f;            // a share under water above this is all, and below the rest of it none
 
         ColliderMotion shape;
         float volume, virtualShare, radius;
         Vector3 force, torque;                  // N, N m about the middle
         Vector3 virtualPush, virtualTurn;       // virtual mass times its accelerations, N; kg rad/s²
-        float virtualMass;                      // kg
+        float virtualMass, missingMass;         // kg
+        float mass, damping;
+        Vector3 velocity, angularVelocity;      // m/s, rad/s
+        float level;                            // of the water, upwards, m
+        bool levelIsBounded;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float Share { get; private set; }
@@ -34,13 +39,17 @@ namespace Rill
         /// <param name="bodyShape">World space, m; where the body is now.</param>
         /// <param name="bodyVolume">m³.</param>
         /// <param name="share">Virtual mass over that of the displaced water.</param>
-        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float share)
+        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float share, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float dampingShare)
         {
-            this = default;
+            this = new FloatingResponse { level = level, levelIsBounded = levelIsBounded };
             shape = bodyShape;
             volume = bodyVolume;
             virtualShare = share;
             radius = bodyShape.Radius;
+            velocity = bodyVelocity;
+            angularVelocity = bodyAngularVelocity;
+            mass = bodyMass;
+            damping = dampingShare;
         }
 
         /// <summary>Adds what one fluid did.</summary>
@@ -50,31 +59,61 @@ namespace Rill
         {
             IsKnown = true;
             force += part.Force;
-            torque += part.Torque;
+            if (shape.shape != ColliderShape.Sphere || shape.friction > 0f)     // pressure cannot turn a ball
+                torque += part.Torque;
             float displaced = density * volume;
             float g = gravity.magnitude;
             float share = SubmergedShare(part, displaced, gravity, g);
             float now = g > 0f ? Correct(part, displaced, gravity / -g, g, share) : share;
-            Share = math.min(Share + now, 1f);
-            float carried = virtualShare * displaced * math.max(share, now);
+            float wet = math.max(share, now);
+            float carried = virtualShare * displaced * wet;
             virtualMass += carried;
             virtualPush += carried * part.Motion.Acceleration;
             virtualTurn += carried * part.Motion.AngularAcceleration;
+            missingMass += MissingMass * displaced * wet;
+            Share = math.min(Share + now, 1f);
+            if (g <= 0f)
+                return;
+            LimitPropulsion(displaced * g * now);
+            Damp(displaced, gravity / -g, g, now);
         }
 
         /// <summary>Torque of the fluid, N m.</summary>
         public Vector3 TorqueAbout(Vector3 center) => torque + Vector3.Cross((Vector3)shape.end.position - center, force);
 
-        /// <param name="mass">Of the body, kg.</param>
         /// <param name="gravity">By which the body falls, m/s².</param>
         /// <param name="turn">Angular acceleration of the body alone by <see cref="TorqueAbout"/>, rad/s². Its virtual inertia is to its inertia as the virtual mass to its mass.</param>
         /// <param name="limit">Largest acceleration by the fluid, m/s².</param>
-        public void Solve(float mass, Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
+        public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
         {
-            float inverse = 1f / (mass + virtualMass);
+            float inverse = 1f / (mass + missingMass + virtualMass);
             acceleration = (force + mass * gravity + virtualPush) * inverse;
             acceleration = gravity + Limited(acceleration - gravity, limit);
             angularAcceleration = Limited((mass * turn + virtualTurn) * inverse, limit / math.max(radius, 1e-6f));
+        }
+
+        void LimitPropulsion(float most)
+        {
+            float speed = velocity.magnitude;
+            if (speed < 1e-3f)
+                return;
+            Vector3 way = velocity / speed;
+            float along = Vector3.Dot(force, way);
+            most = math.lerp(100f * most, 1.1f * most, math.saturate(speed / 0.1f));
+            if (along > most)
+                force -= way * (along - most);
+        }
+
+        // Of heave, and of turning, as a share of the critical damping of a prism of the body's height and volume.
+        void Damp(float displaced, Vector3 up, float g, float now)
+        {
+            float height = ColliderMeasures.Width(shape, up);
+            float area = volume / height;
+            float carrying = mass + AddedMass * displaced * now;
+            float stiffness = displaced * g / height;
+            float strength = 2f * damping * math.saturate(4f * now);
+            force -= up * (strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up));
+            torque -= angularVelocity * (strength * math.sqrt(stiffness * area * carrying * (area + height * height)) / 12f);
         }
 
         // Against the weight of the water in the body's place, less what its own acceleration took off.
@@ -85,26 +124,41 @@ namespace Rill
             return square > 0f ? math.saturate(-Vector3.Dot(part.Force, whole) / (displaced * square)) : part.Force == Vector3.zero ? 0f : 1f;
         }
 
-        // Buoyancy and righting moment since the force was measured, of a body that pierces the surface; the share under water now.
+        // Buoyancy and righting moment since the force was measured, of a prism as high and as large as the body; the share under water now.
         float Correct(in FluidForce part, float displaced, Vector3 up, float g, float share)
         {
             float height = ColliderMeasures.Width(shape, up);
-            float rise = Vector3.Dot((Vector3)shape.end.position - part.Motion.Position, up);
-            float now = math.saturate(share - rise / height);
-            float certainty = math.saturate(math.min(share / DryShare, (1f - share) / WetShare));
-            force += up * (displaced * g * certainty * (now - share));
+            float then = Vector3.Dot(part.Motion.Position, up);
+            FindLevel(then, height, share);
+            float now = math.saturate(share + Wet(Vector3.Dot((Vector3)shape.end.position, up), height) - Wet(then, height));
+            force += up * (displaced * g * (now - share));
 
             Vector3 turn = ColliderTrack.RotationVector(part.Motion.Rotation, shape.end.rotation);
             turn -= up * Vector3.Dot(turn, up);
             float angle = turn.magnitude;
             if (shape.shape == ColliderShape.Sphere || angle < 1e-6f)
-                return math.lerp(share, now, certainty);
+                return now;
             // Second moment of the waterline's area about the axis of the turn, as of a rectangle.
             float width = ColliderMeasures.Width(shape, Vector3.Cross(up, turn / angle));
-            float stiffness = displaced * g / height * width * width / 12f;
-            torque -= turn * (stiffness * certainty);
-            return math.lerp(share, now, certainty);
+            float pierces = math.saturate(8f * math.min(now, 1f - now));
+            torque -= turn * (displaced * g / height * width * width / 12f * pierces);
+            return now;
         }
+
+        // The water's height, from a body that pierces it; what is all in or out of the water only bounds it.
+        void FindLevel(float middle, float height, float share)
+        {
+            float bottom = middle - 0.5f * height, top = middle + 0.5f * height;
+            if (share >= Certain)
+                level = levelIsBounded ? math.max(level, top) : float.PositiveInfinity;
+            else if (share <= 1f - Certain)
+                level = levelIsBounded ? math.min(level, bottom) : float.NegativeInfinity;
+            else
+                level = bottom + share * height;
+            levelIsBounded |= !float.IsInfinity(level);
+        }
+
+        float Wet(float middle, float height) => math.saturate((level - middle) / height + 0.5f);
 
         static Vector3 Limited(Vector3 value, float limit)
         {

@@ -1,0 +1,104 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>A tank of water with one free body; what the body did, frame by frame.</summary>
+    sealed class FloatingScene : IDisposable
+    {
+        public const float Spacing = 0.05f, Frame = 1f / 60f, Density = 1000f, Gravity = 9.81f;
+
+        public readonly FluidSimulation Fluid;
+        public readonly FluidCollider Obstacle;
+        public readonly Rigidbody Body;
+        public readonly FluidBuoyancy Buoyancy;
+        public readonly float Volume, Depth, Side;
+
+        /// <summary>Height of the body's middle over the floor, m, and its velocity, m/s, after each frame.</summary>
+        public readonly List<float> Heights = new List<float>(), Speeds = new List<float>();
+        /// <summary>Largest change of the body's velocity over the time in which it came, m/s²; of its angular velocity, rad/s².</summary>
+        public float LargestAcceleration { get; private set; }
+
+        readonly List<GameObject> made = new List<GameObject>();
+        readonly float least;
+        Vector3 lastVelocity;
+
+        /// <param name="size">Sides of a box, m; of a ball its diameter.</param>
+        /// <param name="layers">Of water.</param>
+        public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26, DeepWater deepWater = DeepWater.On)
+        {
+            Side = side * Spacing;
+            var tank = new Vector3(Side, 40 * Spacing, Side);
+            GameObject fluid = Make("Fluid");
+            fluid.transform.position = new Vector3(0f, tank.y / 2f, 0f);
+            Fluid = fluid.AddComponent<FluidSimulation>();
+            Fluid.Configure(tank, Spacing, side * side * layers);
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = deepWater;
+            Fluid.Settings = settings;
+            Fluid.StatisticsInterval = 0;
+            GameObject water = Make("Water");
+            water.transform.SetParent(fluid.transform, false);
+            water.transform.localPosition = new Vector3(0f, (layers * Spacing - tank.y) / 2f, 0f);
+            water.AddComponent<FluidVolume>().Size = new Vector3(Side, layers * Spacing, Side);
+
+            GameObject body = Make("Body");
+            body.transform.position = new Vector3(0f, height, 0f);
+            Obstacle = body.AddComponent<FluidCollider>();
+            Obstacle.Shape = shape;
+            Obstacle.Size = size;
+            Obstacle.Radius = size.x / 2f;
+            bool isBall = shape == ColliderShape.Sphere;
+            Volume = isBall ? Mathf.PI / 6f * size.x * size.x * size.x : size.x * size.y * size.z;
+            Body = body.AddComponent<Rigidbody>();
+            Body.mass = densityRatio * Density * Volume;
+            Vector3 squares = Vector3.Scale(size, size) * (Body.mass / 12f);
+            Body.inertiaTensor = isBall ? Vector3.one * (0.1f * Body.mass * size.x * size.x) : new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
+            Body.inertiaTensorRotation = Quaternion.identity;
+            Buoyancy = body.AddComponent<FluidBuoyancy>();
+            least = size.y / 2f;
+            Depth = layers * Spacing;
+            for (int i = made.Count - 1; i >= 0; i--)       // the fluid after its water
+                made[i].SetActive(true);
+        }
+
+        /// <summary>Level of the water at rest with a share of the body in it, m.</summary>
+        public float Level(float submerged) => Depth + Volume * submerged / (Side * Side);
+
+        /// <summary>Plays on; a body that came to the floor stops there.</summary>
+        public IEnumerator Play(float seconds)
+        {
+            for (int i = 0; i < Mathf.RoundToInt(seconds / Frame); i++)
+            {
+                yield return null;
+                Vector3 velocity = Body.GetPointVelocity(Body.worldCenterOfMass);
+                Heights.Add(Body.position.y);
+                Speeds.Add(velocity.magnitude);
+                LargestAcceleration = Mathf.Max(LargestAcceleration, (velocity - lastVelocity).magnitude / Time.fixedDeltaTime);
+                lastVelocity = velocity;
+                if (Body.position.y >= least || Body.isKinematic)
+                    continue;
+                Body.position = new Vector3(Body.position.x, least, Body.position.z);
+                Body.AddForce(-velocity, ForceMode.VelocityChange);
+                lastVelocity = Vector3.zero;
+            }
+        }
+
+        public void Dispose()
+        {
+            foreach (GameObject gameObject in made)
+                Object.Destroy(gameObject);
+        }
+
+        GameObject Make(string name)
+        {
+            var gameObject = new GameObject(name);
+            gameObject.SetActive(false);
+            made.Add(gameObject);
+            return gameObject;
+        }
+    }
+}
