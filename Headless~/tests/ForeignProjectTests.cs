@@ -95,7 +95,7 @@ namespace Host.Tests
         [Test]
         public void What_the_host_passes_over_is_said()
         {
-            Assert.That(Boids.Errors, Has.Some.Contains("Rigidbody in name only"));
+            Assert.That(Boids.Errors, Has.Some.Contains("AudioSource in name only"));
             Assert.That(Boids.Errors, Has.Some.Contains("the package com.unity.ide.visualstudio 2.0.22 is not here"));
             Assert.That(Boids.Output, Does.Contain("never called here: OnGUI of FlockHud"));
             Assert.That(Boids.Output, Has.Some.StartsWith("not part of the host: UnityEngine.Input.GetKey, called "));

@@ -304,6 +304,26 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Bodies_are_the_hosts_own_and_fall_by_the_stubs_gravity()
+        {
+            Write("Assets/Moon.cs", "using UnityEngine;\npublic static class Moon { public static float Land(Rigidbody body) { Physics.gravity = new Vector3(0f, -1.6f, 0f); body.velocity = Vector3.up; return body.mass; } }");
+            ProjectScripts scripts = Compile();
+            Assert.That(scripts.LeftOut, Is.Empty);
+            var owner = new GameObject("lander");
+            try
+            {
+                var body = owner.AddComponent<Rigidbody>();
+                Assert.That(scripts.Assemblies.Single().GetType("Moon").GetMethod("Land").Invoke(null, new object[] { body }), Is.EqualTo(1f));
+                Assert.That(UnityEngine.Headless.PhysicsWorld.Gravity.y, Is.EqualTo(-1.6f));
+            }
+            finally
+            {
+                UnityEngine.Headless.PhysicsWorld.Reset();
+                UnityEngine.Object.DestroyImmediate(owner);
+            }
+        }
+
+        [Test]
         public void Nobody_touches_the_keyboard_and_nobody_hears_a_sound()
         {
             Write("Assets/Quiet.cs", "using UnityEngine;\npublic static class Quiet { public static string Ask(AudioSource source) { source.volume = 0.25f; source.Play(); return $\"{Input.GetKey(KeyCode.A)} {Input.GetAxis(\"Horizontal\")} {Input.mousePosition} {Input.inputString.Length} {Input.touchCount} {Input.GetJoystickNames().Length} {source.volume}\"; } }");
@@ -321,7 +341,7 @@ namespace Host.Tests
             }
         }
 
-        [TestCase("Rigidbody")]
+        [TestCase("HingeJoint")]
         [TestCase("BoxCollider")]
         [TestCase("ParticleSystem")]
         [TestCase("NavMeshAgent", "AI.")]

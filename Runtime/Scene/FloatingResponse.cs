@@ -13,11 +13,13 @@ namespace Rill
     /// </summary>
     struct FloatingResponse
     {
-        public const float DefaultVirtualMass = 1f;
-        public const float DefaultDamping = 0.3f;
+        public const float DefaultVirtualMass = 0.5f;
+        public const float DefaultDamping = 0.4f;
         public const float DefaultMaxAcceleration = 100f;       // m/s²
         const float AddedMass = 0.5f;           // of the displaced water: a sphere's far from walls (Lamb 1932, art. 92)
-        const float MissingMass = 0.3f;
+        const float MissingMass = 0.3f;         // of the added mass what deep water's coarse grid does not return, of the displaced water
+        const float LevelRate = 0.1f;           // share of a new level that is taken at a step
+        const float TurnDamping = 3f;           // of turns over that of heave: moments on few cells are noisy
         const float Certain = 0.95f;            // a share under water above this is all, and below the rest of it none
 
         ColliderMotion shape;
@@ -28,7 +30,7 @@ namespace Rill
         float mass, damping;
         Vector3 velocity, angularVelocity;      // m/s, rad/s
         float level;                            // of the water, upwards, m
-        bool levelIsBounded;
+        bool levelIsKnown;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
         public float Share { get; private set; }
@@ -41,7 +43,7 @@ namespace Rill
         /// <param name="share">Virtual mass over that of the displaced water.</param>
         public void Begin(in ColliderMotion bodyShape, float bodyVolume, float share, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float dampingShare)
         {
-            this = new FloatingResponse { level = level, levelIsBounded = levelIsBounded };
+            this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown };
             shape = bodyShape;
             volume = bodyVolume;
             virtualShare = share;
@@ -65,12 +67,11 @@ namespace Rill
             float g = gravity.magnitude;
             float share = SubmergedShare(part, displaced, gravity, g);
             float now = g > 0f ? Correct(part, displaced, gravity / -g, g, share) : share;
-            float wet = math.max(share, now);
-            float carried = virtualShare * displaced * wet;
+            float carried = virtualShare * displaced * now;
             virtualMass += carried;
             virtualPush += carried * part.Motion.Acceleration;
             virtualTurn += carried * part.Motion.AngularAcceleration;
-            missingMass += MissingMass * displaced * wet;
+            missingMass += MissingMass * displaced * now;
             Share = math.min(Share + now, 1f);
             if (g <= 0f)
                 return;
@@ -113,7 +114,7 @@ namespace Rill
             float stiffness = displaced * g / height;
             float strength = 2f * damping * math.saturate(4f * now);
             force -= up * (strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up));
-            torque -= angularVelocity * (strength * math.sqrt(stiffness * area * carrying * (area + height * height)) / 12f);
+            torque -= angularVelocity * (strength * math.sqrt(stiffness * area * carrying * (area + height * height)) * (TurnDamping / 12f));
         }
 
         // Against the weight of the water in the body's place, less what its own acceleration took off.
@@ -130,8 +131,12 @@ namespace Rill
             float height = ColliderMeasures.Width(shape, up);
             float then = Vector3.Dot(part.Motion.Position, up);
             FindLevel(then, height, share);
-            float now = math.saturate(share + Wet(Vector3.Dot((Vector3)shape.end.position, up), height) - Wet(then, height));
-            force += up * (displaced * g * (now - share));
+            float now = share;
+            if (levelIsKnown)
+            {
+                now = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
+                force += up * (displaced * g * (now - Wet(then, height)));
+            }
 
             Vector3 turn = ColliderTrack.RotationVector(part.Motion.Rotation, shape.end.rotation);
             turn -= up * Vector3.Dot(turn, up);
@@ -145,17 +150,17 @@ namespace Rill
             return now;
         }
 
-        // The water's height, from a body that pierces it; what is all in or out of the water only bounds it.
+        // The water's height, from a body that pierces it; what is all in or out of the water only bounds it. Filtered: the
+        // force tells of more than the draft.
         void FindLevel(float middle, float height, float share)
         {
             float bottom = middle - 0.5f * height, top = middle + 0.5f * height;
-            if (share >= Certain)
-                level = levelIsBounded ? math.max(level, top) : float.PositiveInfinity;
-            else if (share <= 1f - Certain)
-                level = levelIsBounded ? math.min(level, bottom) : float.NegativeInfinity;
-            else
-                level = bottom + share * height;
-            levelIsBounded |= !float.IsInfinity(level);
+            bool pierces = share > 1f - Certain && share < Certain;
+            if (!pierces && !levelIsKnown)
+                return;
+            float found = pierces ? bottom + share * height : share >= Certain ? math.max(level, top) : math.min(level, bottom);
+            level = levelIsKnown ? math.lerp(level, found, LevelRate) : found;
+            levelIsKnown = true;
         }
 
         float Wet(float middle, float height) => math.saturate((level - middle) / height + 0.5f);
