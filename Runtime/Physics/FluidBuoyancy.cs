@@ -92,7 +92,8 @@ namespace Rill
             if (problemIsKnown)
                 return;
 
-            response.Begin(shape, volume, virtualMass, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity, damping);
+            response.Begin(shape, volume, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity);
+            response.Tune(virtualMass, damping);
             foreach (FluidForce force in obstacle.Forces)
                 if (force.From != null && force.From.isActiveAndEnabled)
                     response.Add(force, force.From.Material.density, force.From.Gravity);

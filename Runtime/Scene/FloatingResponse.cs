@@ -6,29 +6,29 @@ namespace Rill
     /// <summary>
     /// Acceleration of a free body by forces of a fluid that are known late. Applied as they come they blow up where the water
     /// that moves with the body outweighs it (added-mass instability: Causin, Gerbeau and Nobile 2005), and pump up its
-    /// heave. Three corrections, all of which vanish at rest: a virtual mass m_v on both sides of Newton's law,
-    /// (m + m_v) a = F + m g + m_v a_F, where a_F is the acceleration that the body had while F was measured (stable
-    /// while |m_a - m_v| &lt; m + m_v for an added mass m_a); the change of buoyancy and of righting moment since F was
-    /// measured, by the shape's mean cross-section; and a limit of the acceleration.
+    /// heave. So a virtual mass m_v stands on both sides of Newton's law, (m + m_v) a = F + m g + m_v a_F, where a_F is the
+    /// acceleration that the body had while F was measured (stable while |m_a - m_v| &lt; m + m_v for an added mass m_a);
+    /// buoyancy and righting moment are brought up to date by the body's way since; what a late force can push is limited, heave
+    /// and turns are damped. All of it vanishes at rest. See floating.md of the documentation.
     /// </summary>
     struct FloatingResponse
     {
         public const float DefaultVirtualMass = 0.5f;
         public const float DefaultDamping = 0.4f;
         public const float DefaultMaxAcceleration = 100f;       // m/s²
-        const float AddedMass = 0.5f;           // of the displaced water: a sphere's far from walls (Lamb 1932, art. 92)
-        const float MissingMass = 0.3f;         // of the added mass what deep water's coarse grid does not return, of the displaced water
-        const float LevelRate = 0.1f;           // share of a new level that is taken at a step
+        const float AddedMass = 0.5f;           // of the displaced water: a ball's far from walls (Lamb 1932, art. 92)
+        const float MissingMass = 0.3f;         // of the displaced water: what of it deep water's coarse grid does not return
         const float TurnDamping = 3f;           // of turns over that of heave: moments on few cells are noisy
+        const float MostPropulsion = 1.1f;      // of the buoyancy
         const float Certain = 0.95f;            // a share under water above this is all, and below the rest of it none
+        const float LevelRate = 0.1f;           // share of a newly found level that is taken at a step
 
-        ColliderMotion shape;
-        float volume, virtualShare, radius;
-        Vector3 force, torque;                  // N, N m about the middle
+        ColliderMotion shape;                   // where the body is now
+        float volume, mass, virtualShare, damping;      // m³, kg
+        Vector3 velocity, angularVelocity;      // m/s, rad/s
+        Vector3 force, torque;                  // N; about the middle of the shape, N m
         Vector3 virtualPush, virtualTurn;       // virtual mass times its accelerations, N; kg rad/s²
         float virtualMass, missingMass;         // kg
-        float mass, damping;
-        Vector3 velocity, angularVelocity;      // m/s, rad/s
         float level;                            // of the water, upwards, m
         bool levelIsKnown;
 
@@ -38,19 +38,25 @@ namespace Rill
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
 
+        /// <summary>Begins a step; of those before, the water's level is kept.</summary>
         /// <param name="bodyShape">World space, m; where the body is now.</param>
         /// <param name="bodyVolume">m³.</param>
-        /// <param name="share">Virtual mass over that of the displaced water.</param>
-        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float share, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float dampingShare)
+        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity)
         {
             this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown };
             shape = bodyShape;
             volume = bodyVolume;
-            virtualShare = share;
-            radius = bodyShape.Radius;
+            mass = bodyMass;
             velocity = bodyVelocity;
             angularVelocity = bodyAngularVelocity;
-            mass = bodyMass;
+            Tune(DefaultVirtualMass, DefaultDamping);
+        }
+
+        /// <param name="virtualMassShare">Of the displaced water.</param>
+        /// <param name="dampingShare">Of the critical damping.</param>
+        public void Tune(float virtualMassShare, float dampingShare)
+        {
+            virtualShare = virtualMassShare;
             damping = dampingShare;
         }
 
@@ -60,23 +66,26 @@ namespace Rill
         public void Add(in FluidForce part, float density, Vector3 gravity)
         {
             IsKnown = true;
-            force += part.Force;
-            if (shape.shape != ColliderShape.Sphere || shape.friction > 0f)     // pressure cannot turn a ball
-                torque += part.Torque;
-            float displaced = density * volume;
+            float displaced = density * volume;     // kg
             float g = gravity.magnitude;
             float share = SubmergedShare(part, displaced, gravity, g);
-            float now = g > 0f ? Correct(part, displaced, gravity / -g, g, share) : share;
-            float carried = virtualShare * displaced * now;
+            Vector3 push = part.Force;
+            Vector3 moment = shape.shape != ColliderShape.Sphere || shape.friction > 0f ? part.Torque : Vector3.zero;      // pressure cannot turn a ball
+            if (g > 0f)
+            {
+                Vector3 up = gravity / -g;
+                share = BringUpToDate(part.Motion, displaced * g, up, share, ref push, ref moment);
+                LimitPropulsion(displaced * g * share, ref push);
+                Damp(displaced, g, up, share, ref push, ref moment);
+            }
+            force += push;
+            torque += moment;
+            float carried = virtualShare * displaced * share;
             virtualMass += carried;
             virtualPush += carried * part.Motion.Acceleration;
             virtualTurn += carried * part.Motion.AngularAcceleration;
-            missingMass += MissingMass * displaced * now;
-            Share = math.min(Share + now, 1f);
-            if (g <= 0f)
-                return;
-            LimitPropulsion(displaced * g * now);
-            Damp(displaced, gravity / -g, g, now);
+            missingMass += MissingMass * displaced * share;
+            Share = math.min(Share + share, 1f);
         }
 
         /// <summary>Torque of the fluid, N m.</summary>
@@ -90,31 +99,7 @@ namespace Rill
             float inverse = 1f / (mass + missingMass + virtualMass);
             acceleration = (force + mass * gravity + virtualPush) * inverse;
             acceleration = gravity + Limited(acceleration - gravity, limit);
-            angularAcceleration = Limited((mass * turn + virtualTurn) * inverse, limit / math.max(radius, 1e-6f));
-        }
-
-        void LimitPropulsion(float most)
-        {
-            float speed = velocity.magnitude;
-            if (speed < 1e-3f)
-                return;
-            Vector3 way = velocity / speed;
-            float along = Vector3.Dot(force, way);
-            most = math.lerp(100f * most, 1.1f * most, math.saturate(speed / 0.1f));
-            if (along > most)
-                force -= way * (along - most);
-        }
-
-        // Of heave, and of turning, as a share of the critical damping of a prism of the body's height and volume.
-        void Damp(float displaced, Vector3 up, float g, float now)
-        {
-            float height = ColliderMeasures.Width(shape, up);
-            float area = volume / height;
-            float carrying = mass + AddedMass * displaced * now;
-            float stiffness = displaced * g / height;
-            float strength = 2f * damping * math.saturate(4f * now);
-            force -= up * (strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up));
-            torque -= angularVelocity * (strength * math.sqrt(stiffness * area * carrying * (area + height * height)) * (TurnDamping / 12f));
+            angularAcceleration = Limited((mass * turn + virtualTurn) * inverse, limit / math.max(shape.Radius, 1e-6f));
         }
 
         // Against the weight of the water in the body's place, less what its own acceleration took off.
@@ -125,29 +110,28 @@ namespace Rill
             return square > 0f ? math.saturate(-Vector3.Dot(part.Force, whole) / (displaced * square)) : part.Force == Vector3.zero ? 0f : 1f;
         }
 
-        // Buoyancy and righting moment since the force was measured, of a prism as high and as large as the body; the share under water now.
-        float Correct(in FluidForce part, float displaced, Vector3 up, float g, float share)
+        // By the rise and the tilt since, of a prism as high and as large as the body. Returns the share under water now.
+        float BringUpToDate(in ObstacleMotion since, float weight, Vector3 up, float share, ref Vector3 push, ref Vector3 moment)
         {
             float height = ColliderMeasures.Width(shape, up);
-            float then = Vector3.Dot(part.Motion.Position, up);
+            float then = Vector3.Dot(since.Position, up);
             FindLevel(then, height, share);
-            float now = share;
             if (levelIsKnown)
             {
-                now = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
-                force += up * (displaced * g * (now - Wet(then, height)));
+                share = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
+                push += up * (weight * (share - Wet(then, height)));
             }
 
-            Vector3 turn = ColliderTrack.RotationVector(part.Motion.Rotation, shape.end.rotation);
+            Vector3 turn = ColliderTrack.RotationVector(since.Rotation, shape.end.rotation);
             turn -= up * Vector3.Dot(turn, up);
             float angle = turn.magnitude;
             if (shape.shape == ColliderShape.Sphere || angle < 1e-6f)
-                return now;
+                return share;
             // Second moment of the waterline's area about the axis of the turn, as of a rectangle.
             float width = ColliderMeasures.Width(shape, Vector3.Cross(up, turn / angle));
-            float pierces = math.saturate(8f * math.min(now, 1f - now));
-            torque -= turn * (displaced * g / height * width * width / 12f * pierces);
-            return now;
+            float pierces = math.saturate(8f * math.min(share, 1f - share));
+            moment -= turn * (weight / height * width * width / 12f * pierces);
+            return share;
         }
 
         // The water's height, from a body that pierces it; what is all in or out of the water only bounds it. Filtered: the
@@ -164,6 +148,29 @@ namespace Rill
         }
 
         float Wet(float middle, float height) => math.saturate((level - middle) / height + 0.5f);
+
+        // Water that is left behind pushes no more, which a late force does not know. Slow bodies are not concerned.
+        void LimitPropulsion(float buoyancy, ref Vector3 push)
+        {
+            const float Slow = 0.1f;        // m/s
+            float speed = velocity.magnitude;
+            if (speed < Slow)
+                return;
+            Vector3 way = velocity / speed;
+            push -= way * math.max(Vector3.Dot(push, way) - MostPropulsion * buoyancy, 0f);
+        }
+
+        // Heave and turns, by a share of the critical damping of a prism of the body's height and volume.
+        void Damp(float displaced, float g, Vector3 up, float share, ref Vector3 push, ref Vector3 moment)
+        {
+            float height = ColliderMeasures.Width(shape, up);
+            float area = volume / height;
+            float carrying = mass + AddedMass * displaced * share;
+            float stiffness = displaced * g / height;
+            float strength = 2f * damping * math.saturate(4f * share);
+            push -= up * (strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up));
+            moment -= angularVelocity * (strength * TurnDamping / 12f * math.sqrt(stiffness * area * carrying * (area + height * height)));
+        }
 
         static Vector3 Limited(Vector3 value, float limit)
         {

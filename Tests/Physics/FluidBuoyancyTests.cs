@@ -36,7 +36,8 @@ namespace Rill.Tests
             yield return scene.Play(3f);
             float[] last = scene.Heights.Skip(scene.Heights.Count - 60).ToArray();
             Assert.That(last.Average(), Is.EqualTo(Draft(shape, size.y, ratio, scene.Level(ratio))).Within(0.1f * size.y));
-            Assert.That(last.Max() - last.Min(), Is.LessThan(0.15f * size.y), "it is at rest");
+            float rest = ratio * size.y < FloatingScene.Spacing ? 0.4f : 0.15f;      // less than one particle deep it rides on grains
+            Assert.That(last.Max() - last.Min(), Is.LessThan(rest * size.y), "it is at rest");
             Assert.That(Vector3.Angle(scene.Body.rotation * Vector3.up, Vector3.up), Is.LessThan(shape == ColliderShape.Box ? 10f : 360f));
             Assert.That(scene.Heights.Max(), Is.LessThan(0.6f + 0.6f * size.y), "nor did the water throw it up");
             AssertBounded();
@@ -82,6 +83,7 @@ namespace Rill.Tests
             scene = new FloatingScene(ColliderShape.Plane, Vector3.one, 1f, 1f, 2, 8);
             yield return scene.Play(0.2f);
             LogAssert.NoUnexpectedReceived();
+            scene.Buoyancy.enabled = false;
             LogAssert.Expect(LogType.Warning, new Regex("FluidBuoyancy 'Body': virtual mass NaN"));
             scene.Buoyancy.VirtualMass = float.NaN;
             Assert.That(scene.Buoyancy.VirtualMass, Is.EqualTo(FloatingResponse.DefaultVirtualMass));

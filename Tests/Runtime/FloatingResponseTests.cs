@@ -56,7 +56,7 @@ namespace Rill.Tests
                 {
                     var pose = new RigidPose(new float3(0f, y, 0f), quaternion.identity);
                     var shape = new ColliderMotion { shape = ColliderShape.Box, size = 0.5f * Size, start = pose, end = pose };
-                    response.Begin(shape, volume, FloatingResponse.DefaultVirtualMass, mass, Vector3.up * v, Vector3.zero, FloatingResponse.DefaultDamping);
+                    response.Begin(shape, volume, mass, Vector3.up * v, Vector3.zero);
                     response.Add(force[i - delay], Density, gravity);
                     response.Solve(gravity, Vector3.zero, FloatingResponse.DefaultMaxAcceleration, out Vector3 acceleration, out _);
                     next = acceleration.y;
