@@ -48,8 +48,9 @@ namespace Rill.Tests
             }
             SignedDistanceField field = SignedDistanceField.Create(new SdfBake("Ball", grid, distances, settings, MeshSdfSign.WindingNumber, 0));
             Assert.That(field.Volume, Is.EqualTo(4f / 3f * math.PI).Within(0.02f));
-            Object.Destroy(field.Texture);
-            Object.Destroy(field);
+            Texture3D texture = field.Texture;
+            Object.DestroyImmediate(field);
+            Object.DestroyImmediate(texture);
         }
     }
 }
