@@ -25,6 +25,7 @@ namespace Rill.Tests
         readonly List<GameObject> made = new List<GameObject>();
         readonly float least;
         Vector3 lastVelocity;
+        float sampledAt = -1f;
 
         /// <param name="size">Sides of a box, m; of a ball its diameter.</param>
         /// <param name="layers">Of water.</param>
@@ -74,10 +75,14 @@ namespace Rill.Tests
             for (int i = 0; i < Mathf.RoundToInt(seconds / Frame); i++)
             {
                 yield return null;
+                if (Time.fixedTime == sampledAt)
+                    continue;       // a frame without a step of the physics: what was added has not acted yet
+                float time = sampledAt < 0f ? Time.fixedDeltaTime : Time.fixedTime - sampledAt;
+                sampledAt = Time.fixedTime;
                 Vector3 velocity = Body.GetPointVelocity(Body.worldCenterOfMass);
                 Heights.Add(Body.position.y);
                 Speeds.Add(velocity.magnitude);
-                LargestAcceleration = Mathf.Max(LargestAcceleration, (velocity - lastVelocity).magnitude / Time.fixedDeltaTime);
+                LargestAcceleration = Mathf.Max(LargestAcceleration, (velocity - lastVelocity).magnitude / time);
                 lastVelocity = velocity;
                 if (Body.position.y >= least || Body.isKinematic)
                     continue;

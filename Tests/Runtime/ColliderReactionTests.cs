@@ -9,10 +9,13 @@ namespace Rill.Tests
     {
         const float Spacing = 0.05f;
 
-        [Test]
-        public void An_impact_gives_an_obstacle_the_momentum_that_the_fluid_loses([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        // The coarse grid moves spray too, without an opposite: that is what the looser bar is for.
+        [TestCase(DeepWater.Off, 0.01f)]
+        [TestCase(DeepWater.On, 0.1f)]
+        public void An_impact_gives_an_obstacle_the_momentum_that_the_fluid_loses(DeepWater deepWater, float error)
         {
-            using (TestFluid fluid = Box(DeepWater.Off))
+            foreach (ColliderShape shape in new[] { ColliderShape.Sphere, ColliderShape.Box })
+            using (TestFluid fluid = Box(deepWater, 32f))
             {
                 fluid.Input.gravity = 0f;
                 fluid.AddBlock(new float3(4f, 13f, 13f) * Spacing, 6f * Spacing, new float3(2.5f, 0f, 0f));
@@ -26,7 +29,7 @@ namespace Rill.Tests
                 }
                 float3 lost = before - fluid.MeasureWhole().momentum;
                 Assert.That(math.length(lost), Is.GreaterThan(0.2f * math.length(before)), "an impact worth the name");
-                Assert.That(math.distance(impulse, lost), Is.LessThan(0.01f * math.length(lost)));
+                Assert.That(math.distance(impulse, lost), Is.LessThan(error * math.length(lost)), $"{shape}");
             }
         }
 
@@ -51,12 +54,36 @@ namespace Rill.Tests
             }
         }
 
-        static TestFluid Box(DeepWater deepWater)
+        // In endless water half of the water in its place (Lamb 1932, section 92); the walls of a small tank add to it.
+        [Test]
+        public void A_ball_that_is_jerked_in_deep_water_feels_the_added_mass_of_the_water()
+        {
+            const float radius = 5f, speed = 1.5f;
+            using (TestFluid fluid = Box(DeepWater.On))
+            {
+                ColliderMotion ball = ColliderTests.Still(ColliderShape.Sphere, radius, new float3(11.5f, 10f, 12f), quaternion.identity);
+                fluid.AddAround(ball, 0f, new float3(24f, 20f, 24f));
+                Use(fluid, ball);
+                fluid.Step(40);
+                float still = Take(fluid, out _).x;
+                ball.end.position.x += speed * fluid.Input.timeStep / Spacing;
+                Use(fluid, ball);
+                fluid.Step();
+                float force = Take(fluid, out _).x;
+                ball.start = ball.end;
+                Use(fluid, ball);
+                float water = fluid.Input.material.density * 4f / 3f * math.PI * math.pow(radius * Spacing, 3);
+                float share = (still - force) * fluid.Input.timeStep / (water * speed);
+                Assert.That(share, Is.InRange(0.5f, 0.9f));
+            }
+        }
+
+        static TestFluid Box(DeepWater deepWater, float side = 24f)
         {
             SolverSettings settings = SolverSettings.Default;
             settings.deepWater = deepWater;
             settings.iterations = 2;
-            return new TestFluid((deepWater == DeepWater.On ? 24f : 32f) * Spacing, Spacing, 13000, settings);
+            return new TestFluid(side * Spacing, Spacing, 13000, settings);
         }
 
         static void Use(TestFluid fluid, ColliderMotion motion)
