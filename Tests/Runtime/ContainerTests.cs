@@ -13,7 +13,7 @@ namespace Rill.Tests
         const float Voxel = 0.5f;           // d
         const float Radius = 7f, Half = 8f; // of the can, inside, d
 
-        // A second of fluid time is 60 steps; the minute that the bar asks for was run with seconds = 60.
+        // A second of fluid time is 60 steps; the minute that the bar asks for was run with Seconds = 60.
         [Test]
         public void A_shaken_can_with_a_wall_of_one_spacing_holds_its_water([Values(1f, 0.25f)] float wall, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
