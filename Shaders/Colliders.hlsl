@@ -20,7 +20,7 @@ struct Collider
     float voxel;            // side of a voxel, d
     float friction;         // share of the velocity along the surface that a substep takes from what touches
     float bounce;           // share of the velocity into the surface that is given back
-    float radius;           // of a ball around position that holds all of it, d; at least 1
+    float momentArm;        // by which moments about position are divided where they are summed, d
     float unused;
 };
 

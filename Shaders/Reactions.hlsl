@@ -31,7 +31,7 @@ uint Reaction(uint owner, float3 p, float3 gain, float range, out int3 sum, out 
     if (lengthSquared > range * range)
         gain *= range * rsqrt(lengthSquared);
     sum = int3(round(gain * kReactionScale));
-    moment = int3(round(cross((p - collider.position) / (collider.radius + 1.0), gain) * kReactionScale));
+    moment = int3(round(cross((p - collider.position) / collider.momentArm, gain) * kReactionScale));
     return (collider.flags & kReacts) != 0 && lengthSquared > 0.0 ? owner : kNoCollider;
 }
 

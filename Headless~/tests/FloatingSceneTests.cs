@@ -1,11 +1,8 @@
-using System;
 using System.Linq;
-using Host.Assets;
 using NUnit.Framework;
 using Rill;
 using UnityEngine;
 using UnityEngine.Headless;
-using UnityEngine.SceneManagement;
 
 namespace Host.Tests
 {
@@ -15,15 +12,8 @@ namespace Host.Tests
         [Test]
         public void The_floating_bodies_of_the_sample_are_as_its_file_says_and_learn_what_the_water_does()
         {
-            LocatedScene located = Session.Locate("Floating Bodies");
-            var assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly }, strict: true);
-            IAssetSource assetsBefore = Player.Assets;
-            Func<string, Scene> loaderBefore = SceneManager.SceneLoader;
-            Player.Assets = assets;
-            SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
-            try
+            using (new SampleScene("Floating Bodies"))
             {
-                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
                 Rigidbody ball = PhysicsWorld.Bodies.Single(body => body.name == "Ball");
                 Assert.That(PhysicsWorld.Bodies.Count, Is.EqualTo(4));
                 Assert.That(ball.mass, Is.EqualTo(0.1f * 1000f * Mathf.PI / 6f * 0.4f * 0.4f * 0.4f).Within(1e-3f));
@@ -33,13 +23,6 @@ namespace Host.Tests
                     PlayerLoop.Frame(1f / 60f);
                 Assert.That(ball.GetComponent<FluidCollider>().TryGetForce(out _, out _), Is.True);
                 Assert.That(ball.velocity.y, Is.LessThan(-0.5f));
-            }
-            finally
-            {
-                SceneManager.UnloadEverything();
-                assets.ReloadAll();
-                Player.Assets = assetsBefore;
-                SceneManager.SceneLoader = loaderBefore;
             }
         }
     }

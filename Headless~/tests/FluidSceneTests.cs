@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
-using Host.Assets;
 using NUnit.Framework;
 using Rill;
 using UnityEngine;
@@ -136,32 +135,18 @@ namespace Host.Tests
         [Test]
         public void Loading_a_sample_scene_again_leaves_one_set_of_objects_and_unloading_it_none()
         {
-            LocatedScene located = Session.Locate("Column");
-            var assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly }, strict: true);
-            IAssetSource assetsBefore = Player.Assets;
-            Func<string, Scene> loaderBefore = SceneManager.SceneLoader;
-            Player.Assets = assets;
-            SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
-            try
+            using (var sample = new SampleScene("Column"))
             {
-                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
                 PlayerLoop.Frame(FrameTime);
                 List<string> once = LiveObjects.Report();
                 Assert.That(once.Count(entry => entry.Contains("Rill.Positions")), Is.EqualTo(1));
 
-                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
+                sample.Load();
                 PlayerLoop.Frame(FrameTime);
                 Assert.That(LiveObjects.Report(), Is.EquivalentTo(once));
 
                 SceneManager.UnloadEverything();
                 Assert.That(BufferStorage.Live, Is.Empty);
-            }
-            finally
-            {
-                SceneManager.UnloadEverything();
-                assets.ReloadAll();
-                Player.Assets = assetsBefore;
-                SceneManager.SceneLoader = loaderBefore;
             }
         }
 

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Host.Assets;
 using NUnit.Framework;
 using Rill;
 using Unity.Collections;
@@ -9,7 +8,6 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
-using UnityEngine.SceneManagement;
 using UnityEngine.TestTools;
 
 namespace Host.Tests
@@ -269,24 +267,8 @@ namespace Host.Tests
 
         static void InSample(string sample, Action<FluidSimulation> test)
         {
-            LocatedScene located = Session.Locate(sample);
-            var assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly }, strict: true);
-            IAssetSource assetsBefore = Player.Assets;
-            Func<string, Scene> loaderBefore = SceneManager.SceneLoader;
-            Player.Assets = assets;
-            SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
-            try
-            {
-                SceneManager.LoadNow(located.AssetPath, LoadSceneMode.Single);
+            using (new SampleScene(sample))
                 test(UnityEngine.Object.FindObjectOfType<FluidSimulation>());
-            }
-            finally
-            {
-                SceneManager.UnloadEverything();
-                assets.ReloadAll();
-                Player.Assets = assetsBefore;
-                SceneManager.SceneLoader = loaderBefore;
-            }
         }
 
         delegate void SettingsChange(ref SolverSettings settings);

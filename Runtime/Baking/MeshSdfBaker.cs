@@ -60,17 +60,9 @@ namespace Rill
             this.settings = settings;
             if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)
                 throw new InvalidOperationException("Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
-            if (!settings.Validate(out string problem))
-                throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
-            var edges = new MeshEdges(mesh);
-            problem = MeshReport.ProblemOf(mesh, edges);
-            if (problem != null)
-                throw new ArgumentException(problem, nameof(mesh));
-
-            sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
+            grid = GridFor(mesh, settings, out MeshEdges edges, out sign);
             bool isShell = sign == MeshSdfSign.OpenShell;
-            grid = new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), settings, isShell);
-            problem = new MeshSdfEstimate(grid, mesh.TriangleCount, settings).Problem;
+            string problem = new MeshSdfEstimate(grid, mesh.TriangleCount, settings).Problem;
             if (problem != null)
                 throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
 
@@ -169,14 +161,20 @@ namespace Rill
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));
+            return new MeshSdfEstimate(GridFor(mesh, settings, out _, out _), mesh.TriangleCount, settings);
+        }
+
+        // The voxels of a bake; throws where mesh or settings allow none.
+        static SdfGrid GridFor(TriangleMesh mesh, in MeshSdfSettings settings, out MeshEdges edges, out MeshSdfSign sign)
+        {
             if (!settings.Validate(out string problem))
                 throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
-            var edges = new MeshEdges(mesh);
+            edges = new MeshEdges(mesh);
             problem = MeshReport.ProblemOf(mesh, edges);
             if (problem != null)
                 throw new ArgumentException(problem, nameof(mesh));
-            MeshSdfSign sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
-            return new MeshSdfEstimate(new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), settings, sign == MeshSdfSign.OpenShell), mesh.TriangleCount, settings);
+            sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
+            return new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), settings, sign == MeshSdfSign.OpenShell);
         }
 
         // The order of a bake; each turn is one dispatch.

@@ -27,9 +27,11 @@ namespace Rill
         /// <summary>Of a direction, a velocity or an acceleration: m to d.</summary>
         public float3 Vector(Vector3 world) => (float3)(toDomain * world) * inverseSpacing;
 
+        public Quaternion Rotation(Quaternion world) => toDomain * world;
+
         public PlaceInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
         {
-            Quaternion rotation = toDomain * worldRotation;
+            Quaternion rotation = Rotation(worldRotation);
             return new PlaceInDomain
             {
                 position = Point(worldPosition),

@@ -35,7 +35,7 @@ namespace Rill
             colliders.Count = 0;
 
             GetPlace(out Vector3 place, out Quaternion rotation);
-            Quaternion toDomain = Quaternion.Inverse(rotation);
+            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             FluidCollider leftOut = null;
             int leftOutCount = 0;
             bool changed = false, reordered = false;
@@ -45,7 +45,7 @@ namespace Rill
                 if (!collider.TryDescribe(out ColliderMotion motion))
                     continue;
                 RigidPose pose = motion.end;
-                ToDomain(ref motion, place, toDomain);
+                ToDomain(ref motion, frame);
                 int last = LastIndex(collider);
                 bool follows = last >= 0 && lastTeleports[last] == collider.Teleports;
                 if (follows)
@@ -88,9 +88,9 @@ namespace Rill
             return Array.IndexOf(lastOwners, collider, 0, lastColliderCount);
         }
 
-        void ToDomain(ref ColliderMotion motion, Vector3 place, Quaternion toDomain)
+        void ToDomain(ref ColliderMotion motion, in DomainFrame frame)
         {
-            motion.end = new RigidPose(ToDomain(motion.end.position, place, toDomain) / particleSpacing, math.mul(toDomain, motion.end.rotation));
+            motion.end = new RigidPose(frame.Point(motion.end.position), frame.Rotation(motion.end.rotation));
             motion.start = motion.end;
             motion.size /= particleSpacing;
             motion.voxel /= particleSpacing;

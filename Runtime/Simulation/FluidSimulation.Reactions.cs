@@ -10,7 +10,7 @@ namespace Rill
         ColliderTrack[] tracks, lastTracks;
         ObstacleMotion[] takenMotions;
         FluidCollider[] takenOwners;
-        float[] takenRadii;
+        float[] takenArms;
         int takenCount;
         double takenImpulse;        // N s of a displacement of one particle by d
         Quaternion takenRotation;
@@ -37,14 +37,14 @@ namespace Rill
             if (reactions == null || reactions.IsPending)
                 return null;
             takenOwners ??= new FluidCollider[ColliderSet.Most];
-            takenRadii ??= new float[ColliderSet.Most];
+            takenArms ??= new float[ColliderSet.Most];
             takenMotions ??= new ObstacleMotion[ColliderSet.Most];
             reactions.Arrived ??= OnReactions;
             takenCount = colliders.Count;
             Array.Copy(colliderOwners, takenOwners, takenCount);
             for (int i = 0; i < takenCount; i++)
             {
-                takenRadii[i] = math.max(colliders.Items[i].Radius, 1f) + 1f;
+                takenArms[i] = colliders.Items[i].MomentArm;
                 if (colliders.Items[i].reacts)
                     takenMotions[i] = tracks[i].Take();
             }
@@ -69,7 +69,7 @@ namespace Rill
                     continue;
                 reactions.Get(i, out double3 sum, out double3 moment);
                 var force = (Vector3)(float3)(sum * scale);
-                var torque = (Vector3)(float3)(moment * (scale * particleSpacing * takenRadii[i]));
+                var torque = (Vector3)(float3)(moment * (scale * particleSpacing * takenArms[i]));
                 owner.Feel(new FluidForce(this, takenRotation * force, takenRotation * torque, takenMotions[i]));
             }
         }

@@ -103,7 +103,7 @@ namespace Rill.Tests
             float substep = fluid.Input.timeStep / fluid.Input.settings.substeps;
             double mass = fluid.Input.material.density * math.pow(Spacing, 3);
             double scale = -mass * Spacing / (substep * reactions.Duration);
-            torque = (float3)(moment * scale * Spacing * (fluid.Input.colliders.Items[0].Radius + 1f));
+            torque = (float3)(moment * scale * Spacing * fluid.Input.colliders.Items[0].MomentArm);
             return (float3)(sum * scale);
         }
     }

@@ -38,6 +38,9 @@ namespace Rill
             }
         }
 
+        /// <summary>By which moments are divided where they are summed, d: longer than the arm of any contact, but of a plane's.</summary>
+        public float MomentArm => math.max(Radius, 1f) + 1f;
+
         public bool Moves => math.any(start.position != end.position) || math.any(start.rotation.value != end.rotation.value);
     }
 }

@@ -67,7 +67,7 @@ namespace Rill
 
         public void Request() => readback.Request(taken);
 
-        /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its radius + 1.</summary>
+        /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its moment arm.</summary>
         public void Get(int index, out double3 sum, out double3 moment)
         {
             int at = index * Stride;

@@ -21,7 +21,7 @@ namespace Rill
         public float voxel;
         public float friction;
         public float bounce;
-        public float radius;
+        public float momentArm;
         public float unused;
 
         const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4;       // as in Colliders.hlsl
@@ -36,7 +36,6 @@ namespace Rill
         {
             RigidPose last = RigidPose.Between(motion.start, motion.end, from);
             RigidPose pose = RigidPose.Between(motion.start, motion.end, to);
-            float radius = math.max(motion.Radius, 1f);
             var state = new ColliderState
             {
                 rotation = pose.rotation.value,
@@ -46,10 +45,10 @@ namespace Rill
                 lastPosition = last.position,
                 flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u) | (motion.reacts ? Reacts : 0u),
                 size = motion.size,
-                sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * radius,
+                sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * math.max(motion.Radius, 1f),
                 friction = 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep),
                 bounce = motion.bounce,
-                radius = radius,
+                momentArm = motion.MomentArm,
             };
             if (motion.shape == ColliderShape.Mesh)
             {
