@@ -211,8 +211,7 @@ namespace Rill
         {
             Vector3 position = transform.position, scale = transform.lossyScale;
             Quaternion rotation = transform.rotation;
-            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w + scale.x + scale.y + scale.z;
-            if (float.IsNaN(sum) || float.IsInfinity(sum))
+            if (!Limit.IsPlace(position, rotation) || !math.all(math.isfinite((float3)scale)))
                 return $"its transform is not finite (position {position}, rotation {rotation}, scale {scale}). Set them to numbers.";
             lastPosition = position;
             lastRotation = rotation;

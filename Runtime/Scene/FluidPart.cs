@@ -52,8 +52,7 @@ namespace Rill
         {
             Vector3 position = transform.position;
             Quaternion rotation = transform.rotation;
-            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
-            bool isNowhere = float.IsNaN(sum) || float.IsInfinity(sum);
+            bool isNowhere = !Limit.IsPlace(position, rotation);
             if (MustSay(NoPlace, isNowhere))
                 Say($"its transform is not finite (position {position}, rotation {rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.");
             place = isNowhere ? default : frame.Place(position, rotation);

@@ -14,7 +14,7 @@ namespace Rill
         {
             position = transform.position;
             rotation = transform.rotation;
-            if (IsFinite(position, rotation))
+            if (Limit.IsPlace(position, rotation))
                 return;
             position = lastPlace;
             rotation = lastTurn;
@@ -27,7 +27,7 @@ namespace Rill
             bool wasLost = placeIsLost;
             Vector3 position = transform.position;
             Quaternion rotation = transform.rotation;
-            placeIsLost = !IsFinite(position, rotation);
+            placeIsLost = !Limit.IsPlace(position, rotation);
             if (!placeIsLost)
             {
                 lastPlace = position;
@@ -38,12 +38,6 @@ namespace Rill
                 Debug.LogError($"Rill: FluidSimulation '{name}': its transform is not finite (position {position}, rotation {rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.", this);
             }
             return !placeIsLost && !wasLost;
-        }
-
-        static bool IsFinite(Vector3 position, Quaternion rotation)
-        {
-            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
-            return !float.IsNaN(sum) && !float.IsInfinity(sum);
         }
     }
 }

@@ -182,7 +182,7 @@ namespace Rill
                 Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.");
                 return;
             }
-            if (!IsFinite(transform.position, transform.rotation))
+            if (!Limit.IsPlace(transform.position, transform.rotation))
             {
                 Fail($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.");
                 return;

@@ -43,6 +43,13 @@ namespace Rill
             Append(ref problem, $"{name} {given} is not finite; using {value}.");
         }
 
+        /// <summary>Whether all components of a transform's position and rotation are numbers.</summary>
+        public static bool IsPlace(Vector3 position, Quaternion rotation)
+        {
+            float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
+            return !float.IsNaN(sum) && !float.IsInfinity(sum);
+        }
+
         /// <summary>Adds a sentence to those so far; null is none.</summary>
         public static void Append(ref string problem, string text)
         {
