@@ -18,8 +18,8 @@ namespace Rill
     {
         const float PatienceTime = 5f;          // s without a fluid before that is said
 
-        [Tooltip("Mass of water that the body is computed to carry along, as a share of the water that it displaces. Steadies the late force; rest and draft do not depend on it. 0.25 to 4; flat plates that lie on the water need more.")]
-        [Range(0.25f, 4f)]
+        [Tooltip("Mass of water that the body is computed to carry along, as a share of the water that it displaces. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
+        [Range(0.25f, 16f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
         [Tooltip("Share of the critical damping with which heave and turns die out, beside what the water does. 0 to 2.")]
@@ -35,7 +35,7 @@ namespace Rill
         float waited;
         bool measuredBefore, problemIsKnown;
 
-        /// <summary>Mass of water that the body is computed to carry along, as a share of the water that it displaces, 0.25 to 4.</summary>
+        /// <summary>Mass of water that the body is computed to carry along, as a share of the water that it displaces, 0.25 to 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
 
         /// <summary>Share of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
@@ -52,7 +52,7 @@ namespace Rill
         public bool Validate(out string problem)
         {
             problem = null;
-            Limit.Clamp("virtual mass", ref virtualMass, 0.25f, 4f, FloatingResponse.DefaultVirtualMass, ref problem);
+            Limit.Clamp("virtual mass", ref virtualMass, 0.25f, 16f, FloatingResponse.DefaultVirtualMass, ref problem);
             Limit.Clamp("damping", ref damping, 0f, 2f, FloatingResponse.DefaultDamping, ref problem);
             Limit.Clamp("max acceleration", ref maxAcceleration, 0.01f, 1e6f, FloatingResponse.DefaultMaxAcceleration, ref problem);
             return problem == null;
@@ -92,7 +92,7 @@ namespace Rill
             if (problemIsKnown)
                 return;
 
-            response.Begin(shape, volume, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity);
+            response.Begin(shape, volume, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity, Time.fixedDeltaTime);
             response.Tune(virtualMass, damping);
             foreach (FluidForce force in obstacle.Forces)
                 if (force.From != null && force.From.isActiveAndEnabled)

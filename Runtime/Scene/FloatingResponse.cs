@@ -5,30 +5,31 @@ namespace Rill
 {
     /// <summary>
     /// Acceleration of a free body by forces of a fluid that are known late. Applied as they come they blow up where the water
-    /// that moves with the body outweighs it (added-mass instability: Causin, Gerbeau and Nobile 2005), and pump up its
-    /// heave. So a virtual mass m_v stands on both sides of Newton's law, (m + m_v) a = F + m g + m_v a_F, where a_F is the
-    /// acceleration that the body had while F was measured (stable while |m_a - m_v| &lt; m + m_v for an added mass m_a);
-    /// buoyancy and righting moment are brought up to date by the body's way since; what a late force can push is limited, heave
-    /// and turns are damped. All of it vanishes at rest. See floating.md of the documentation.
+    /// that resists outweighs the body (added-mass instability: Causin, Gerbeau and Nobile 2005), and pump up its heave. So
+    /// what the water does against a slip s is brought up to date, implicitly: m a = F + m g - c (s - s_F), where s_F is the slip
+    /// while F was measured (stable while the fluid's own c is below twice this one); so are buoyancy and righting moment, by the
+    /// body's way since; what a late force can push is limited, heave and turns are damped. All of it vanishes at rest. See
+    /// floating.md of the documentation.
     /// </summary>
     struct FloatingResponse
     {
-        public const float DefaultVirtualMass = 0.5f;
-        public const float DefaultDamping = 0.4f;
+        public const float DefaultVirtualMass = 4f;
+        public const float DefaultDamping = 0.8f;
         public const float DefaultMaxAcceleration = 100f;       // m/s²
         const float AddedMass = 0.5f;           // of the displaced water: a ball's far from walls (Lamb 1932, art. 92)
-        const float MissingMass = 0.3f;         // of the displaced water: what of it deep water's coarse grid does not return
         const float TurnDamping = 3f;           // of turns over that of heave: moments on few cells are noisy
         const float MostPropulsion = 1.1f;      // of the buoyancy
         const float Certain = 0.95f;            // a share under water above this is all, and below the rest of it none
         const float LevelRate = 0.1f;           // share of a newly found level that is taken at a step
 
         ColliderMotion shape;                   // where the body is now
-        float volume, mass, virtualShare, damping;      // m³, kg
+        float volume, mass, step, virtualShare, damping;        // m³, kg, s
         Vector3 velocity, angularVelocity;      // m/s, rad/s
         Vector3 force, torque;                  // N; about the middle of the shape, N m
-        Vector3 virtualPush, virtualTurn;       // virtual mass times its accelerations, N; kg rad/s²
-        float virtualMass, missingMass;         // kg
+        float resistance;                       // against slip, kg/s
+        Vector3 slowed, turnSlowed;             // resistance times the slip in which the forces were measured, N; kg rad/s²
+        SlipVelocity slip, angularSlip;
+        float memory;                           // of the water, s
         float level;                            // of the water, upwards, m
         bool levelIsKnown;
 
@@ -38,17 +39,24 @@ namespace Rill
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
 
-        /// <summary>Begins a step; of those before, the water's level is kept.</summary>
+        /// <summary>Begins a step; of those before, the water's level and the slip are kept.</summary>
         /// <param name="bodyShape">World space, m; where the body is now.</param>
         /// <param name="bodyVolume">m³.</param>
-        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity)
+        /// <param name="stepTime">Of this step and the last, s.</param>
+        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime)
         {
-            this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown };
+            this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown, slip = slip, angularSlip = angularSlip, memory = memory };
             shape = bodyShape;
             volume = bodyVolume;
             mass = bodyMass;
+            step = stepTime;
             velocity = bodyVelocity;
             angularVelocity = bodyAngularVelocity;
+            if (memory > 0f)
+            {
+                slip.Follow(velocity, step, memory);
+                angularSlip.Follow(angularVelocity, step, memory);
+            }
             Tune(DefaultVirtualMass, DefaultDamping);
         }
 
@@ -66,6 +74,7 @@ namespace Rill
         public void Add(in FluidForce part, float density, Vector3 gravity)
         {
             IsKnown = true;
+            memory = part.Motion.Memory;
             float displaced = density * volume;     // kg
             float g = gravity.magnitude;
             float share = SubmergedShare(part, displaced, gravity, g);
@@ -80,11 +89,10 @@ namespace Rill
             }
             force += push;
             torque += moment;
-            float carried = virtualShare * displaced * share;
-            virtualMass += carried;
-            virtualPush += carried * part.Motion.Acceleration;
-            virtualTurn += carried * part.Motion.AngularAcceleration;
-            missingMass += MissingMass * displaced * share;
+            float resists = virtualShare * displaced * share / memory;
+            resistance += resists;
+            slowed += resists * part.Motion.Slip;
+            turnSlowed += resists * part.Motion.AngularSlip;
             Share = math.min(Share + share, 1f);
         }
 
@@ -92,20 +100,22 @@ namespace Rill
         public Vector3 TorqueAbout(Vector3 center) => torque + Vector3.Cross((Vector3)shape.end.position - center, force);
 
         /// <param name="gravity">By which the body falls, m/s².</param>
-        /// <param name="turn">Angular acceleration of the body alone by <see cref="TorqueAbout"/>, rad/s². Its virtual inertia is to its inertia as the virtual mass to its mass.</param>
+        /// <param name="turn">Angular acceleration of the body alone by <see cref="TorqueAbout"/>, rad/s². Turns are resisted in proportion to the inertia as motion is to the mass.</param>
         /// <param name="limit">Largest acceleration by the fluid, m/s².</param>
         public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
         {
-            float inverse = 1f / (mass + missingMass + virtualMass);
-            acceleration = (force + mass * gravity + virtualPush) * inverse;
+            float mean = memory > 0f ? SlipVelocity.MeanShare(step, memory) : 0f;
+            float inverse = 1f / (mass + resistance * mean * step);
+            acceleration = (force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now) * inverse;
             acceleration = gravity + Limited(acceleration - gravity, limit);
-            angularAcceleration = Limited((mass * turn + virtualTurn) * inverse, limit / math.max(shape.Radius, 1e-6f));
+            angularAcceleration = (mass * turn + turnSlowed - resistance * mean * (Vector3)angularSlip.Now) * inverse;
+            angularAcceleration = Limited(angularAcceleration, limit / math.max(shape.Radius, 1e-6f));
         }
 
-        // Against the weight of the water in the body's place, less what its own acceleration took off.
-        static float SubmergedShare(in FluidForce part, float displaced, Vector3 gravity, float g)
+        // Against the weight of the water in the body's place, less what the slip took off.
+        float SubmergedShare(in FluidForce part, float displaced, Vector3 gravity, float g)
         {
-            Vector3 whole = gravity + AddedMass * part.Motion.Acceleration;
+            Vector3 whole = gravity + virtualShare / memory * part.Motion.Slip;
             float square = math.max(whole.sqrMagnitude, 0.0625f * g * g);
             return square > 0f ? math.saturate(-Vector3.Dot(part.Force, whole) / (displaced * square)) : part.Force == Vector3.zero ? 0f : 1f;
         }

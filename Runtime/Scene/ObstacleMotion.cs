@@ -8,17 +8,20 @@ namespace Rill
         /// <summary>Of its middle, m.</summary>
         public readonly Vector3 Position;
         public readonly Quaternion Rotation;
-        /// <summary>m/s².</summary>
-        public readonly Vector3 Acceleration;
-        /// <summary>rad/s².</summary>
-        public readonly Vector3 AngularAcceleration;
+        /// <summary>Against the water around it, m/s; see <see cref="SlipVelocity"/>.</summary>
+        public readonly Vector3 Slip;
+        /// <summary>rad/s.</summary>
+        public readonly Vector3 AngularSlip;
+        /// <summary>Time in which the water comes to move along, s.</summary>
+        public readonly float Memory;
 
-        public ObstacleMotion(Vector3 position, Quaternion rotation, Vector3 acceleration, Vector3 angularAcceleration)
+        public ObstacleMotion(Vector3 position, Quaternion rotation, Vector3 slip, Vector3 angularSlip, float memory)
         {
             Position = position;
             Rotation = rotation;
-            Acceleration = acceleration;
-            AngularAcceleration = angularAcceleration;
+            Slip = slip;
+            AngularSlip = angularSlip;
+            Memory = memory;
         }
     }
 }

@@ -25,7 +25,7 @@ namespace Rill
             lastTracks ??= new ColliderTrack[ColliderSet.Most];
             bool follows = last >= 0 && lastMotions[last].reacts;
             ColliderTrack track = follows ? lastTracks[last] : ColliderTrack.At(pose);
-            track.Follow(pose, duration);
+            track.Follow(pose, duration, FixedStep / input.settings.substeps);
             tracks[index] = track;
         }
 

@@ -72,7 +72,9 @@ namespace Rill.Tests
             Assert.That(scene.Body.position.y, Is.EqualTo(0.25f), "a kinematic body stays where it is");
             scene.Body.isKinematic = false;
             yield return scene.Play(2f);
-            Assert.That(scene.Heights.Max(), Is.GreaterThan(0.6f).And.LessThan(0.6f + 3f * BallSize));
+            Assert.That(scene.Heights.Max(), Is.GreaterThan(0.6f).And.LessThan(0.6f + BallSize));
+            Assert.That(scene.Speeds.Max(), Is.LessThan(1.5f));
+            Assert.That(Sideways, Is.LessThan(0.5f * BallSize));
             AssertBounded();
         }
 
@@ -102,8 +104,10 @@ namespace Rill.Tests
         void AssertBounded()
         {
             Assert.That(scene.LargestAcceleration, Is.LessThan(scene.Buoyancy.MaxAcceleration + FloatingScene.Gravity + 1f));
-            Assert.That(new Vector2(scene.Body.position.x, scene.Body.position.z).magnitude, Is.LessThan(scene.Side), "in the tank");
+            Assert.That(Sideways, Is.LessThan(scene.Side), "in the tank");
         }
+
+        float Sideways => new Vector2(scene.Body.position.x, scene.Body.position.z).magnitude;
 
         static Vector3 Size(ColliderShape shape) => shape == ColliderShape.Box ? BoxSize : Vector3.one * BallSize;
 

@@ -3,28 +3,28 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>
-    /// Follows an obstacle through the steps in which the force on it is summed. A fluid answers a change of velocity in the step in
-    /// which it comes, so the mean acceleration that belongs to a mean force is that from the last steps before to the last within.
-    /// </summary>
+    /// <summary>Follows an obstacle through the steps in which the force on it is summed.</summary>
     struct ColliderTrack
     {
+        const float MemorySteps = 4f;       // substeps in which pushed water comes to move along: measured, see floating.md of the documentation
+
         RigidPose pose;
-        float3 velocity, angularVelocity;           // in the newest steps
-        float3 firstVelocity, firstAngularVelocity; // in the last steps before the window
-        float3 positions;                           // sums over the window, times time
+        SlipVelocity slip, angularSlip;
+        float3 positions, slips, angularSlips;      // sums over the window, times time
         float4 rotations;
-        float time;
+        float time, memory;
 
         /// <summary>At a place from which nothing is known of its motion.</summary>
         public static ColliderTrack At(in RigidPose pose) => new ColliderTrack { pose = pose };
 
         /// <param name="next">Pose at the end of the steps, world space, m.</param>
         /// <param name="duration">Their fluid time, s.</param>
-        public void Follow(in RigidPose next, float duration)
+        /// <param name="substep">s.</param>
+        public void Follow(in RigidPose next, float duration, float substep)
         {
-            velocity = (next.position - pose.position) / duration;
-            angularVelocity = RotationVector(pose.rotation, next.rotation) / duration;
+            memory = MemorySteps * substep;
+            slips += slip.Follow((next.position - pose.position) / duration, duration, memory) * duration;
+            angularSlips += angularSlip.Follow(RotationVector(pose.rotation, next.rotation) / duration, duration, memory) * duration;
             RigidPose middle = RigidPose.Between(pose, next, 0.5f);
             float4 rotation = middle.rotation.value;
             positions += middle.position * duration;
@@ -36,17 +36,14 @@ namespace Rill
         /// <summary>Ends the window and begins the next.</summary>
         public ObstacleMotion Take()
         {
-            bool moved = time > 0f;
-            float3 position = moved ? positions / time : pose.position;
-            float4 rotation = moved ? math.normalize(rotations) : pose.rotation.value;
-            float3 acceleration = moved ? (velocity - firstVelocity) / time : 0f;
-            float3 angularAcceleration = moved ? (angularVelocity - firstAngularVelocity) / time : 0f;
-            firstVelocity = velocity;
-            firstAngularVelocity = angularVelocity;
-            positions = 0f;
+            float share = time > 0f ? 1f / time : 0f;
+            float3 position = time > 0f ? positions * share : pose.position;
+            float4 rotation = time > 0f ? math.normalize(rotations) : pose.rotation.value;
+            var motion = new ObstacleMotion(position, new quaternion(rotation), slips * share, angularSlips * share, memory);
+            positions = slips = angularSlips = 0f;
             rotations = 0f;
             time = 0f;
-            return new ObstacleMotion(position, new quaternion(rotation), acceleration, angularAcceleration);
+            return motion;
         }
 
         /// <summary>The way from one orientation to another by the shorter side: its axis times its angle, rad.</summary>
