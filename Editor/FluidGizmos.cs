@@ -106,6 +106,10 @@ namespace Rill.Editor
                     Gizmos.DrawWireCube(Vector3.zero, new Vector3(2f, 0f, 2f));
                     Gizmos.DrawLine(Vector3.zero, 0.5f * Vector3.up);
                     break;
+                case ColliderShape.HeightField when collider.Heights != null:
+                    Gizmos.matrix = Matrix4x4.Translate(collider.Middle);
+                    Gizmos.DrawWireCube(Vector3.zero, 2f * (Vector3)collider.Heights.Extents);
+                    break;
                 case ColliderShape.Mesh when collider.Field != null:
                     Gizmos.DrawWireCube(Vector3.zero, even * collider.Field.Bounds.size);
                     break;

@@ -2,6 +2,8 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Rill.Physics")]
 [assembly: InternalsVisibleTo("Rill.Physics.Tests")]
+[assembly: InternalsVisibleTo("Rill.Terrain")]
+[assembly: InternalsVisibleTo("Rill.Terrain.Tests")]
 [assembly: InternalsVisibleTo("Rill.Editor")]
 [assembly: InternalsVisibleTo("Rill.Tests")]
 [assembly: InternalsVisibleTo("Rill.Editor.Tests")]

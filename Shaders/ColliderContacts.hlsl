@@ -218,14 +218,15 @@ bool Trace(Collider collider, float3 a, float3 b, out float share)
     share = 0.0;
     float way = length(b - a);
     float distance = LeastDistance(collider, a);
-    float least = min(kWallInset, distance - kTouching);
+    float least = min(kWallInset, SurfaceDistance(collider, a, distance) - kTouching);
     if (distance >= kWallInset + way)
         return false;
     for (uint i = 0; i < kMostSteps; i++)
     {
         share = min(share + max(distance - kWallInset, kShortestStep) / max(way, 1e-6), 1.0);
-        distance = LeastDistance(collider, lerp(a, b, share));
-        if (distance < least)
+        float3 place = lerp(a, b, share);
+        distance = LeastDistance(collider, place);
+        if (distance < least && SurfaceDistance(collider, place, distance) < least)
             return true;
         if (share >= 1.0)
             return false;

@@ -12,7 +12,7 @@ struct Collider
     uint shape;
     float3 lastPosition;    // at the start of the substep, d
     uint flags;
-    float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up
+    float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides
     float sweep;            // furthest that a point of it moves in the substep, d
     float3 fieldScale;      // from its own frame, d, to a share of the atlas
     float fieldUnit;        // d, of one stored unit of distance
@@ -21,7 +21,7 @@ struct Collider
     float friction;         // share of the velocity along the surface that a substep takes from what touches
     float bounce;           // share of the velocity into the surface that is given back
     float momentArm;        // by which moments about position are divided where they are summed, d
-    float unused;
+    float leastShare;       // of the height over a height field that is surely free on all sides
 };
 
 // = ColliderConstants in ColliderConstants.cs, member by member.
@@ -40,6 +40,7 @@ static const uint kBox = 1;
 static const uint kCapsule = 2;
 static const uint kPlane = 3;
 static const uint kMesh = 4;
+static const uint kHeightField = 5;
 
 static const uint kInsideOut = 1;           // the fluid is in it
 static const uint kCarriesDensity = 2;
@@ -145,6 +146,31 @@ float4 MeshDistance(Collider collider, float3 p)
     return float4(direction, distance);
 }
 
+float GroundHeight(Collider collider, float2 place)
+{
+    return FieldDistance(collider, float3(place.x, 0.0, place.y));
+}
+
+// From the ground below p as if it were a plane; beyond its sides there is none.
+float4 HeightDistance(Collider collider, float3 p)
+{
+    float2 q = clamp(p.xz, -collider.size.xz, collider.size.xz);
+    float2 beyond = p.xz - q;
+    float height = GroundHeight(collider, q);
+    float2 low = max(q - collider.voxel, -collider.size.xz);
+    float2 high = min(q + collider.voxel, collider.size.xz);
+    float2 slope = float2(GroundHeight(collider, float2(high.x, q.y)) - GroundHeight(collider, float2(low.x, q.y)),
+        GroundHeight(collider, float2(q.x, high.y)) - GroundHeight(collider, float2(q.x, low.y))) / max(high - low, 1e-6);
+    float share = rsqrt(1.0 + dot(slope, slope));
+    float3 normal = float3(-slope.x, 1.0, -slope.y) * share;
+    float distance = (p.y - height) * share;
+    if (all(beyond == 0.0))
+        return float4(normal, distance);
+    float3 fromSurface = float3(beyond.x, 0.0, beyond.y) + normal * max(distance, 0.0);
+    float lengthSquared = dot(fromSurface, fromSurface);
+    return float4(fromSurface * rsqrt(lengthSquared), sqrt(lengthSquared));
+}
+
 float4 LocalDistance(Collider collider, float3 p)
 {
     float4 result;
@@ -156,6 +182,8 @@ float4 LocalDistance(Collider collider, float3 p)
         result = SphereDistance(p - float3(0.0, clamp(p.y, -collider.size.y, collider.size.y), 0.0), collider.size.x);
     else if (collider.shape == kPlane)
         result = float4(0.0, 1.0, 0.0, p.y);
+    else if (collider.shape == kHeightField)
+        result = HeightDistance(collider, p);
     else
         result = MeshDistance(collider, p);
     return (collider.flags & kInsideOut) != 0 ? -result : result;
@@ -173,9 +201,20 @@ float LeastDistance(Collider collider, float3 p)
         distance = outside > 0.0 ? max(outside, distance - outside) : distance;
         distance = (collider.flags & kInsideOut) != 0 ? -distance : distance;
     }
+    else if (collider.shape == kHeightField)
+    {
+        float2 beyond = p.xz - q.xz;
+        distance = any(beyond != 0.0) ? length(beyond) : (p.y - GroundHeight(collider, q.xz)) * collider.leastShare;
+    }
     else
         distance = LocalDistance(collider, p).w;
     return distance;
+}
+
+// The distance itself, where 'least' is what LeastDistance says of p: less than it only over a height field.
+float SurfaceDistance(Collider collider, float3 p, float least)
+{
+    return collider.shape == kHeightField ? HeightDistance(collider, p).w : least;
 }
 
 // In the domain's frame, at the end of the substep.

@@ -123,8 +123,8 @@ namespace Rill
 
         string Problem(in ColliderMotion shape, float volume)
         {
-            if (shape.shape == ColliderShape.Plane || shape.insideOut)
-                return "its FluidCollider is a plane or inside out, which has no volume that floats. Use another shape, or a kinematic body.";
+            if (shape.shape == ColliderShape.Plane || shape.shape == ColliderShape.HeightField || shape.insideOut)
+                return "its FluidCollider is a plane, a height field or inside out, which has no volume that floats. Use another shape, or a kinematic body.";
             if (!(volume > 0f))
                 return "its FluidCollider has no volume. Give the shape sizes above 0; a mesh needs a field whose texture can be read.";
             return null;

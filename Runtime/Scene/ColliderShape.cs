@@ -13,5 +13,7 @@ namespace Rill
         Plane,
         /// <summary>What a signed distance field describes.</summary>
         Mesh,
+        /// <summary>All below the heights of a <see cref="Rill.HeightField"/>: the ground.</summary>
+        HeightField,
     }
 }

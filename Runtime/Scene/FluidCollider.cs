@@ -9,7 +9,7 @@ namespace Rill
     /// two steps sweeps the water along, however fast; what is switched on where water is lets it out slowly.
     /// </summary>
     /// <remarks>
-    /// Sizes follow the object's scale: a box in all three sides, a sphere, a capsule and a mesh evenly. A simulation takes up
+    /// Sizes follow the object's scale: a box in all three sides, a sphere, a capsule and a mesh evenly, a height field not at all. A simulation takes up
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
@@ -52,6 +52,7 @@ namespace Rill
 
         static List<FluidCollider> enabledColliders = new List<FluidCollider>();
 
+        HeightField heights;
         readonly List<FluidForce> forces = new List<FluidForce>();
         float3 lastPosition;
         quaternion lastRotation = quaternion.identity;
@@ -76,6 +77,9 @@ namespace Rill
         /// <summary>Signed distances of the mesh.</summary>
         public SignedDistanceField Field { get => field; set => field = value; }
 
+        /// <summary>Heights of the ground; not saved with the scene. A <c>FluidTerrain</c> gives those of a Terrain.</summary>
+        public HeightField Heights { get => heights; set => heights = value; }
+
         /// <summary>Whether the water is inside.</summary>
         public bool InsideOut { get => insideOut; set => insideOut = value; }
 
@@ -92,7 +96,8 @@ namespace Rill
         public bool MeasuresForce { get => measuresForce; set => measuresForce = value; }
 
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
-        public Vector3 Middle => transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
+        public Vector3 Middle => shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
+            : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
 
         /// <summary>What all simulations did to the obstacle in the newest steps that are known, a few frames ago.</summary>
         /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place, upwards.</param>
@@ -185,6 +190,9 @@ namespace Rill
                 case ColliderShape.Mesh:
                     problem ??= DescribeField(ref motion, ref pose, evenScale);
                     break;
+                case ColliderShape.HeightField:
+                    problem ??= DescribeHeights(ref motion, ref pose);
+                    break;
             }
             motion.start = motion.end = pose;
             Say(problem);
@@ -232,6 +240,22 @@ namespace Rill
             motion.fieldUnit = scale;
             motion.field = field.Texture;
             return math.cmax(lastScale) > 1.001f * math.cmin(lastScale) ? $"its scale {(Vector3)lastScale} is not the same along all axes, and distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
+        }
+
+        // As Unity's Terrain it follows the object's position alone.
+        string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)
+        {
+            if (heights == null)
+                return "it is a height field without heights. Add a Fluid Terrain beside a Terrain, or set Heights.";
+            if (heights.Texture == null)
+                return "its heights were disposed of. Set others.";
+            pose = new RigidPose(lastPosition + heights.Center, quaternion.identity);
+            motion.size = heights.Extents;
+            motion.fieldUnit = 1f;
+            motion.field = heights.Texture;
+            motion.leastShare = heights.LeastShare;
+            motion.insideOut = false;
+            return null;
         }
 
         static string Positive(string what, float value) => value > 0f && !float.IsInfinity(value) ? null : $"its {what} is {value}. Set it above 0.";

@@ -100,7 +100,7 @@ namespace Rill
         // Whether it or its way comes near enough to be felt; what has no end, or holds the fluid, does.
         bool IsNear(in ColliderMotion motion)
         {
-            if (motion.shape == ColliderShape.Plane || motion.insideOut)
+            if (motion.shape == ColliderShape.Plane || motion.shape == ColliderShape.HeightField || motion.insideOut)
                 return true;
             float3 size = (float3)domainSize / particleSpacing;
             float3 nearest = math.clamp(motion.end.position, 0f, size);

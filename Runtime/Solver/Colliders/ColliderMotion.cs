@@ -7,7 +7,7 @@ namespace Rill
     struct ColliderMotion
     {
         public ColliderShape shape;
-        /// <summary>Sphere: x radius. Box: half sides. Capsule: x radius, y half its straight part. Mesh: half sides of its field's volume.</summary>
+        /// <summary>Sphere: x radius. Box: half sides. Capsule: x radius, y half its straight part. Mesh: half sides of its field's volume. Height field: half sides along x and z, along y half of what its heights span.</summary>
         public float3 size;
         /// <summary>At the start and at the end of the frame.</summary>
         public RigidPose start, end;
@@ -18,10 +18,12 @@ namespace Rill
         public bool insideOut, carriesDensity;
         /// <summary>Whether what the fluid does to it is summed.</summary>
         public bool reacts;
-        /// <summary>Signed distances of a mesh, lowest corner first; null for other kinds.</summary>
+        /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for other kinds.</summary>
         public Texture3D field;
         /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>
         public float voxel, fieldUnit;
+        /// <summary>Of the height over a height field, what is free on all sides even beside its steepest place.</summary>
+        public float leastShare;
 
         /// <summary>Of a ball around its place that holds all of it; of a plane, which has no end, 1.</summary>
         public float Radius

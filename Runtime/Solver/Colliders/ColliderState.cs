@@ -22,7 +22,7 @@ namespace Rill
         public float friction;
         public float bounce;
         public float momentArm;
-        public float unused;
+        public float leastShare;
 
         const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4;       // as in Colliders.hlsl
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
@@ -57,6 +57,15 @@ namespace Rill
                 state.fieldUnit = motion.fieldUnit;
                 state.fieldScale = brick.VoxelShare / motion.voxel;
                 state.fieldCenter = brick.Center;
+            }
+            if (motion.shape == ColliderShape.HeightField)
+            {
+                float3 spacing = 2f * motion.size / math.max(new float3(motion.field.width, 2f, motion.field.depth) - 1f, 1f);
+                state.voxel = 0.5f * math.min(spacing.x, spacing.z);
+                state.fieldUnit = motion.fieldUnit;
+                state.fieldScale = brick.VoxelShare / spacing;
+                state.fieldCenter = brick.Center;
+                state.leastShare = motion.leastShare;
             }
             return state;
         }

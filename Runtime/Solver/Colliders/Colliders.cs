@@ -83,7 +83,7 @@ namespace Rill
             float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)substeps);
             for (int i = 0; i < set.Count; i++)
             {
-                FieldBrick brick = set.Items[i].shape == ColliderShape.Mesh ? fields.Brick(set.Items[i].field) : default;
+                FieldBrick brick = set.Items[i].field != null ? fields.Brick(set.Items[i].field) : default;
                 statesUpload[i] = ColliderState.For(set.Items[i], from, to, input.timeStep / substeps, brick);
             }
             constantsUpload[0] = new ColliderConstants

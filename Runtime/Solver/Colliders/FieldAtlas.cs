@@ -17,7 +17,7 @@ namespace Rill
     }
 
     /// <summary>
-    /// The signed distances of all mesh colliders in one texture, since a kernel cannot choose among textures: each field
+    /// The signed distances of all mesh colliders, and the heights of height fields, in one texture, since a kernel cannot choose among textures: each field
     /// once, one above the other. Half floats: a distance is off by at most 1/2048 of itself.
     /// </summary>
     sealed class FieldAtlas : IDisposable
@@ -55,7 +55,7 @@ namespace Rill
                 Append(colliders.Items[i].field);
             size = math.max(size, 1);
             if (math.cmax(size) > SystemInfo.maxTexture3DSize)
-                throw new ArgumentException($"the signed distance fields of the mesh colliders need a texture of {size.x} x {size.y} x {size.z} voxels, more than the {SystemInfo.maxTexture3DSize} a side of this device. Bake them with larger voxels, or use fewer different ones.");
+                throw new ArgumentException($"the signed distance fields and height fields of the colliders need a texture of {size.x} x {size.y} x {size.z} voxels, more than the {SystemInfo.maxTexture3DSize} a side of this device. Give them fewer voxels or heights, or use fewer different ones.");
             Release();
             Texture = Create(size);
             using (var cmd = new CommandBuffer { name = "Rill.FieldAtlas" })

@@ -72,7 +72,7 @@ namespace Host.Check
             Same("scripts", definition.Scripts(package, all), Compiled(package, project));
             // The engine itself is no reference in Unity; both test runners are one assembly here.
             Same("references", definition.References.Where(r => r != "UnityEditor.TestRunner"),
-                project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value)).Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEditor")));
+                project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value)).Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule" or "UnityEditor")));
             foreach ((string property, string wanted) in new[] { ("AssemblyName", definition.Name), ("RootNamespace", definition.RootNamespace), ("AllowUnsafeBlocks", definition.AllowUnsafeCode ? "true" : "false") })
                 if (project.Descendants(property).FirstOrDefault()?.Value is var value && value != wanted)
                     findings.Fault($"{file}: {property} is \"{value}\", {definition.File} asks for \"{wanted}\"");

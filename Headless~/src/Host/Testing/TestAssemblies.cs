@@ -11,7 +11,7 @@ namespace Host.Testing
     static class TestAssemblies
     {
         static readonly string[] HostTests = { "Host.Tests" };
-        static readonly string[] PackageTests = { "Rill.Tests", "Rill.Physics.Tests", "Rill.Editor.Tests" };
+        static readonly string[] PackageTests = { "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.Editor.Tests" };
 
         public static List<Assembly> Load(bool host, bool package)
         {

@@ -1,0 +1,73 @@
+using System;
+
+namespace UnityEngine
+{
+    /// <summary>
+    /// What the host has of it: a place for terrain data; nothing is drawn. In an assembly of its own, for the package alone: scripts of other
+    /// projects find the stub with all members of Unity's, which throws.
+    /// </summary>
+    public sealed class Terrain : Behaviour
+    {
+        public TerrainData terrainData { get; set; }
+
+        /// <summary>A terrain follows its object's position alone.</summary>
+        public Vector3 GetPosition() => transform.position;
+    }
+
+    /// <summary>Heights of a terrain as shares of its height, kept in steps of 1/32766 as in Unity's heightmap.</summary>
+    public sealed class TerrainData : Object
+    {
+        const int Steps = 32766, LeastResolution = 33, MostResolution = 4097;
+
+        float[,] heights = new float[LeastResolution, LeastResolution];
+        Vector3 scale = new Vector3(1f, 600f, 1f);
+
+        /// <summary>Heights along a side: 33, 65 and so on to 4,097; other numbers become the next of these. A change clears the heights and keeps their distance, so that the size changes: set the size after it.</summary>
+        public int heightmapResolution
+        {
+            get => heights.GetLength(0);
+            set
+            {
+                int resolution = LeastResolution;
+                while (resolution < value && resolution < MostResolution)
+                    resolution = 2 * resolution - 1;
+                heights = new float[resolution, resolution];
+            }
+        }
+
+        /// <summary>m; y that of a share of 1.</summary>
+        public Vector3 size
+        {
+            get => new Vector3(scale.x * (heightmapResolution - 1), scale.y, scale.z * (heightmapResolution - 1));
+            set => scale = new Vector3(value.x / (heightmapResolution - 1), value.y, value.z / (heightmapResolution - 1));
+        }
+
+        /// <summary>[z, x] shares of the height, from a place on.</summary>
+        public float[,] GetHeights(int xBase, int yBase, int width, int height)
+        {
+            Check(xBase, yBase, width, height);
+            var part = new float[height, width];
+            for (int z = 0; z < height; z++)
+                for (int x = 0; x < width; x++)
+                    part[z, x] = heights[yBase + z, xBase + x];
+            return part;
+        }
+
+        /// <param name="heights">[z, x] shares of the height, 0 to 1.</param>
+        public void SetHeights(int xBase, int yBase, float[,] heights)
+        {
+            if (heights == null)
+                throw new NullReferenceException();
+            Check(xBase, yBase, heights.GetLength(1), heights.GetLength(0));
+            for (int z = 0; z < heights.GetLength(0); z++)
+                for (int x = 0; x < heights.GetLength(1); x++)
+                    this.heights[yBase + z, xBase + x] = (float)Math.Round(Mathf.Clamp01(heights[z, x]) * Steps) / Steps;
+        }
+
+        void Check(int x, int z, int width, int length)
+        {
+            if (x < 0 || z < 0 || width < 0 || length < 0 || x + width > heightmapResolution || z + length > heightmapResolution)
+                throw new ArgumentException($"The part {x}, {z} with {width} x {length} heights does not lie within the {heightmapResolution} of the terrain.");
+        }
+    }
+}

@@ -1,0 +1,99 @@
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>Terrains as obstacles.</summary>
+    public class FluidTerrainTests
+    {
+        GameObject thing;
+        TerrainData data;
+
+        [SetUp]
+        public void MakeTerrain()
+        {
+            data = new TerrainData { heightmapResolution = 65 };
+            data.size = new Vector3(128f, 20f, 64f);
+            var heights = new float[65, 65];
+            for (int z = 0; z < 65; z++)
+                for (int x = 0; x < 65; x++)
+                    heights[z, x] = x / 64f;
+            data.SetHeights(0, 0, heights);
+            thing = new GameObject("Hill");
+            thing.SetActive(false);
+            thing.transform.position = new Vector3(5f, 1f, -3f);
+            thing.AddComponent<Terrain>().terrainData = data;
+        }
+
+        [TearDown]
+        public void Destroy()
+        {
+            Object.DestroyImmediate(thing);
+            Object.DestroyImmediate(data);
+        }
+
+        [Test]
+        public void A_terrain_gives_its_heights_to_the_collider_beside_it()
+        {
+            FluidTerrain terrain = Add();
+            var collider = thing.GetComponent<FluidCollider>();
+            Assert.That(collider.Shape, Is.EqualTo(ColliderShape.HeightField));
+            Assert.That(collider.TryDescribe(out ColliderMotion motion), Is.True);
+            Assert.That((Vector3)motion.end.position, Is.EqualTo(new Vector3(69f, 11f, 29f)));
+            Assert.That((Vector3)motion.size, Is.EqualTo(new Vector3(64f, 10f, 32f)));
+            Assert.That(motion.leastShare, Is.EqualTo(1f / Mathf.Sqrt(1f + 20f / 128f * (20f / 128f))).Within(1e-3f));
+
+            terrain.Part = Rect.MinMaxRect(0.5f, 0f, 1f, 0.25f);
+            terrain.Refresh();
+            Assert.That(collider.TryDescribe(out motion), Is.True);
+            Assert.That((Vector3)motion.end.position, Is.EqualTo(new Vector3(5f + 96f, 1f + 15f, -3f + 8f)));
+            Assert.That((Vector3)motion.size, Is.EqualTo(new Vector3(32f, 5f, 8f)));
+
+            terrain.enabled = false;
+            Assert.That(collider.Heights, Is.Null);
+        }
+
+        [Test]
+        public void Changed_heights_count_after_a_refresh()
+        {
+            FluidTerrain terrain = Add();
+            var collider = thing.GetComponent<FluidCollider>();
+            HeightField before = collider.Heights;
+            data.SetHeights(0, 0, new float[65, 65]);
+            terrain.Refresh();
+            Assert.That(collider.Heights, Is.Not.SameAs(before));
+            Assert.That(collider.TryDescribe(out ColliderMotion motion), Is.True);
+            Assert.That(motion.size.y, Is.Zero);
+        }
+
+        [Test]
+        public void What_is_no_ground_is_said_by_name()
+        {
+            thing.GetComponent<Terrain>().terrainData = null;
+            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is no obstacle: its Terrain has no terrain data"));
+            FluidTerrain terrain = Add();
+            LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': part .* does not lie within 0 to 1"));
+            terrain.Part = new Rect(0f, 0f, 2f, 1f);
+            Assert.That(terrain.Part, Is.EqualTo(new Rect(0f, 0f, 1f, 1f)));
+
+            var large = new TerrainData { heightmapResolution = 4097 };
+            thing.GetComponent<Terrain>().terrainData = large;
+            LogAssert.Expect(LogType.Error, new Regex("it has 4097 x 4097 heights, and 2048 along a side can be taken. Set Part"));
+            terrain.Refresh();
+            terrain.Part = Rect.MinMaxRect(0.5f, 0.5f, 0.75f, 0.75f);
+            terrain.Refresh();
+            Assert.That(thing.GetComponent<FluidCollider>().Heights, Is.Not.Null);
+            Object.DestroyImmediate(large);
+        }
+
+        FluidTerrain Add()
+        {
+            thing.AddComponent<FluidCollider>();
+            var terrain = thing.AddComponent<FluidTerrain>();
+            thing.SetActive(true);
+            return terrain;
+        }
+    }
+}
