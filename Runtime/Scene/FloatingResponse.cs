@@ -13,7 +13,7 @@ namespace Rill
     /// </summary>
     struct FloatingResponse
     {
-        public const float DefaultVirtualMass = 4f;
+        public const float DefaultVirtualMass = 2.5f;
         public const float DefaultDamping = 0.8f;
         public const float DefaultMaxAcceleration = 100f;       // m/s²
         const float AddedMass = 0.5f;           // of the displaced water: a ball's far from walls (Lamb 1932, art. 92)
