@@ -1,0 +1,49 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    // What is wrong, in the words in which it is logged.
+    public sealed partial class FluidSimulation
+    {
+        string clamped;     // what the newest validation changed
+        string failure;     // what stopped it
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            if (pbf == null)
+            {
+                problems.AddIfAny(DeviceProblem ?? NoPlaceProblem ?? LayoutProblem ?? failure);
+                return;
+            }
+            problems.AddIfAny(placeIsLost ? LostPlaceProblem : null);
+            problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
+        }
+
+        static string DeviceProblem => SystemInfo.supportsComputeShaders ? null : "this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.";
+
+        string NoPlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.";
+
+        string LostPlaceProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.";
+
+        string TooManyProblem => $"takes {ColliderSet.Most} colliders at a time; {leftOutCount} more are in its box and left out, '{(leftOut != null ? leftOut.name : "")}' first. Merge meshes into one field, or disable colliders that the fluid does not reach.";
+
+        string LayoutProblem
+        {
+            get
+            {
+                try
+                {
+                    MakeLayout();
+                    return null;
+                }
+                catch (ArgumentException problem)
+                {
+                    return problem.Message;
+                }
+            }
+        }
+    }
+}
