@@ -58,7 +58,7 @@ namespace UnityEditor
 
         public static Editor CreateEditor(Object[] targetObjects, Type editorType)
         {
-            Editor editor = (Editor)UnityEngine.Headless.ObjectFactory.CreateScriptableObject(editorType ?? TypeFor(targetObjects[0].GetType()));
+            Editor editor = (Editor)ObjectFactory.CreateScriptableObject(editorType ?? TypeFor(targetObjects[0].GetType()));
             editor.edited = targetObjects;
             editor.hideFlags = HideFlags.HideAndDontSave;
             Lifecycle.Wake(editor);

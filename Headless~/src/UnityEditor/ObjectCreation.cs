@@ -6,31 +6,6 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
-    /// <summary>Makes objects as the menus do: creations can be undone.</summary>
-    public sealed class ObjectFactory
-    {
-        public static GameObject CreateGameObject(string name, params Type[] types)
-        {
-            var made = new GameObject(name);
-            Undo.RegisterCreatedObjectUndo(made, $"Create {name}");
-            foreach (Type type in types)
-                made.AddComponent(type);
-            return made;
-        }
-
-        public static GameObject CreatePrimitive(PrimitiveType type)
-        {
-            GameObject made = GameObject.CreatePrimitive(type);
-            Undo.RegisterCreatedObjectUndo(made, $"Create {type}");
-            return made;
-        }
-
-        public static T AddComponent<T>(GameObject gameObject) where T : Component => Undo.AddComponent<T>(gameObject);
-        public static Component AddComponent(GameObject gameObject, Type type) => Undo.AddComponent(gameObject, type);
-        public static T CreateInstance<T>() where T : Object => (T)CreateInstance(typeof(T));
-        public static Object CreateInstance(Type type) => UnityEngine.Headless.ObjectFactory.CreateScriptableObject(type);
-    }
-
     public sealed class GameObjectUtility
     {
         /// <summary>Below the parent at its place, with its layer; nothing without one.</summary>
