@@ -9,8 +9,8 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidSimulationEditor : RillEditor
     {
-        const string FluidTitle = "Fluid", DomainTitle = "Domain", BudgetTitle = "Budget";
-        const float MemoryInterval = 0.5f;      // s between two looks at the buffers
+        const string FluidTitle = "Fluid", DomainTitle = "Domain", SolverTitle = "Solver", BudgetTitle = "Budget";
+        const int MemoryInterval = 30;      // frames between two looks at the buffers; by frames, so that layout and repaint see the same
 
         static readonly InspectorSection[] AllSections =
         {
@@ -28,7 +28,7 @@ namespace Rill.Editor
                 new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),
                 new InspectorField("material.allowedTension"),
                 new InspectorField("gravity", "m/s²")),
-            new InspectorSection("Solver", true,
+            new InspectorSection(SolverTitle, true,
                 new InspectorField("solver.deepWater"),
                 new InspectorField("solver.iterations"),
                 new InspectorField("solver.relaxation"),
@@ -57,7 +57,7 @@ namespace Rill.Editor
 
         StageTimes times;
         readonly List<MemoryRows.Row> memory = new List<MemoryRows.Row>();
-        double memoryAt = double.NegativeInfinity;
+        int memoryAt = -MemoryInterval;
 
         internal override InspectorSection[] Sections => AllSections;
 
@@ -73,6 +73,8 @@ namespace Rill.Editor
                 return;
             if (title == DomainTitle)
                 EditorGUILayout.LabelField("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
+            if (title == SolverTitle && Simulation.Budget.mode != BudgetMode.Off)
+                EditorGUILayout.HelpBox(BudgetSummary.SolverNote, MessageType.Info);
             if (title == BudgetTitle)
                 DrawBudget();
         }
@@ -85,7 +87,7 @@ namespace Rill.Editor
             if (chosen >= 0 && chosen != current)
             {
                 FluidPresets.Apply(FluidPresets.All[chosen], targets);
-                serializedObject.Update();
+                GUIUtility.ExitGUI();       // another preset has other lines below it
             }
             if (targets.Length > 1)
                 return;
@@ -155,9 +157,9 @@ namespace Rill.Editor
         {
             if (!Unfold("GPU memory", false))
                 return;
-            if (Time.realtimeSinceStartupAsDouble - memoryAt > MemoryInterval)
+            if (Time.frameCount - memoryAt >= MemoryInterval)
             {
-                memoryAt = Time.realtimeSinceStartupAsDouble;
+                memoryAt = Time.frameCount;
                 MemoryRows.List(Simulation.Describe(), memory);
             }
             long total = MemoryRows.Total(memory);

@@ -11,15 +11,15 @@ namespace Rill.Editor
         public readonly float Density;
         /// <summary>Dynamic, Pa s.</summary>
         public readonly float Viscosity;
-        /// <summary>Temperature and where the figures come from.</summary>
-        public readonly string Source;
+        /// <summary>What the figures are at.</summary>
+        public readonly string Conditions;
 
-        public FluidPreset(string name, float density, float viscosity, string source)
+        public FluidPreset(string name, float density, float viscosity, string conditions)
         {
             Name = name;
             Density = density;
             Viscosity = viscosity;
-            Source = source;
+            Conditions = conditions;
         }
 
         /// <summary>Its figures at a spacing, m, within what the solver uses.</summary>
@@ -31,11 +31,11 @@ namespace Rill.Editor
             return material;
         }
 
-        /// <summary>Figures, source, and what becomes of them at a spacing.</summary>
+        /// <summary>Figures, and what becomes of them at a spacing.</summary>
         public string Describe(float spacing)
         {
             FluidMaterial asked = FluidMaterial.Like(Density, Viscosity, spacing), used = MaterialAt(spacing);
-            string text = $"{Name}: {Density:0.#} kg/m³, {Viscosity:G4} Pa s ({Source}).";
+            string text = $"{Name}: {Density:0.#} kg/m³, {Viscosity:G4} Pa s ({Conditions}).";
             if (asked.viscosity < used.viscosity)
                 return $"{text} At this spacing no less than {used.DynamicViscosity(spacing):G3} Pa s can be had: a viscosity below {used.viscosity} leaves the solver's noise.";
             if (asked.viscosity > used.viscosity)

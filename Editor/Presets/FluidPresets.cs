@@ -10,14 +10,15 @@ namespace Rill.Editor
     {
         const float SameShare = 1e-3f;
 
+        // Rounded textbook figures: the solver is coarser than what they leave out.
         public static readonly FluidPreset[] All =
         {
-            new FluidPreset("Water", 998.2f, 0.001002f, "20 °C; IAPWS"),
-            new FluidPreset("Seawater", 1024.8f, 0.001077f, "20 °C, 35 g/kg; ITTC 7.5-02-01-03"),
-            new FluidPreset("Mercury", 13534f, 0.001526f, "25 °C; CRC Handbook"),
-            new FluidPreset("Olive oil", 913f, 0.084f, "20 °C, typical; CRC Handbook"),
-            new FluidPreset("Glycerol", 1261f, 1.41f, "20 °C, pure; Segur and Oberstar 1951"),
-            new FluidPreset("Honey", 1420f, 10f, "20 °C, typical; 2 to 20 by water content"),
+            new FluidPreset("Water", 1000f, 0.001f, "20 °C"),
+            new FluidPreset("Seawater", 1025f, 0.00108f, "20 °C, 35 g salt a kg"),
+            new FluidPreset("Mercury", 13530f, 0.00153f, "25 °C"),
+            new FluidPreset("Olive oil", 910f, 0.084f, "20 °C"),
+            new FluidPreset("Glycerol", 1260f, 1.41f, "20 °C, pure"),
+            new FluidPreset("Honey", 1420f, 10f, "20 °C, typical; 2 to 20 by its water"),
             new FluidPreset("Basaltic lava", 2700f, 100f, "1200 °C, typical; 10 to 1000"),
         };
 
