@@ -8,12 +8,11 @@ namespace Rill.Editor
     {
         public override bool RequiresConstantRepaint() => false;
 
-        public override void OnInspectorGUI()
+        private protected override void DrawMessages()
         {
             string note = PipelineNote(GraphicsSettings.currentRenderPipeline != null ? GraphicsSettings.currentRenderPipeline.GetType().Name : null);
             if (note != null)
                 EditorGUILayout.HelpBox(note, MessageType.Warning);
-            base.OnInspectorGUI();
         }
 
         /// <param name="pipelineAsset">Name of its type; null for the Built-in pipeline.</param>

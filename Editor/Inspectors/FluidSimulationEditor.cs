@@ -65,6 +65,14 @@ namespace Rill.Editor
 
         void OnDisable() => StopTimes();
 
+        private protected override void DrawMessages()
+        {
+            if (targets.Length > 1)
+                return;
+            foreach ((MessageType type, string text) in BudgetSummary.Messages(Simulation.Budget, Simulation.BudgetState, Simulation.StatisticsInterval))
+                EditorGUILayout.HelpBox(text, type);
+        }
+
         private protected override void DrawBelow(string title)
         {
             if (title == FluidTitle)
@@ -76,7 +84,8 @@ namespace Rill.Editor
             if (title == SolverTitle && Simulation.Budget.mode != BudgetMode.Off)
                 EditorGUILayout.HelpBox(BudgetSummary.SolverNote, MessageType.Info);
             if (title == BudgetTitle)
-                DrawBudget();
+                foreach ((string label, string text) in BudgetSummary.Rows(Simulation.BudgetState))
+                    EditorGUILayout.LabelField(label, text);
         }
 
         void DrawPresets()
@@ -94,15 +103,6 @@ namespace Rill.Editor
             EditorGUILayout.LabelField("Acts like", FluidPresets.ViscosityText(Simulation.Material, Simulation.ParticleSpacing));
             if (current >= 0)
                 EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
-        }
-
-        void DrawBudget()
-        {
-            BudgetState state = Simulation.BudgetState;
-            foreach ((string label, string text) in BudgetSummary.Rows(state))
-                EditorGUILayout.LabelField(label, text);
-            foreach ((MessageType type, string text) in BudgetSummary.Messages(Simulation.Budget, state, Simulation.StatisticsInterval))
-                EditorGUILayout.HelpBox(text, type);
         }
 
         private protected override void DrawLive()

@@ -18,6 +18,9 @@ namespace Rill.Editor
         /// <summary>What one component has to tell while it plays.</summary>
         internal virtual void ListLive(List<(string label, string text)> live) { }
 
+        /// <summary>Below what is wrong with the component itself.</summary>
+        private protected virtual void DrawMessages() { }
+
         /// <summary>Of a section whose title is given: what stands below its fields.</summary>
         private protected virtual void DrawBelow(string title) { }
 
@@ -31,6 +34,7 @@ namespace Rill.Editor
             serializedObject.Update();
             foreach (string problem in ProblemList.Of(targets))
                 EditorGUILayout.HelpBox(problem, MessageType.Warning);
+            DrawMessages();
             foreach (InspectorSection section in Sections)
                 Draw(section);
             serializedObject.ApplyModifiedProperties();
