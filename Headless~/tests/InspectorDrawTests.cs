@@ -53,6 +53,26 @@ namespace Host.Tests
         }
 
         [Test]
+        public void What_is_typed_into_a_field_reaches_all_objects_and_is_undone()
+        {
+            var first = (FluidDrain)Make(typeof(FluidDrain));
+            var second = (FluidDrain)Make(typeof(FluidDrain));
+            second.RateLimit = 2f;
+            Undo.IncrementCurrentGroup();
+            GuiTrace.Edit = property =>
+            {
+                if (property.propertyPath != "rateLimit")
+                    return false;
+                property.floatValue = 3f;
+                return true;
+            };
+            Draw(Inspect(first, second));
+            Assert.That((first.RateLimit, second.RateLimit), Is.EqualTo((3f, 3f)));
+            Undo.PerformUndo();
+            Assert.That((first.RateLimit, second.RateLimit), Is.EqualTo((0f, 2f)));
+        }
+
+        [Test]
         public void Problems_are_drawn_as_help_boxes()
         {
             Draw(Inspect(Make(typeof(FluidDrain))));

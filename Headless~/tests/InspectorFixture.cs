@@ -29,6 +29,7 @@ namespace Host.Tests
         [TearDown]
         public void CloseInspectors()
         {
+            GuiTrace.Clear();
             PrimitiveBoundsHandle.Drag = null;
             GUI.changed = false;
             foreach (Editor editor in editors)
@@ -59,7 +60,8 @@ namespace Host.Tests
         /// <summary>Draws everything that an inspector has, with all foldouts open.</summary>
         internal static void Draw(Editor editor)
         {
-            GuiTrace.Clear();
+            GuiTrace.Fields.Clear();
+            GuiTrace.HelpBoxes.Clear();
             foreach (string title in new[] { "Statistics", "GPU time", "GPU memory" }.Concat((editor as RillEditor)?.Sections.Select(s => s.Title) ?? new string[0]))
                 SessionState.SetBool($"Rill.{editor.GetType().Name}.{title}", true);
             editor.OnInspectorGUI();

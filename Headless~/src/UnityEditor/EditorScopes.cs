@@ -100,8 +100,7 @@ namespace UnityEditor
         /// <summary>Says what it would draw to <see cref="GuiTrace"/>; as in Unity, a property that is not there throws.</summary>
         public static bool PropertyField(SerializedProperty property, GUIContent label, bool includeChildren, params GUILayoutOption[] options)
         {
-            string path = property.propertyPath;
-            GuiTrace.Field(path, label?.text ?? property.displayName, property.hasMultipleDifferentValues);
+            GuiTrace.Field(property, label?.text ?? property.displayName);
             return property.isExpanded && includeChildren;
         }
 
