@@ -10,6 +10,7 @@ namespace Rill.Editor
         public readonly string Path;
         readonly Func<SerializedObject, string> unit;
         readonly Func<SerializedObject, bool> isShown;
+        string tooltip;
 
         /// <param name="path">As SerializedObject.FindProperty takes it.</param>
         /// <param name="unit">As the label shows it; null for none.</param>
@@ -31,7 +32,8 @@ namespace Rill.Editor
         public GUIContent Label(SerializedObject inspected, SerializedProperty property)
         {
             string shown = Unit(inspected);
-            return new GUIContent(shown == null ? property.displayName : $"{property.displayName} ({shown})", property.tooltip);
+            tooltip ??= FieldTooltip.Of(inspected.targetObject.GetType(), Path);
+            return new GUIContent(shown == null ? property.displayName : $"{property.displayName} ({shown})", tooltip);
         }
     }
 }

@@ -51,6 +51,19 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_menu_item_that_is_called_on_nothing_takes_the_selection_unless_that_is_an_asset()
+        {
+            var selected = new GameObject("Selected");
+            Selection.activeGameObject = selected;
+            GameObject made = Choose("GameObject/Rill/Collider", null);
+            Assert.That(made.transform.parent, Is.SameAs(selected.transform));
+            selected.IsAsset = true;
+            Selection.activeGameObject = selected;
+            Assert.That(Choose("GameObject/Rill/Drain", null).transform.parent.GetComponent<FluidSimulation>() != null);
+            selected.IsAsset = false;
+        }
+
+        [Test]
         public void A_floating_body_floats()
         {
             GameObject made = Choose("GameObject/Rill/Floating Body", null);

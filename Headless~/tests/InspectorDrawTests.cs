@@ -98,6 +98,36 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Inspectors_of_what_acts_on_a_running_fluid_tell_what_it_did()
+        {
+            GameObject root = SceneSetup.CreateFluid(null);
+            var fluid = root.GetComponent<FluidSimulation>();
+            fluid.Configure(fluid.DomainSize, 0.1f, 2000);
+            var emitter = SceneSetup.CreateEmitter(root).GetComponent<FluidEmitter>();
+            var drain = SceneSetup.CreateDrain(root).GetComponent<FluidDrain>();
+            drain.Size = fluid.DomainSize;
+            var collider = SceneSetup.CreateCollider(root).GetComponent<FluidCollider>();
+            collider.MeasuresForce = true;
+            for (int i = 0; i < 30; i++)
+                PlayerLoop.Frame(1f / 60f);
+            Assert.That(Live(emitter)["State"], Is.EqualTo("lets fluid in"));
+            Assert.That(Live(emitter)["Emitted"], Does.StartWith($"{emitter.Emitted:N0} particles").And.Not.StartWith("0 "));
+            Assert.That(Live(drain)["Drained"], Is.EqualTo($"{drain.Drained:N0} particles").And.Not.StartWith("0 "));
+            Assert.That(Live(collider)["Force"], Does.EndWith(" N"));
+            emitter.StopEmission();
+            Assert.That(Live(emitter)["State"], Is.EqualTo("off"));
+        }
+
+        Dictionary<string, string> Live(Object target)
+        {
+            var editor = (RillEditor)Inspect(target);
+            Draw(editor);
+            var rows = new List<(string label, string text)>();
+            editor.ListLive(rows);
+            return rows.ToDictionary(row => row.label, row => row.text);
+        }
+
+        [Test]
         public void The_chart_of_times_has_the_stages_that_ran()
         {
             Player.GpuTimes = GpuTimes.Samples;

@@ -52,11 +52,12 @@ namespace Rill.Editor.Tests
             foreach (InspectorField field in editor.Sections.SelectMany(section => section.Fields))
             {
                 SerializedProperty property = editor.serializedObject.FindProperty(field.Path);
-                string unit = field.Unit(editor.serializedObject), label = field.Label(editor.serializedObject, property).text;
-                Assert.That(label, Is.EqualTo(unit == null ? property.displayName : $"{property.displayName} ({unit})"));
+                string unit = field.Unit(editor.serializedObject);
+                GUIContent label = field.Label(editor.serializedObject, property);
+                Assert.That(label.text, Is.EqualTo(unit == null ? property.displayName : $"{property.displayName} ({unit})"));
                 bool isSi = new[] { "m", "s", "m/s", "m/s²", "m³/s", "kg/m³", "ms", "1/s" }.Contains(unit);
                 if (isSi && unit != "1/s")
-                    Assert.That(TooltipOf(component, field.Path), Does.Match($@"(^|[ (,]){unit}($|[ ,.:;)])"), field.Path);
+                    Assert.That(label.tooltip, Does.Match($@"(^|[ (,]){unit}($|[ ,.:;)])"), field.Path);
             }
         }
 
@@ -161,19 +162,6 @@ namespace Rill.Editor.Tests
                         foreach (string path in Fields(field.FieldType, field.Name + "."))
                             yield return path;
                 }
-        }
-
-        static string TooltipOf(Type type, string path)
-        {
-            FieldInfo found = null;
-            foreach (string name in path.Split('.'))
-                for (Type t = found != null ? found.FieldType : type; t != null; t = t.BaseType)
-                    if (t.GetField(name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly) is FieldInfo field)
-                    {
-                        found = field;
-                        break;
-                    }
-            return found.GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
         }
     }
 }

@@ -108,9 +108,8 @@ namespace UnityEditor
         readonly Action<int, object> set;
         readonly Type valueType;
 
-        SerializedProperty(SerializedObject owner, string name, string path, Type type, string tooltip, Func<int, object> get, Action<int, object> set)
+        SerializedProperty(SerializedObject owner, string name, string path, Type type, Func<int, object> get, Action<int, object> set)
         {
-            this.tooltip = tooltip;
             serializedObject = owner;
             this.name = name;
             propertyPath = path;
@@ -127,10 +126,9 @@ namespace UnityEditor
             if (field == null)
                 return null;
             string path = parent == null ? name : parent.propertyPath + "." + name;
-            string tooltip = field.GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
             if (parent == null)
-                return new SerializedProperty(owner, name, path, field.FieldType, tooltip, i => owner.Get(i, field), (i, value) => owner.Set(i, field, value));
-            return new SerializedProperty(owner, name, path, field.FieldType, tooltip,
+                return new SerializedProperty(owner, name, path, field.FieldType, i => owner.Get(i, field), (i, value) => owner.Set(i, field, value));
+            return new SerializedProperty(owner, name, path, field.FieldType,
                 i => field.GetValue(parent.get(i)),
                 (i, value) =>
                 {
@@ -153,7 +151,7 @@ namespace UnityEditor
         public string name { get; }
         public string propertyPath { get; }
         public string displayName => ObjectNames.NicifyVariableName(name);
-        public string tooltip { get; }
+        public string tooltip => "";
         public string type => valueType.Name;
         public bool isArray => SerializedFields.ElementType(valueType) != null || valueType == typeof(string);
         public bool editable => true;
@@ -255,7 +253,7 @@ namespace UnityEditor
         {
             if (index < 0 || index >= arraySize)
                 throw new IndexOutOfRangeException($"Retrieving array element that was out of bounds: {index} of {arraySize} in '{propertyPath}'.");
-            return new SerializedProperty(serializedObject, $"data[{index}]", $"{propertyPath}.Array.data[{index}]", SerializedFields.ElementType(valueType), "",
+            return new SerializedProperty(serializedObject, $"data[{index}]", $"{propertyPath}.Array.data[{index}]", SerializedFields.ElementType(valueType),
                 i => ((IList)get(i))[index],
                 (i, value) =>
                 {
