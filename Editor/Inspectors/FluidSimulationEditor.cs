@@ -80,12 +80,20 @@ namespace Rill.Editor
             if (targets.Length > 1)
                 return;
             if (title == DomainTitle)
-                EditorGUILayout.LabelField("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
+                DrawEstimates();
             if (title == SolverTitle && Simulation.Budget.mode != BudgetMode.Off)
                 EditorGUILayout.HelpBox(BudgetSummary.SolverNote, MessageType.Info);
             if (title == BudgetTitle)
                 foreach ((string label, string text) in BudgetSummary.Rows(Simulation.BudgetState))
                     EditorGUILayout.LabelField(label, text);
+        }
+
+        void DrawEstimates()
+        {
+            EditorGUILayout.LabelField("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
+            long bytes = Simulation.EstimatedBytes;
+            if (bytes > 0)
+                EditorGUILayout.LabelField("GPU memory", MemoryRows.Text(bytes, Simulation.Capacity) + ", without optional stages");
         }
 
         void DrawPresets()
@@ -162,8 +170,7 @@ namespace Rill.Editor
                 memoryAt = Time.frameCount;
                 MemoryRows.List(Simulation.Describe(), memory);
             }
-            long total = MemoryRows.Total(memory);
-            EditorGUILayout.LabelField("All buffers", $"{EditorUtility.FormatBytes(total)}, {total / (double)Simulation.Capacity:0} bytes a particle of capacity");
+            EditorGUILayout.LabelField("All buffers", MemoryRows.Text(MemoryRows.Total(memory), Simulation.Capacity));
             foreach (MemoryRows.Row row in memory)
                 BarChart.Draw(row.Label, row.Share, EditorUtility.FormatBytes(row.Bytes));
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEditor;
 
 namespace Rill.Editor
 {
@@ -34,6 +35,9 @@ namespace Rill.Editor
                     rows.Add(new Row(name.StartsWith("Rill.", StringComparison.Ordinal) ? name.Substring(5) : name, bytes, bytes / (float)largest));
             rows.Sort((a, b) => a.Bytes != b.Bytes ? b.Bytes.CompareTo(a.Bytes) : string.CompareOrdinal(a.Label, b.Label));
         }
+
+        /// <param name="capacity">Most particles.</param>
+        public static string Text(long bytes, int capacity) => $"{EditorUtility.FormatBytes(bytes)}, {bytes / (double)capacity:0} bytes a particle of capacity";
 
         public static long Total(List<Row> rows)
         {

@@ -34,16 +34,27 @@ namespace Rill
         {
             get
             {
-                try
-                {
-                    MakeLayout();
-                    return null;
-                }
-                catch (ArgumentException problem)
-                {
-                    return problem.Message;
-                }
+                TryMakeLayout(out _, out string problem);
+                return problem;
             }
+        }
+
+        /// <summary>What its buffers will take on the GPU, without optional stages; 0 where it cannot run.</summary>
+        internal long EstimatedBytes => TryMakeLayout(out SolverLayout layout, out _) ? layout.EstimatedBytes : 0;
+
+        bool TryMakeLayout(out SolverLayout layout, out string problem)
+        {
+            layout = null;
+            problem = null;
+            try
+            {
+                layout = MakeLayout();
+            }
+            catch (ArgumentException refusal)
+            {
+                problem = refusal.Message;
+            }
+            return problem == null;
         }
     }
 }
