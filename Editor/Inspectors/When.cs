@@ -21,10 +21,6 @@ namespace Rill.Editor
         /// <summary>A number is above 0.</summary>
         public static Func<SerializedObject, bool> IsPositive(string path) => Of(path, property => property.floatValue > 0f);
 
-        public static Func<SerializedObject, bool> IsOn(string path) => Of(path, property => property.boolValue);
-
-        public static Func<SerializedObject, bool> Both(Func<SerializedObject, bool> a, Func<SerializedObject, bool> b) => inspected => a(inspected) && b(inspected);
-
         static Func<SerializedObject, bool> Of(string path, Func<SerializedProperty, bool> condition)
         {
             return inspected =>
