@@ -21,7 +21,7 @@ namespace Host.Tests
         public void Every_component_and_asset_of_the_package_has_an_inspector()
         {
             var inspected = new HashSet<Type>(Inspectors.Select(pair => pair.inspected));
-            var wanted = new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly }.SelectMany(assembly => assembly.GetTypes())
+            var wanted = new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly, typeof(FluidTerrain).Assembly }.SelectMany(assembly => assembly.GetTypes())
                 .Where(type => type.IsPublic && !type.IsAbstract && (typeof(MonoBehaviour).IsAssignableFrom(type) || typeof(ScriptableObject).IsAssignableFrom(type)));
             // The asset of a bake has its own kind of inspector.
             Assert.That(wanted.Where(type => type != typeof(SignedDistanceField)), Is.SubsetOf(inspected));

@@ -43,7 +43,7 @@ namespace Host.Tests
         {
             get
             {
-                foreach (Assembly assembly in new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor") })
+                foreach (Assembly assembly in new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") })
                     foreach (Type type in assembly.GetTypes())
                         foreach (CustomEditor mark in type.GetCustomAttributes<CustomEditor>(false))
                             yield return (mark.Inspected, type);

@@ -176,7 +176,8 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
-            problems.AddIfAny(Describe(out _));
+            bool heightsComeWithPlay = shape == ColliderShape.HeightField && heights == null && !Application.isPlaying;
+            problems.AddIfAny(heightsComeWithPlay ? null : Describe(out _));
         }
 
         /// <summary>As <see cref="TryDescribe"/>, without saying anything.</summary>
