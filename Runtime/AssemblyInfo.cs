@@ -5,6 +5,8 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Rill.Terrain")]
 [assembly: InternalsVisibleTo("Rill.Terrain.Tests")]
 [assembly: InternalsVisibleTo("Rill.Editor")]
+[assembly: InternalsVisibleTo("Rill.Physics.Editor")]
+[assembly: InternalsVisibleTo("Rill.Terrain.Editor")]
 [assembly: InternalsVisibleTo("Rill.Tests")]
 [assembly: InternalsVisibleTo("Rill.Editor.Tests")]
 // The headless host's benchmark and explain commands read the solver's stages.

@@ -2,7 +2,9 @@ using System;
 using System.Collections.Generic;
 using NUnit.Framework;
 using UnityEditor;
+using UnityEditor.IMGUI.Controls;
 using UnityEngine;
+using UnityEngine.Headless;
 
 namespace Host.Tests
 {
@@ -56,6 +58,120 @@ namespace Host.Tests
             Assert.That(settings.parts[1].length, Is.EqualTo(4));
             Assert.That(settings.other, Is.SameAs(settings.gameObject));
             Assert.That(serialized.FindProperty("missing"), Is.Null);
+        }
+
+        [Test]
+        public void What_is_written_reaches_the_object_only_when_applied()
+        {
+            Settings settings = Add<Settings>();
+            var serialized = new SerializedObject(settings);
+            serialized.FindProperty("count").intValue = 9;
+            Assert.That(settings.Count, Is.EqualTo(3));
+            serialized.Update();
+            Assert.That(serialized.FindProperty("count").intValue, Is.EqualTo(3));
+            Assert.That(serialized.ApplyModifiedProperties(), Is.False);
+            Assert.That(Story.Take(), Is.Empty);
+        }
+
+        [Test]
+        public void Properties_of_several_objects_say_where_they_differ_and_are_written_to_all()
+        {
+            Settings first = Add<Settings>(), second = Add<Settings>();
+            second.part.length = 7;
+            second.parts[1] = new Part { length = 7 };
+            var serialized = new SerializedObject(new UnityEngine.Object[] { first, second });
+            Assert.That(serialized.isEditingMultipleObjects);
+            Assert.That(serialized.FindProperty("part.length").hasMultipleDifferentValues);
+            Assert.That(serialized.FindProperty("parts").hasMultipleDifferentValues);
+            Assert.That(serialized.FindProperty("part.place").hasMultipleDifferentValues, Is.False);
+            serialized.FindProperty("part.place").vector3Value = Vector3.up;
+            serialized.ApplyModifiedProperties();
+            Assert.That(Story.Take(), Is.EqualTo(new[] { "valid 3", "valid 3" }));
+            Assert.That((first.part.place, second.part.place), Is.EqualTo((Vector3.up, Vector3.up)));
+            Assert.That((first.part.length, second.part.length), Is.EqualTo((2f, 7f)), "what was not written stays each object's own");
+        }
+
+        [Test]
+        public void Applied_values_recorded_ones_and_creations_are_undone_newest_first()
+        {
+            Undo.ClearAll();
+            Settings settings = Add<Settings>();
+            var serialized = new SerializedObject(settings);
+            serialized.FindProperty("count").intValue = 9;
+            serialized.ApplyModifiedProperties();
+            Undo.IncrementCurrentGroup();
+            Undo.RecordObject(settings, "Mode");
+            settings.mode = Mode.First;
+            Undo.RecordObject(settings.transform, "Move");
+            settings.transform.localPosition = Vector3.one;
+            Undo.IncrementCurrentGroup();
+            var made = new GameObject("made");
+            Undo.RegisterCreatedObjectUndo(made, "Create made");
+            Assert.That(Undo.GetCurrentGroupName(), Is.EqualTo("Create made"));
+            Undo.IncrementCurrentGroup();
+            Undo.RecordObject(settings, "Nothing");
+            Story.Take();
+
+            Undo.PerformUndo();
+            Assert.That((bool)made, Is.False);
+            Assert.That(settings.mode, Is.EqualTo(Mode.First));
+            Undo.PerformUndo();
+            Assert.That((settings.mode, settings.transform.localPosition), Is.EqualTo((Mode.Second, Vector3.zero)));
+            Assert.That(settings.Count, Is.EqualTo(9));
+            Undo.PerformUndo();
+            Assert.That(settings.Count, Is.EqualTo(3));
+            Assert.That(Story.Take(), Is.EqualTo(new[] { "valid 9", "valid 3" }));
+        }
+
+        [TestCase("maxSteps", "Max Steps")]
+        [TestCase("m_mesh", "Mesh")]
+        [TestCase("mesh", "Mesh")]
+        [TestCase("_useGPUTime2", "Use GPU Time 2")]
+        public void Names_are_shown_as_words(string name, string shown)
+        {
+            Assert.That(ObjectNames.NicifyVariableName(name), Is.EqualTo(shown));
+        }
+
+        [Test]
+        public void Groups_that_do_not_match_throw()
+        {
+            EditorGUILayout.BeginHorizontal();
+            Assert.That(() => EditorGUILayout.EndVertical(), Throws.InvalidOperationException.With.Message.Contains("BeginHorizontal is open"));
+            GuiGroups.Clear();
+            Assert.That(() => EditorGUI.EndDisabledGroup(), Throws.InvalidOperationException);
+            EditorGUILayout.BeginFoldoutHeaderGroup(true, "outer");
+            Assert.That(() => EditorGUILayout.BeginFoldoutHeaderGroup(true, "inner"), Throws.InvalidOperationException);
+            GuiGroups.Clear();
+            using (new EditorGUI.DisabledScope(true))
+            using (new EditorGUILayout.HorizontalScope())
+            using (new EditorGUI.IndentLevelScope())
+                Assert.That((GuiGroups.Open, EditorGUI.indentLevel), Is.EqualTo((3, 1)));
+            Assert.That((GuiGroups.Open, EditorGUI.indentLevel), Is.EqualTo((0, 0)));
+        }
+
+        [Test]
+        public void A_dragged_handle_counts_as_a_change()
+        {
+            var handle = new BoxBoundsHandle { size = new Vector3(1f, -2f, 3f) };
+            Assert.That(handle.size, Is.EqualTo(new Vector3(1f, 2f, 3f)));
+            EditorGUI.BeginChangeCheck();
+            handle.DrawHandle();
+            Assert.That(EditorGUI.EndChangeCheck(), Is.False);
+            PrimitiveBoundsHandle.Drag = dragged => true;
+            try
+            {
+                EditorGUI.BeginChangeCheck();
+                handle.DrawHandle();
+                Assert.That(EditorGUI.EndChangeCheck());
+            }
+            finally
+            {
+                PrimitiveBoundsHandle.Drag = null;
+                GUI.changed = false;
+            }
+            var capsule = new CapsuleBoundsHandle { radius = 1f, height = 0.5f };
+            Assert.That((capsule.height, capsule.radius), Is.EqualTo((2f, 1f)));
+            Assert.That(new SphereBoundsHandle { radius = 3f }.radius, Is.EqualTo(3f));
         }
 
         [Test]

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
@@ -14,7 +15,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Buoyancy")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Rigidbody))]
-    public sealed class FluidBuoyancy : MonoBehaviour
+    public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems
     {
         const float PatienceTime = 5f;          // s without a fluid before that is said
 
@@ -34,6 +35,7 @@ namespace Rill
         FloatingResponse response;
         float waited;
         bool measuredBefore, problemIsKnown;
+        string clamped;         // what the newest validation changed
 
         /// <summary>Mass of water that the body is computed to carry along, as a share of the water that it displaces, 0.25 to 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
@@ -79,15 +81,23 @@ namespace Rill
         void OnValidate()
         {
             problemIsKnown = false;
-            if (!Validate(out string problem))
-                Debug.LogWarning($"Rill: FluidBuoyancy '{name}': {problem}", this);
+            if (!Validate(out clamped))
+                Debug.LogWarning($"Rill: FluidBuoyancy '{name}': {clamped}", this);
+        }
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            var collider = GetComponent<FluidCollider>();       // its own problems are its own to tell
+            if (collider.Describe(out ColliderMotion shape) == null)
+                problems.AddIfAny(Problem(shape, VolumeOf(collider, shape)));
         }
 
         void FixedUpdate()
         {
             if (body.isKinematic || !obstacle.isActiveAndEnabled || !obstacle.TryDescribe(out ColliderMotion shape))
                 return;
-            float volume = shape.shape == ColliderShape.Mesh ? obstacle.Field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : ColliderMeasures.Volume(shape);
+            float volume = VolumeOf(obstacle, shape);
             Say(Problem(shape, volume));
             if (problemIsKnown)
                 return;
@@ -119,6 +129,11 @@ namespace Rill
             for (int i = 0; i < 3; i++)
                 local[i] = inertia[i] > 0f ? local[i] / inertia[i] : 0f;        // 0 does not turn
             return axes * local;
+        }
+
+        static float VolumeOf(FluidCollider collider, in ColliderMotion shape)
+        {
+            return shape.shape == ColliderShape.Mesh ? collider.Field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : ColliderMeasures.Volume(shape);
         }
 
         string Problem(in ColliderMotion shape, float volume)

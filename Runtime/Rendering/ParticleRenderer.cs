@@ -54,6 +54,9 @@ namespace Rill
         /// <summary>Speed, m/s, or relative density error at which the last colour is reached.</summary>
         public float ColorRange { get => colorRange; set => colorRange = Math.Max(value, 1e-4f); }
 
+        /// <summary>Light whose direction and colour the spheres take; null for light from above.</summary>
+        public Light Sun { get => sun; set => sun = value; }
+
         private protected override string Stage => "ParticleRenderer";
 
         private protected override void Draw()

@@ -13,7 +13,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
-    public sealed class FluidCollider : MonoBehaviour
+    public sealed class FluidCollider : MonoBehaviour, IHasProblems
     {
         [Tooltip("What the obstacle looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -58,6 +58,7 @@ namespace Rill
         quaternion lastRotation = quaternion.identity;
         float3 lastScale = 1f;
         bool problemIsKnown;
+        string clamped;     // what the newest validation changed
 
         /// <summary>Shape of the obstacle.</summary>
         public ColliderShape Shape { get => shape; set => shape = value; }
@@ -167,7 +168,22 @@ namespace Rill
         /// <param name="motion">Its poses are both the present one.</param>
         internal bool TryDescribe(out ColliderMotion motion)
         {
-            motion = default;
+            string problem = Describe(out motion);
+            Say(problem);
+            return problem == null;
+        }
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            bool heightsComeWithPlay = shape == ColliderShape.HeightField && heights == null && !Application.isPlaying;
+            problems.AddIfAny(heightsComeWithPlay ? null : Describe(out _));
+        }
+
+        /// <summary>As <see cref="TryDescribe"/>, without saying anything.</summary>
+        /// <returns>Why it is no obstacle; null where it is one.</returns>
+        internal string Describe(out ColliderMotion motion)
+        {
             string problem = FollowTransform();
             RigidPose pose = new RigidPose(lastPosition + math.mul(lastRotation, lastScale * (float3)center), lastRotation);
             float evenScale = math.cmax(lastScale);
@@ -195,8 +211,7 @@ namespace Rill
                     break;
             }
             motion.start = motion.end = pose;
-            Say(problem);
-            return problem == null;
+            return problem;
         }
 
         void OnEnable() => enabledColliders.Add(this);
@@ -210,8 +225,8 @@ namespace Rill
         void OnValidate()
         {
             problemIsKnown = false;
-            if (!Validate(out string problem))
-                Debug.LogWarning($"Rill: FluidCollider '{name}': {problem}", this);
+            if (!Validate(out clamped))
+                Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);
         }
 
         // Where the object is, or where it last was while that is no place.

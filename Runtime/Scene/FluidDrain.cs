@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -56,11 +57,10 @@ namespace Rill
             region = default;
             if (!TryGetPlace(frame, out PlaceInDomain place))
                 return false;
-            float3 half = (shape == DrainShape.Sphere ? Vector3.one * radius : size * 0.5f) / spacing;
-            bool isEmpty = !(math.cmin(half) > 0f);
-            if (MustSay(NoSize, isEmpty))
-                Say($"its {(shape == DrainShape.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it takes out nothing. Set its size above 0.");
-            if (isEmpty)
+            float3 half = Half / spacing;
+            if (MustSay(NoSize, IsEmpty))
+                Say(SizeProblem);
+            if (IsEmpty)
                 return false;
             region = new DrainRegion
             {
@@ -85,6 +85,22 @@ namespace Rill
             return problem;
         }
 
+        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
+        {
+            problems.AddIfAny(IsEmpty ? SizeProblem : null);
+            problems.AddIfAny(Simulation != null && recycleTo != null && !TargetTakes ? TargetProblem : null);
+        }
+
+        float3 Half => shape == DrainShape.Sphere ? Vector3.one * radius : size * 0.5f;
+
+        bool IsEmpty => !(math.cmin(Half) > 0f);
+
+        string SizeProblem => $"its {(shape == DrainShape.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it takes out nothing. Set its size above 0.";
+
+        bool TargetTakes => recycleTo.isActiveAndEnabled && recycleTo.Simulation == Simulation && recycleTo.Number >= 0;
+
+        string TargetProblem => $"its emitter '{recycleTo.name}' is disabled or belongs to another fluid, so particles are taken out for good. Enable it or choose one of '{Simulation.name}'.";
+
         // Whole particles; what is left of one is kept for the next step.
         uint LimitOf(float step, double particleVolume)
         {
@@ -100,9 +116,9 @@ namespace Rill
         {
             if (recycleTo == null)
                 return DrainRegion.NoEmitter;
-            bool takes = recycleTo.isActiveAndEnabled && recycleTo.Simulation == Simulation && recycleTo.Number >= 0;
+            bool takes = TargetTakes;
             if (MustSay(NoTarget, !takes))
-                Say($"its emitter '{recycleTo.name}' is disabled or belongs to another fluid, so particles are taken out for good. Enable it or choose one of '{Simulation.name}'.");
+                Say(TargetProblem);
             return takes ? (uint)recycleTo.Number : DrainRegion.NoEmitter;
         }
     }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -169,7 +170,7 @@ namespace Rill
                 axisX = place.axisX,
                 axisY = place.axisY,
                 axisZ = place.axisZ,
-                speed = (mode == EmitterMode.Fill && shape != EmitterShape.MeshSurface ? speed : math.max(speed, LeastSpeed)) / spacing,
+                speed = LeavingSpeed / spacing,
                 cosSpread = math.cos(math.radians(spread)),
                 due = share.due,
                 firstSerial = (uint)share.first,
@@ -180,16 +181,25 @@ namespace Rill
                 lifetimeSteps = lifetime > 0f ? math.max((int)math.round(lifetime / step), 1) : 0,
             };
             result.ChoosePlaces(perSecond, step);
-            if (share.due > 0)
-                SayWhatCannotBe(result, perSecond, step, spacing);
+            if (share.due > 0 && MustSay(TooFast, rate > 1.01f * MostRateOf(spacing, step)))
+                Say(RateProblem(spacing, step));
             return true;
         }
 
         /// <summary>Says once by name what the numbers from the GPU tell.</summary>
-        internal void ReportRefused(int capacity)
+        internal void ReportRefused()
         {
             if (MustSay(NoCapacity, Refused > 0))
-                Say($"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.");
+                Say(CapacityProblem);
+        }
+
+        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
+        {
+            FindPlaces(fluid.ParticleSpacing);
+            problems.AddIfAny(placesProblem != null ? ShapeProblem : null);
+            if (places != null && rate > 1.01f * MostRateOf(fluid.ParticleSpacing, fluid.FixedStep))
+                problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
+            problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
 
         private protected override string ValidateValues()
@@ -220,8 +230,34 @@ namespace Rill
 
         int Count(EmitterStates.Word word) => Simulation != null && Number >= 0 ? Simulation.EmitterCount(Number, word) : 0;
 
-        // Looks at the shape again only where something of it has changed.
+        // m/s.
+        float LeavingSpeed => mode == EmitterMode.Fill && shape != EmitterShape.MeshSurface ? speed : math.max(speed, LeastSpeed);
+
+        // m³/s that leave the shape at rest density, as far as a step can try.
+        double MostRateOf(float spacing, float step)
+        {
+            double perSecond = Emitters.MaxCandidates / (double)step;
+            if (!places.FillsVolume)
+                perSecond = math.min(perSecond, places.Count * (double)LeavingSpeed / spacing);
+            return perSecond * spacing * spacing * spacing;
+        }
+
+        string ShapeProblem => placesProblem + " It lets nothing in.";
+
+        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MostRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
+
+        string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.";
+
         bool TryGetPlaces(float spacing)
+        {
+            FindPlaces(spacing);
+            if (MustSay(NoShape, placesProblem != null))
+                Say(ShapeProblem);
+            return places != null;
+        }
+
+        // Looks at the shape again only where something of it has changed.
+        void FindPlaces(float spacing)
         {
             var key = new PlacesKey
             {
@@ -233,23 +269,11 @@ namespace Rill
                 scale = shape == EmitterShape.MeshSurface ? transform.lossyScale : Vector3.one,
                 spacing = spacing,
             };
-            if (!key.Equals(placesKey))
-            {
-                placesKey = key;
-                places = EmitterPlaces.Of(shape, mode, size, radius, mesh, key.scale, spacing, out placesProblem);
-                MustSay(NoShape, false);        // another problem is told anew
-            }
-            if (MustSay(NoShape, placesProblem != null))
-                Say(placesProblem + " It lets nothing in.");
-            return places != null;
-        }
-
-        void SayWhatCannotBe(in EmitterStep step, float perSecond, float seconds, float spacing)
-        {
-            float most = places.FillsVolume ? float.MaxValue : places.Count * step.speed;
-            most = math.min(most, Emitters.MaxCandidates / seconds);
-            if (MustSay(TooFast, perSecond > 1.01f * most))
-                Say($"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {most * ParticleVolume:0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.");
+            if (key.Equals(placesKey))
+                return;
+            placesKey = key;
+            places = EmitterPlaces.Of(shape, mode, size, radius, mesh, key.scale, spacing, out placesProblem);
+            MustSay(NoShape, false);        // another problem is told anew
         }
 
         // What places are made for.

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -89,12 +90,11 @@ namespace Rill
             region = default;
             if (!TryGetPlace(frame, out PlaceInDomain place))
                 return false;
-            float3 half = (bounds == ForceFieldBounds.Sphere ? Vector3.one * radius : size * 0.5f) / spacing;
+            float3 half = Half / spacing;
             bool bounded = bounds != ForceFieldBounds.None;
-            bool isEmpty = bounded && !(math.cmin(half) > 0f);
-            if (MustSay(NoSize, isEmpty))
-                Say($"its {(bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.");
-            if (isEmpty)
+            if (MustSay(NoSize, IsEmpty))
+                Say(SizeProblem);
+            if (IsEmpty)
                 return false;
             bool isWind = kind == ForceFieldKind.Wind;
             region = new FieldRegion
@@ -112,6 +112,14 @@ namespace Rill
             };
             return true;
         }
+
+        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems) => problems.AddIfAny(IsEmpty ? SizeProblem : null);
+
+        float3 Half => bounds == ForceFieldBounds.Sphere ? Vector3.one * radius : size * 0.5f;
+
+        bool IsEmpty => bounds != ForceFieldBounds.None && !(math.cmin(Half) > 0f);
+
+        string SizeProblem => $"its {(bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.";
 
         private protected override string ValidateValues()
         {

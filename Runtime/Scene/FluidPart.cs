@@ -1,16 +1,18 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
 {
     /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
     /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
-    public abstract class FluidPart : MonoBehaviour
+    public abstract class FluidPart : MonoBehaviour, IHasProblems
     {
         [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
         [SerializeField] FluidSimulation simulation;
 
         FluidSimulation attached;
         int said;           // bit p: problem p was logged and is still there
+        string clamped;     // what the newest validation changed
 
         /// <summary>The fluid that this acts on; null while there is none or this is disabled. Setting null means the nearest above it.</summary>
         public FluidSimulation Simulation
@@ -34,6 +36,19 @@ namespace Rill
         /// <returns>What was wrong and what it became; null if nothing was.</returns>
         private protected abstract string ValidateValues();
 
+        /// <summary>What is wrong with a part of this kind in a simulation.</summary>
+        private protected abstract void ListOwnProblems(FluidSimulation fluid, List<string> problems);
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            problems.AddIfAny(PlaceProblem);
+            FluidSimulation fluid = attached != null ? attached : Wanted;
+            problems.AddIfAny(fluid == null ? NoSimulationProblem : attached != null && Number < 0 ? TooManyProblem : null);
+            if (fluid != null && fluid.ParticleSpacing > 0f)
+                ListOwnProblems(fluid, problems);
+        }
+
         /// <summary>The simulation begins anew.</summary>
         internal virtual void OnRestart() { }
 
@@ -54,16 +69,16 @@ namespace Rill
             Quaternion rotation = transform.rotation;
             bool isNowhere = !Limit.IsPlace(position, rotation);
             if (MustSay(NoPlace, isNowhere))
-                Say($"its transform is not finite (position {position}, rotation {rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.");
+                Say(PlaceProblem);
             place = isNowhere ? default : frame.Place(position, rotation);
             return !isNowhere;
         }
 
         private protected void Validate()
         {
-            string problem = ValidateValues();
-            if (problem != null)
-                Say(problem);
+            clamped = ValidateValues();
+            if (clamped != null)
+                Say(clamped);
         }
 
         void OnEnable()
@@ -92,18 +107,24 @@ namespace Rill
             Attach();
         }
 
+        string PlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.";
+
+        string NoSimulationProblem => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
+
+        string TooManyProblem => $"FluidSimulation '{attached.name}' has {attached.MostLike(this)} of its kind, the most it takes, and leaves this one out. Disable another and enable this anew.";
+
         FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
 
         void Attach()
         {
             attached = Wanted;
             if (MustSay(NoSimulation, attached == null))
-                Say("there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.");
+                Say(NoSimulationProblem);
             if (attached == null)
                 return;
-            int most = attached.Attach(this);
+            attached.Attach(this);
             if (MustSay(TooMany, Number < 0))
-                Say($"FluidSimulation '{attached.name}' has {most} of its kind, the most it takes, and leaves this one out. Disable another and enable this anew.");
+                Say(TooManyProblem);
         }
 
         void Detach()

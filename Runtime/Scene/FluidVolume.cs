@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -11,7 +12,7 @@ namespace Rill
 
     /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform scale.</summary>
     [AddComponentMenu("Rill/Fluid Volume")]
-    public sealed class FluidVolume : MonoBehaviour
+    public sealed class FluidVolume : MonoBehaviour, IHasProblems
     {
         [Tooltip("A box or a sphere around this object, or the inside of a baked mesh in its own place.")]
         [SerializeField] VolumeShape shape = VolumeShape.Box;
@@ -61,14 +62,10 @@ namespace Rill
         /// <exception cref="ArgumentException">Field missing or unreadable, or size, velocity or transform is not finite, or the particles are too many for any simulation.</exception>
         internal void Fill(float spacing, int seed, out NativeArray<float4> positions, out NativeArray<float4> velocities)
         {
-            float3 center = transform.position;
-            ValidateField();
-            if (!math.all(math.isfinite(Extent)) || !math.all(math.isfinite((float3)velocity)) || !math.all(math.isfinite(center)))
-                throw new ArgumentException($"{SizeText}, velocity {velocity} or position {transform.position} is not finite. Set them to numbers.");
-            float3 across = math.max(Extent / spacing, 0f);
-            if (across.x * across.y * across.z > SolverLayout.MaxCapacity)
-                throw new ArgumentException($"{SizeText} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {spacing} m, the most of one simulation. Shrink it or raise the spacing.");
+            if (ProblemWith(spacing) is string problem)
+                throw new ArgumentException(problem);
 
+            float3 center = transform.position;
             IVolume volume = Solid(spacing);
             int3 counts = math.max(LatticeCounts(spacing), 0);
             float3 first = (float3)(counts - 1) * -0.5f;
@@ -111,19 +108,43 @@ namespace Rill
 
         string SizeText => shape == VolumeShape.Sphere ? $"radius {radius}" : $"size {(Vector3)Extent}";
 
-        void ValidateField()
+        void IHasProblems.ListProblems(List<string> problems)
         {
-            if (shape != VolumeShape.SignedDistanceField)
-                return;
-            if (field == null)
-                throw new ArgumentException("it has no signed distance field. Bake one from a mesh and set it, or choose another shape.");
-            if (!field.Validate(out string problem))
-                throw new ArgumentException("its field " + problem);
-            if (!field.TrySample(field.Bounds.center, out _))
-                throw new ArgumentException($"its field '{field.name}' has a texture that cannot be read. Bake it anew.");
-            float3 scale = math.abs((float3)transform.lossyScale);
-            if (!(math.cmin(scale) > 0f) || math.cmax(scale) - math.cmin(scale) > 1e-3f * math.cmax(scale))
-                throw new ArgumentException($"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not survive. Scale it uniformly.");
+            FluidSimulation fluid = GetComponentInParent<FluidSimulation>(true);
+            problems.AddIfAny(fluid == null ? "there is no FluidSimulation on this object or above it, so it fills none. Put it below one." : null);
+            problems.AddIfAny(ProblemWith(fluid != null && fluid.ParticleSpacing > 0f ? fluid.ParticleSpacing : float.PositiveInfinity));
+        }
+
+        // Why it cannot be filled with particles of this spacing; null where it can.
+        string ProblemWith(float spacing)
+        {
+            if (FieldProblem is string problem)
+                return problem;
+            if (!math.all(math.isfinite(Extent)) || !math.all(math.isfinite((float3)velocity)) || !math.all(math.isfinite((float3)transform.position)))
+                return $"{SizeText}, velocity {velocity} or position {transform.position} is not finite. Set them to numbers.";
+            float3 across = math.max(Extent / spacing, 0f);
+            if (across.x * across.y * across.z > SolverLayout.MaxCapacity)
+                return $"{SizeText} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {spacing} m, the most of one simulation. Shrink it or raise the spacing.";
+            return null;
+        }
+
+        string FieldProblem
+        {
+            get
+            {
+                if (shape != VolumeShape.SignedDistanceField)
+                    return null;
+                if (field == null)
+                    return "it has no signed distance field. Bake one from a mesh and set it, or choose another shape.";
+                if (!field.Validate(out string problem))
+                    return "its field " + problem;
+                if (!field.TrySample(field.Bounds.center, out _))
+                    return $"its field '{field.name}' has a texture that cannot be read. Bake it anew.";
+                float3 scale = math.abs((float3)transform.lossyScale);
+                if (!(math.cmin(scale) > 0f) || math.cmax(scale) - math.cmin(scale) > 1e-3f * math.cmax(scale))
+                    return $"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not survive. Scale it uniformly.";
+                return null;
+            }
         }
 
         IVolume Solid(float spacing)

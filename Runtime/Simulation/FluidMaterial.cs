@@ -35,6 +35,30 @@ namespace Rill
             allowedTension = 0f,
         };
 
+        /// <summary>Water's other values, with a density and the viscosity setting that acts like a given viscosity.</summary>
+        /// <param name="density">kg/m³.</param>
+        /// <param name="dynamicViscosity">Pa s; what the setting can express at a spacing is <see cref="DynamicViscosity"/> of 0 to 1.</param>
+        /// <param name="spacing">Particle spacing, m.</param>
+        /// <returns>Its viscosity may be above 1, which no simulation uses.</returns>
+        public static FluidMaterial Like(float density, float dynamicViscosity, float spacing)
+        {
+            FluidMaterial material = Water;
+            material.density = density;
+            material.viscosity = (float)(dynamicViscosity / (density * KinematicViscosityOfOne(spacing)));
+            return material;
+        }
+
+        /// <summary>Viscosity that the setting acts like, Pa s, in flow that is smooth over a few particles; the solver's own damping comes on top.</summary>
+        /// <remarks>
+        /// XSPH evens out the velocity's curvature over the kernel: Σ (v_j − v_i) W / ρ0 ≈ ½ Σ W x² / ρ0 · ∇²v, each 1/60 s times the setting. So
+        /// it grows with the square of the spacing, and the same setting is a thicker fluid at a coarser resolution.
+        /// </remarks>
+        /// <param name="spacing">Particle spacing, m.</param>
+        public float DynamicViscosity(float spacing) => (float)(viscosity * density * KinematicViscosityOfOne(spacing));
+
+        // m²/s.
+        static double KinematicViscosityOfOne(double spacing) => 0.5 * SolverConstants.ViscosityRate * LatticeKernels.Poly6Spread * spacing * spacing;
+
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
         /// <returns>Whether the material was valid as it stood.</returns>

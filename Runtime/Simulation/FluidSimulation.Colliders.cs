@@ -12,6 +12,8 @@ namespace Rill
         ColliderMotion[] lastMotions;
         int[] colliderTeleports, lastTeleports;
         int lastColliderCount;
+        FluidCollider leftOut;      // the first beyond the most
+        int leftOutCount;
         bool tooManyIsKnown;
 
         /// <summary>Obstacles of the last steps.</summary>
@@ -36,8 +38,8 @@ namespace Rill
 
             GetPlace(out Vector3 place, out Quaternion rotation);
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
-            FluidCollider leftOut = null;
-            int leftOutCount = 0;
+            leftOut = null;
+            leftOutCount = 0;
             bool changed = false, reordered = false;
             BeginTracks();
             foreach (FluidCollider collider in FluidCollider.Enabled)
@@ -75,7 +77,7 @@ namespace Rill
                 colliders.Version++;
             if (reordered)
                 colliders.Order++;
-            SayTooMany(leftOut, leftOutCount);
+            SayTooMany();
         }
 
         void ForgetColliders() => colliders.Count = 0;
@@ -114,11 +116,11 @@ namespace Rill
                 && a.bounce == b.bounce && a.insideOut == b.insideOut && a.carriesDensity == b.carriesDensity;
         }
 
-        void SayTooMany(FluidCollider first, int count)
+        void SayTooMany()
         {
-            if (count > 0 && !tooManyIsKnown)
-                Debug.LogError($"Rill: FluidSimulation '{name}' takes {ColliderSet.Most} colliders at a time; {count} more are in its box and left out, '{first.name}' first. Merge meshes into one field, or disable colliders that the fluid does not reach.", this);
-            tooManyIsKnown = count > 0;
+            if (leftOutCount > 0 && !tooManyIsKnown)
+                Debug.LogError($"Rill: FluidSimulation '{name}' {TooManyProblem}", this);
+            tooManyIsKnown = leftOutCount > 0;
         }
     }
 }

@@ -35,7 +35,7 @@ namespace Rill
             }
             else if (!wasLost)
             {
-                Debug.LogError($"Rill: FluidSimulation '{name}': its transform is not finite (position {position}, rotation {rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.", this);
+                Debug.LogError($"Rill: FluidSimulation '{name}': {LostPlaceProblem}", this);
             }
             return !placeIsLost && !wasLost;
         }

@@ -16,8 +16,7 @@ namespace Rill
         int stepsSinceReadback;
 
         /// <summary>Gives a part its number, or none where there are too many of its kind.</summary>
-        /// <returns>The most of its kind.</returns>
-        internal int Attach(FluidPart part)
+        internal void Attach(FluidPart part)
         {
             FluidPart[] kind = PartsLike(part);
             for (int number = 0; number < kind.Length; number++)
@@ -30,8 +29,10 @@ namespace Rill
                 part.OnRestart();
                 break;
             }
-            return kind.Length;
         }
+
+        /// <summary>The most of a part's kind.</summary>
+        internal int MostLike(FluidPart part) => PartsLike(part).Length;
 
         /// <summary>Takes a part's number back.</summary>
         internal void Detach(FluidPart part)
@@ -117,7 +118,7 @@ namespace Rill
             stepsSinceReadback = 0;
             foreach (FluidEmitter emitter in emitters)
                 if (emitter != null)
-                    emitter.ReportRefused(capacity);
+                    emitter.ReportRefused();
             pbf.RequestSourceCounts();
         }
 

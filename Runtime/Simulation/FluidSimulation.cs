@@ -18,7 +18,7 @@ namespace Rill
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Simulation")]
     [DisallowMultipleComponent]
-    public sealed partial class FluidSimulation : MonoBehaviour
+    public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems
     {
         const float DefaultStepRate = 60f;
         static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
@@ -81,6 +81,9 @@ namespace Rill
 
         /// <summary>Inner size of the box, m.</summary>
         public Vector3 DomainSize => domainSize;
+
+        /// <summary>Most particles.</summary>
+        public int Capacity => capacity;
 
         /// <summary>Whether time stands still.</summary>
         public bool Paused { get => paused; set => paused = value; }
@@ -177,14 +180,10 @@ namespace Rill
 
         void OnEnable()
         {
-            if (!SystemInfo.supportsComputeShaders)
+            failure = null;
+            if (DeviceProblem != null || NoPlaceProblem != null)
             {
-                Fail("this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.");
-                return;
-            }
-            if (!Limit.IsPlace(transform.position, transform.rotation))
-            {
-                Fail($"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.");
+                Fail(DeviceProblem ?? NoPlaceProblem);
                 return;
             }
             FollowTransform();
@@ -192,8 +191,7 @@ namespace Rill
             ValidateSettings();
             try
             {
-                var layout = new SolverLayout(domainSize, particleSpacing, capacity, solver.neighborCapacity, solver.listMargin);
-                pbf = new PbfSolver(layout);
+                pbf = new PbfSolver(MakeLayout());
             }
             catch (Exception problem) when (problem is ArgumentException || problem is InvalidOperationException)
             {
@@ -218,6 +216,7 @@ namespace Rill
 
         void OnValidate()
         {
+            failure = null;     // what it was of may have changed
             ValidateSettings();
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
         }
@@ -340,6 +339,7 @@ namespace Rill
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
+            clamped = problem;
             if (problem != null)
                 Debug.LogWarning($"Rill: FluidSimulation '{name}': {problem}", this);
         }
@@ -349,6 +349,8 @@ namespace Rill
             return math.all(layout.DomainSize == (float3)domainSize / particleSpacing) && layout.Spacing == particleSpacing && layout.Capacity == capacity
                 && layout.AskedNeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
         }
+
+        SolverLayout MakeLayout() => new SolverLayout(domainSize, particleSpacing, capacity, solver.neighborCapacity, solver.listMargin);
 
         void StandStill()
         {
@@ -360,6 +362,7 @@ namespace Rill
         // Says what is wrong and stops this component, and nothing else in the scene.
         void Fail(string problem)
         {
+            failure = problem;
             Debug.LogError($"Rill: FluidSimulation '{name}' is off: {problem}", this);
             enabled = false;
         }

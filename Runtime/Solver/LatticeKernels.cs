@@ -24,6 +24,9 @@ namespace Rill
         /// <summary>Σ|∇C|² of a particle inside the lattice, 1/d²: scale of the constraint's denominator.</summary>
         public static readonly double ReferenceSquares = SumLattice(r => SpikySlope(r) * SpikySlope(r), includeSelf: false) / (RestDensity * RestDensity);
 
+        /// <summary>Σ W x² / ρ0 over the lattice, d²: how far along an axis a kernel's average reaches.</summary>
+        public static readonly double Poly6Spread = SumLattice(r => Poly6(r) * r * r / 3.0, includeSelf: false) / RestDensity;
+
         /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
         public static readonly double WallScale = MissingBehindWall() / HalfSpaceDensity(0.5);
 

@@ -38,7 +38,7 @@ namespace Rill
         const float MaxCorrection = 0.5f;
 
         /// <summary>Rate, 1/s, at which the viscosity setting is quoted.</summary>
-        const float ViscosityRate = 60f;
+        public const float ViscosityRate = 60f;
 
         /// <param name="input">Valid settings and material; the time step is that of the whole step.</param>
         public static SolverConstants For(SolverLayout layout, in StepInput input, uint stepIndex)

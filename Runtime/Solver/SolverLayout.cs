@@ -20,6 +20,9 @@ namespace Rill
 
         const int ParticlesPerListBlock = 32;
 
+        // What each particle and each grid cell takes besides the lists, in a scene without optional stages.
+        const long BytesOfParticle = 92, BytesOfCell = 8;
+
         /// <param name="domainSize">Inner size of the box, m, each at least the support radius 2 d.</param>
         /// <param name="spacing">Particle spacing d, m, above 0.</param>
         /// <param name="capacity">Most particles, 1 to <see cref="MaxCapacity"/>, as far as the device can bind their buffers.</param>
@@ -77,6 +80,9 @@ namespace Rill
         public long FirstListEntries => (long)RoundUp(FirstListParticles) * NeighborCapacity;
         /// <summary>Entries of the second list buffer; 0 without one.</summary>
         public long SecondListEntries => (long)RoundUp(Capacity - FirstListParticles) * NeighborCapacity;
+
+        /// <summary>Bytes of the buffers of a solver with this layout, without its optional stages.</summary>
+        public long EstimatedBytes => Capacity * BytesOfParticle + CellTotal * BytesOfCell + sizeof(uint) * (FirstListEntries + SecondListEntries);
 
         // Half the list radius makes the tightest search; a domain with too many such cells gets whole ones.
         void ChooseCells()

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
@@ -11,13 +12,15 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
-    public sealed class FluidTerrain : MonoBehaviour
+    public sealed class FluidTerrain : MonoBehaviour, IHasProblems
     {
         [Tooltip("Part of the terrain that the fluid can reach, as shares of its sides from 0 to 1. A smaller part is exact in large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
         FluidCollider obstacle;
         HeightField heights;
+        string clamped;     // what the newest validation changed
+        string refusal;     // why the newest heights were not taken
 
         /// <summary>Part of the terrain that the fluid can reach, as shares of its sides along x and z, 0 to 1. After a change call <see cref="Refresh"/>.</summary>
         public Rect Part { get => part; set { part = value; OnValidate(); } }
@@ -40,10 +43,11 @@ namespace Rill
         public void Refresh()
         {
             Forget();
+            refusal = null;
             TerrainData data = GetComponent<Terrain>().terrainData;
             if (data == null)
             {
-                Debug.LogError($"Rill: FluidTerrain '{name}' is no obstacle: its Terrain has no terrain data. Assign some.", this);
+                Refuse("its Terrain has no terrain data. Assign some.");
                 return;
             }
             int last = data.heightmapResolution - 1;
@@ -51,7 +55,7 @@ namespace Rill
             int countX = Mathf.CeilToInt(part.xMax * last) - x + 1, countZ = Mathf.CeilToInt(part.yMax * last) - z + 1;
             if (Mathf.Max(countX, countZ) > HeightField.MostHeights)
             {
-                Debug.LogError($"Rill: FluidTerrain '{name}' is no obstacle: it has {countX} x {countZ} heights, and {HeightField.MostHeights} along a side can be taken. Set Part to where the fluid gets, or lower the terrain's heightmap resolution.", this);
+                Refuse($"it has {countX} x {countZ} heights, and {HeightField.MostHeights} along a side can be taken. Set Part to where the fluid gets, or lower the terrain's heightmap resolution.");
                 return;
             }
             Vector3 size = data.size, spacing = size / last;
@@ -65,7 +69,7 @@ namespace Rill
             }
             catch (ArgumentException e)
             {
-                Debug.LogError($"Rill: FluidTerrain '{name}' is no obstacle: {e.Message}", this);
+                Refuse(e.Message);
                 return;
             }
             obstacle.Shape = ColliderShape.HeightField;
@@ -82,8 +86,20 @@ namespace Rill
 
         void OnValidate()
         {
-            if (!Validate(out string problem))
-                Debug.LogWarning($"Rill: FluidTerrain '{name}': {problem}", this);
+            if (!Validate(out clamped))
+                Debug.LogWarning($"Rill: FluidTerrain '{name}': {clamped}", this);
+        }
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            problems.AddIfAny(refusal);
+        }
+
+        void Refuse(string problem)
+        {
+            refusal = problem;
+            Debug.LogError($"Rill: FluidTerrain '{name}' is no obstacle: {problem}", this);
         }
 
         void Forget()

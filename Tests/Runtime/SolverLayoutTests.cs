@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -31,6 +32,21 @@ namespace Rill.Tests
         public void A_domain_thinner_than_the_support_radius_is_refused(float side)
         {
             AssertRefused(() => Layout(new float3(1f, 1f, side), 0.05f, 1000), "Domain size", "support radius, 0.1 m");
+        }
+
+        [TestCase(50000, 64)]
+        [TestCase(4000, 96)]
+        public void The_memory_of_a_solver_is_estimated(int capacity, int neighbors)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.neighborCapacity = neighbors;
+            settings.deepWater = DeepWater.Off;
+            using (var fluid = new TestFluid(new float3(2f, 2f, 1f), 0.05f, capacity, settings).AddBlock(0f, new float3(0.5f, 0.5f, 0.5f)).Step())
+            {
+                long taken = fluid.Solver.Describe(fluid.Input, 0).Sum(stage => stage.Bytes);
+                TestContext.Out.WriteLine($"taken {taken:N0}, estimated {fluid.Solver.Layout.EstimatedBytes:N0} bytes");
+                Assert.That(fluid.Solver.Layout.EstimatedBytes, Is.EqualTo(taken).Within(2).Percent);
+            }
         }
 
         [Test]

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
@@ -75,17 +76,34 @@ namespace UnityEditor
 
     public sealed class Selection
     {
-        public static Object activeObject { get; set; }
+        static Object[] selected = Array.Empty<Object>();
+
+        public static Action selectionChanged;
+
+        public static Object[] objects
+        {
+            get => selected.Where(o => o).ToArray();
+            set
+            {
+                selected = value ?? Array.Empty<Object>();
+                selectionChanged?.Invoke();
+            }
+        }
+
+        public static Object activeObject { get => objects.FirstOrDefault(); set => objects = value ? new[] { value } : null; }
         public static GameObject activeGameObject { get => activeObject as GameObject; set => activeObject = value; }
         public static Transform activeTransform { get => activeGameObject ? activeGameObject.transform : null; set => activeObject = value ? value.gameObject : null; }
-        public static Object[] objects { get => activeObject ? new[] { activeObject } : Array.Empty<Object>(); set => activeObject = value.Length > 0 ? value[0] : null; }
-        public static GameObject[] gameObjects => activeGameObject ? new[] { activeGameObject } : Array.Empty<GameObject>();
-        public static bool Contains(Object obj) => obj == activeObject;
-        public static Action selectionChanged;
+        public static GameObject[] gameObjects => objects.OfType<GameObject>().ToArray();
+        public static int count => objects.Length;
+        public static bool Contains(Object obj) => Array.IndexOf(objects, obj) >= 0;
     }
 
-    public sealed class SceneView
+    /// <summary>None is ever open here.</summary>
+    public class SceneView
     {
+        SceneView() { }
+        public static SceneView lastActiveSceneView => null;
+        public Vector3 pivot { get; set; }
         public static void RepaintAll() { }
     }
 }

@@ -1,27 +1,68 @@
+using System;
+using System.Collections.Generic;
 using UnityEngine;
-using Object = UnityEngine.Object;
+using UnityEngine.Headless;
 
 namespace UnityEditor
 {
     public partial class EditorGUI
     {
-        public struct DisabledScope : System.IDisposable
+        static readonly Stack<bool> changesBefore = new Stack<bool>();
+
+        public static void BeginChangeCheck()
         {
-            public DisabledScope(bool disabled) { }
-            public void Dispose() { }
+            GuiGroups.Begin("ChangeCheck");
+            changesBefore.Push(GUI.changed);
+            GUI.changed = false;
+        }
+
+        public static bool EndChangeCheck()
+        {
+            GuiGroups.End("ChangeCheck");
+            bool changed = GUI.changed;
+            GUI.changed |= changesBefore.Pop();
+            return changed;
+        }
+
+        public struct DisabledScope : IDisposable
+        {
+            public DisabledScope(bool disabled) => BeginDisabledGroup(disabled);
+            public void Dispose() => EndDisabledGroup();
         }
 
         public class IndentLevelScope : GUI.Scope
         {
-            public IndentLevelScope() { }
-            public IndentLevelScope(int increment) { }
-            protected override void CloseScope() { }
+            readonly int increment;
+
+            public IndentLevelScope() : this(1) { }
+
+            public IndentLevelScope(int increment)
+            {
+                this.increment = increment;
+                indentLevel += increment;
+                GuiGroups.Begin(nameof(IndentLevelScope));
+            }
+
+            protected override void CloseScope()
+            {
+                GuiGroups.End(nameof(IndentLevelScope));
+                indentLevel -= increment;
+            }
         }
 
         public class ChangeCheckScope : GUI.Scope
         {
-            public bool changed => false;
-            protected override void CloseScope() { }
+            bool closed;
+
+            public ChangeCheckScope() => BeginChangeCheck();
+            public bool changed => GUI.changed;
+
+            protected override void CloseScope()
+            {
+                if (!closed)
+                    EndChangeCheck();
+                closed = true;
+            }
         }
     }
 
@@ -29,42 +70,72 @@ namespace UnityEditor
     {
         public class HorizontalScope : GUI.Scope
         {
-            public HorizontalScope(params GUILayoutOption[] options) { }
-            public HorizontalScope(GUIStyle style, params GUILayoutOption[] options) { }
+            public HorizontalScope(params GUILayoutOption[] options) => rect = BeginHorizontal(options);
+            public HorizontalScope(GUIStyle style, params GUILayoutOption[] options) => rect = BeginHorizontal(style, options);
             public Rect rect { get; protected set; }
-            protected override void CloseScope() { }
+            protected override void CloseScope() => EndHorizontal();
         }
 
         public class VerticalScope : GUI.Scope
         {
-            public VerticalScope(params GUILayoutOption[] options) { }
-            public VerticalScope(GUIStyle style, params GUILayoutOption[] options) { }
+            public VerticalScope(params GUILayoutOption[] options) => rect = BeginVertical(options);
+            public VerticalScope(GUIStyle style, params GUILayoutOption[] options) => rect = BeginVertical(style, options);
             public Rect rect { get; protected set; }
-            protected override void CloseScope() { }
+            protected override void CloseScope() => EndVertical();
         }
+
+        public static bool BeginFoldoutHeaderGroup(bool foldout, string content, GUIStyle style = null, Action<Rect> menuAction = null, GUIStyle menuIcon = null)
+        {
+            GuiGroups.Begin("FoldoutHeaderGroup");
+            return foldout;
+        }
+
+        public static bool BeginFoldoutHeaderGroup(bool foldout, GUIContent content, GUIStyle style = null, Action<Rect> menuAction = null, GUIStyle menuIcon = null)
+            => BeginFoldoutHeaderGroup(foldout, content.text, style, menuAction, menuIcon);
+
+        public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => PropertyField(property, null, options);
+        public static bool PropertyField(SerializedProperty property, bool includeChildren, params GUILayoutOption[] options) => PropertyField(property, null, includeChildren, options);
+        public static bool PropertyField(SerializedProperty property, GUIContent label, params GUILayoutOption[] options) => PropertyField(property, label, IsVectorLike(property), options);
+
+        /// <summary>Says what it would draw to <see cref="GuiTrace"/>; as in Unity, a property that is not there throws.</summary>
+        public static bool PropertyField(SerializedProperty property, GUIContent label, bool includeChildren, params GUILayoutOption[] options)
+        {
+            GuiTrace.Field(property, label?.text ?? property.displayName);
+            return property.isExpanded && includeChildren;
+        }
+
+        public static void HelpBox(string message, MessageType type) => GuiTrace.Help(type, message);
+        public static void HelpBox(string message, MessageType type, bool wide) => GuiTrace.Help(type, message);
+        public static void HelpBox(GUIContent content, bool wide = true) => GuiTrace.Help(MessageType.None, content.text);
+
+        static bool IsVectorLike(SerializedProperty property) => property.propertyType != SerializedPropertyType.Generic;
     }
 
     public partial class Handles
     {
-        public struct DrawingScope : System.IDisposable
+        public struct DrawingScope : IDisposable
         {
-            public DrawingScope(Color color) { }
-            public DrawingScope(Matrix4x4 matrix) { }
-            public DrawingScope(Color color, Matrix4x4 matrix) { }
-            public void Dispose() { }
+            readonly Color originalColor;
+            readonly Matrix4x4 originalMatrix;
+
+            public DrawingScope(Color color) : this(color, Handles.matrix) { }
+            public DrawingScope(Matrix4x4 matrix) : this(Handles.color, matrix) { }
+
+            public DrawingScope(Color color, Matrix4x4 matrix)
+            {
+                originalColor = Handles.color;
+                originalMatrix = Handles.matrix;
+                Handles.color = color;
+                Handles.matrix = matrix;
+            }
+
+            public void Dispose()
+            {
+                Handles.color = originalColor;
+                Handles.matrix = originalMatrix;
+            }
         }
     }
 
     public enum MessageType { None = 0, Info = 1, Warning = 2, Error = 3 }
-
-    // What has an effect besides being undoable.
-    public partial class Undo
-    {
-        public static T AddComponent<T>(GameObject gameObject) where T : Component => gameObject.AddComponent<T>();
-        public static Component AddComponent(GameObject gameObject, System.Type type) => gameObject.AddComponent(type);
-        public static void DestroyObjectImmediate(Object objectToUndo) => Object.DestroyImmediate(objectToUndo, true);
-        public static void SetTransformParent(Transform transform, Transform newParent, string name) => transform.SetParent(newParent, true);
-        public static void SetTransformParent(Transform transform, Transform newParent, bool worldPositionStays, string name) => transform.SetParent(newParent, worldPositionStays);
-        public static void SetSiblingIndex(Transform transform, int siblingIndex, string name) => transform.SetSiblingIndex(siblingIndex);
-    }
 }

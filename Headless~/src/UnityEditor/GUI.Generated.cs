@@ -1,6 +1,7 @@
 // Written by UnityEditor/generate_gui.py; change that instead.
 using System;
 using UnityEngine;
+using UnityEngine.Headless;
 using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 using UnityObject = UnityEngine.Object;
@@ -35,7 +36,7 @@ namespace UnityEditor
         public static Enum EnumPopup(Rect position, GUIContent label, Enum selected, GUIStyle style) => selected;
         public static Enum EnumPopup(Rect position, string label, Enum selected) => selected;
         public static Enum EnumPopup(Rect position, string label, Enum selected, GUIStyle style) => selected;
-        public static GUIContent BeginProperty(Rect totalPosition, GUIContent label, SerializedProperty property) => new GUIContent();
+        public static GUIContent BeginProperty(Rect totalPosition, GUIContent label, SerializedProperty property) { GuiGroups.Begin("Property"); return new GUIContent(); }
         public static Gradient GradientField(Rect position, GUIContent label, Gradient gradient) => default;
         public static Gradient GradientField(Rect position, GUIContent label, Gradient gradient, bool hdr) => default;
         public static Gradient GradientField(Rect position, Gradient gradient) => default;
@@ -66,7 +67,6 @@ namespace UnityEditor
         public static Vector4 Vector4Field(Rect position, string label, Vector4 value) => value;
         public static bool DropdownButton(Rect position, GUIContent content, FocusType focusType) => default;
         public static bool DropdownButton(Rect position, GUIContent content, FocusType focusType, GUIStyle style) => default;
-        public static bool EndChangeCheck() => default;
         public static bool Foldout(Rect position, bool foldout, GUIContent content) => foldout;
         public static bool Foldout(Rect position, bool foldout, GUIContent content, GUIStyle style) => foldout;
         public static bool Foldout(Rect position, bool foldout, GUIContent content, bool toggleOnLabelClick) => foldout;
@@ -205,8 +205,7 @@ namespace UnityEditor
         public static string TextField(Rect position, string label, string text, GUIStyle style) => text;
         public static string TextField(Rect position, string text) => text;
         public static string TextField(Rect position, string text, GUIStyle style) => text;
-        public static void BeginChangeCheck() { }
-        public static void BeginDisabledGroup(bool disabled) { }
+        public static void BeginDisabledGroup(bool disabled) { GuiGroups.Begin("DisabledGroup"); }
         public static void CurveField(Rect position, SerializedProperty property, Color color, Rect ranges) { }
         public static void CurveField(Rect position, SerializedProperty property, Color color, Rect ranges, GUIContent label) { }
         public static void DelayedFloatField(Rect position, SerializedProperty property) { }
@@ -224,9 +223,9 @@ namespace UnityEditor
         public static void DropShadowLabel(Rect position, GUIContent content, GUIStyle style) { }
         public static void DropShadowLabel(Rect position, string text) { }
         public static void DropShadowLabel(Rect position, string text, GUIStyle style) { }
-        public static void EndDisabledGroup() { }
-        public static void EndFoldoutHeaderGroup() { }
-        public static void EndProperty() { }
+        public static void EndDisabledGroup() { GuiGroups.End("DisabledGroup"); }
+        public static void EndFoldoutHeaderGroup() { GuiGroups.End("FoldoutHeaderGroup"); }
+        public static void EndProperty() { GuiGroups.End("Property"); }
         public static void FocusTextInControl(string name) { }
         public static void HandlePrefixLabel(Rect totalPosition, Rect labelPosition, GUIContent label) { }
         public static void HandlePrefixLabel(Rect totalPosition, Rect labelPosition, GUIContent label, int id) { }
@@ -305,10 +304,10 @@ namespace UnityEditor
         public static Object ObjectField(Object obj, Type objType, bool allowSceneObjects, params GUILayoutOption[] options) => obj;
         public static Object ObjectField(string label, Object obj, Type objType, Object targetBeingEdited, params GUILayoutOption[] options) => obj;
         public static Object ObjectField(string label, Object obj, Type objType, bool allowSceneObjects, params GUILayoutOption[] options) => obj;
-        public static Rect BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) => default;
-        public static Rect BeginHorizontal(params GUILayoutOption[] options) => default;
-        public static Rect BeginVertical(GUIStyle style, params GUILayoutOption[] options) => default;
-        public static Rect BeginVertical(params GUILayoutOption[] options) => default;
+        public static Rect BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); return default; }
+        public static Rect BeginHorizontal(params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); return default; }
+        public static Rect BeginVertical(GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); return default; }
+        public static Rect BeginVertical(params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); return default; }
         public static Rect GetControlRect(bool hasLabel, float height, GUIStyle style, params GUILayoutOption[] options) => default;
         public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => default;
         public static Rect GetControlRect(bool hasLabel, params GUILayoutOption[] options) => default;
@@ -316,11 +315,11 @@ namespace UnityEditor
         public static Rect RectField(GUIContent label, Rect value, params GUILayoutOption[] options) => value;
         public static Rect RectField(Rect value, params GUILayoutOption[] options) => value;
         public static Rect RectField(string label, Rect value, params GUILayoutOption[] options) => value;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle style, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, GUIStyle background, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => scrollPosition;
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, GUIStyle background, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
         public static Vector2 Vector2Field(GUIContent label, Vector2 value, params GUILayoutOption[] options) => value;
         public static Vector2 Vector2Field(string label, Vector2 value, params GUILayoutOption[] options) => value;
         public static Vector2Int Vector2IntField(GUIContent label, Vector2Int value, params GUILayoutOption[] options) => value;
@@ -331,9 +330,9 @@ namespace UnityEditor
         public static Vector3Int Vector3IntField(string label, Vector3Int value, params GUILayoutOption[] options) => value;
         public static Vector4 Vector4Field(GUIContent label, Vector4 value, params GUILayoutOption[] options) => value;
         public static Vector4 Vector4Field(string label, Vector4 value, params GUILayoutOption[] options) => value;
-        public static bool BeginFadeGroup(float value) => default;
-        public static bool BeginToggleGroup(GUIContent label, bool toggle) => toggle;
-        public static bool BeginToggleGroup(string label, bool toggle) => toggle;
+        public static bool BeginFadeGroup(float value) { GuiGroups.Begin("FadeGroup"); return default; }
+        public static bool BeginToggleGroup(GUIContent label, bool toggle) { GuiGroups.Begin("ToggleGroup"); return toggle; }
+        public static bool BeginToggleGroup(string label, bool toggle) { GuiGroups.Begin("ToggleGroup"); return toggle; }
         public static bool DropdownButton(GUIContent content, FocusType focusType, GUIStyle style, params GUILayoutOption[] options) => default;
         public static bool DropdownButton(GUIContent content, FocusType focusType, params GUILayoutOption[] options) => default;
         public static bool Foldout(bool foldout, GUIContent content) => foldout;
@@ -351,10 +350,6 @@ namespace UnityEditor
         public static bool InspectorTitlebar(bool foldout, Object[] targetObjs, bool expandable) => foldout;
         public static bool LinkButton(GUIContent label, params GUILayoutOption[] options) => default;
         public static bool LinkButton(string label, params GUILayoutOption[] options) => default;
-        public static bool PropertyField(SerializedProperty property, GUIContent label, bool includeChildren, params GUILayoutOption[] options) => default;
-        public static bool PropertyField(SerializedProperty property, GUIContent label, params GUILayoutOption[] options) => default;
-        public static bool PropertyField(SerializedProperty property, bool includeChildren, params GUILayoutOption[] options) => default;
-        public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => default;
         public static bool Toggle(GUIContent label, bool value, GUIStyle style, params GUILayoutOption[] options) => value;
         public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) => value;
         public static bool Toggle(bool value, GUIStyle style, params GUILayoutOption[] options) => value;
@@ -477,16 +472,13 @@ namespace UnityEditor
         public static void DelayedIntField(SerializedProperty property, params GUILayoutOption[] options) { }
         public static void DelayedTextField(SerializedProperty property, GUIContent label, params GUILayoutOption[] options) { }
         public static void DelayedTextField(SerializedProperty property, params GUILayoutOption[] options) { }
-        public static void EndBuildTargetSelectionGrouping() { }
-        public static void EndFadeGroup() { }
-        public static void EndFoldoutHeaderGroup() { }
-        public static void EndHorizontal() { }
-        public static void EndScrollView() { }
-        public static void EndToggleGroup() { }
-        public static void EndVertical() { }
-        public static void HelpBox(GUIContent content, bool wide = true) { }
-        public static void HelpBox(string message, MessageType type) { }
-        public static void HelpBox(string message, MessageType type, bool wide) { }
+        public static void EndBuildTargetSelectionGrouping() { GuiGroups.End("BuildTargetSelectionGrouping"); }
+        public static void EndFadeGroup() { GuiGroups.End("FadeGroup"); }
+        public static void EndFoldoutHeaderGroup() { GuiGroups.End("FoldoutHeaderGroup"); }
+        public static void EndHorizontal() { GuiGroups.End("Horizontal"); }
+        public static void EndScrollView() { GuiGroups.End("ScrollView"); }
+        public static void EndToggleGroup() { GuiGroups.End("ToggleGroup"); }
+        public static void EndVertical() { GuiGroups.End("Vertical"); }
         public static void InspectorTitlebar(Object[] targetObjs) { }
         public static void IntPopup(SerializedProperty property, GUIContent[] displayedOptions, int[] optionValues, GUIContent label, params GUILayoutOption[] options) { }
         public static void IntPopup(SerializedProperty property, GUIContent[] displayedOptions, int[] optionValues, params GUILayoutOption[] options) { }
@@ -684,7 +676,7 @@ namespace UnityEditor
         public static float ScaleSlider(int id, float scale, Vector3 position, Vector3 direction, Quaternion rotation, float size, float snap) => scale;
         public static float SnapValue(float value, float snap) => value;
         public static float lineThickness { get; }
-        public static void BeginGUI() { }
+        public static void BeginGUI() { GuiGroups.Begin("GUI"); }
         public static void ClearCamera(Rect position, Camera camera) { }
         public static void DrawAAConvexPolygon(params Vector3[] points) { }
         public static void DrawAAPolyLine(Color[] colors, Vector3[] points) { }
@@ -719,7 +711,7 @@ namespace UnityEditor
         public static void DrawWireCube(Vector3 center, Vector3 size) { }
         public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius) { }
         public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius, float thickness) { }
-        public static void EndGUI() { }
+        public static void EndGUI() { GuiGroups.End("GUI"); }
         public static void Label(Vector3 position, GUIContent content) { }
         public static void Label(Vector3 position, GUIContent content, GUIStyle style) { }
         public static void Label(Vector3 position, Texture image) { }
@@ -740,25 +732,13 @@ namespace UnityEditor
     public partial class Undo
     {
         public static bool isProcessing { get; }
-        public static int GetCurrentGroup() => default;
-        public static string GetCurrentGroupName() => default;
-        public static void ClearAll() { }
         public static void ClearUndo(Object identifier) { }
-        public static void CollapseUndoOperations(int groupIndex) { }
         public static void FlushUndoRecordObjects() { }
-        public static void IncrementCurrentGroup() { }
         public static void PerformRedo() { }
-        public static void PerformUndo() { }
-        public static void RecordObject(Object objectToUndo, string name) { }
-        public static void RecordObjects(Object[] objectsToUndo, string name) { }
         public static void RegisterChildrenOrderUndo(Object objectToUndo, string name) { }
-        public static void RegisterCompleteObjectUndo(Object objectToUndo, string name) { }
-        public static void RegisterCompleteObjectUndo(Object[] objectsToUndo, string name) { }
-        public static void RegisterCreatedObjectUndo(Object objectToUndo, string name) { }
         public static void RegisterFullObjectHierarchyUndo(Object objectToUndo, string name) { }
         public static void RegisterImporterUndo(string path, string name) { }
         public static void RevertAllDownToGroup(int group) { }
         public static void RevertAllInCurrentGroup() { }
-        public static void SetCurrentGroupName(string name) { }
     }
 }

@@ -9,26 +9,48 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
-    /// <summary>Reads and writes fields of the first target directly; ApplyModifiedProperties then says OnValidate.</summary>
+    /// <summary>A copy of the serialized fields of one or more objects of a type: written to it, they reach the objects with ApplyModifiedProperties.</summary>
     public class SerializedObject : IDisposable
     {
         readonly Object[] edited;
-        internal bool Modified;
+        // Of each object: the fields that were asked for since the last Update, and those of them that were written.
+        readonly Dictionary<FieldInfo, object>[] copies;
+        readonly HashSet<FieldInfo>[] written;
+
+        internal readonly HashSet<string> Expanded = new HashSet<string>();
 
         public SerializedObject(Object obj) : this(new[] { obj }) { }
+
         public SerializedObject(Object[] objs)
         {
             if (objs == null || objs.Length == 0 || !objs[0])
                 throw new ArgumentException("Object at index 0 is null");
             edited = objs;
+            copies = objs.Select(o => new Dictionary<FieldInfo, object>()).ToArray();
+            written = objs.Select(o => new HashSet<FieldInfo>()).ToArray();
         }
 
         public Object targetObject => edited[0];
         public Object[] targetObjects => edited;
         public bool isEditingMultipleObjects => edited.Length > 1;
-        public bool hasModifiedProperties => Modified;
-        public void Update() { }
-        public bool UpdateIfRequiredOrScript() => false;
+        public bool hasModifiedProperties => written.Any(fields => fields.Count > 0);
+
+        /// <summary>Takes the objects' values; what was written and not applied is lost.</summary>
+        public void Update()
+        {
+            for (int i = 0; i < edited.Length; i++)
+            {
+                copies[i].Clear();
+                written[i].Clear();
+            }
+        }
+
+        public bool UpdateIfRequiredOrScript()
+        {
+            Update();
+            return true;
+        }
+
         public void Dispose() { }
 
         /// <summary>Null when there is no serialized field of that path.</summary>
@@ -43,26 +65,50 @@ namespace UnityEditor
             return at;
         }
 
-        public bool ApplyModifiedProperties()
+        public bool ApplyModifiedProperties() => Apply(true);
+        public bool ApplyModifiedPropertiesWithoutUndo() => Apply(false);
+
+        internal int Count => edited.Length;
+
+        internal object Get(int index, FieldInfo field)
         {
-            bool changed = Modified;
-            Modified = false;
-            if (changed)
-                foreach (Object o in edited)
-                    Messages.Send(o, Message.OnValidate);
-            return changed;
+            if (!copies[index].TryGetValue(field, out object value))
+                copies[index].Add(field, value = SerializedCopy.Of(field, field.GetValue(edited[index])));
+            return value;
         }
 
-        public bool ApplyModifiedPropertiesWithoutUndo() => ApplyModifiedProperties();
+        internal void Set(int index, FieldInfo field, object value)
+        {
+            copies[index][field] = value;
+            written[index].Add(field);
+        }
+
+        bool Apply(bool undo)
+        {
+            bool changed = hasModifiedProperties;
+            for (int i = 0; i < edited.Length; i++)
+            {
+                if (written[i].Count == 0)
+                    continue;
+                if (undo)
+                    Undo.RecordObject(edited[i], $"Modified {written[i].First().Name} in {edited[i].name}");
+                foreach (FieldInfo field in written[i])
+                    field.SetValue(edited[i], copies[i][field]);
+                Messages.Send(edited[i], Message.OnValidate);
+            }
+            Update();
+            return changed;
+        }
     }
 
     public class SerializedProperty : IDisposable
     {
-        readonly Func<object> get;
-        readonly Action<object> set;
+        // By the number of the object.
+        readonly Func<int, object> get;
+        readonly Action<int, object> set;
         readonly Type valueType;
 
-        SerializedProperty(SerializedObject owner, string name, string path, Type type, Func<object> get, Action<object> set)
+        SerializedProperty(SerializedObject owner, string name, string path, Type type, Func<int, object> get, Action<int, object> set)
         {
             serializedObject = owner;
             this.name = name;
@@ -80,29 +126,47 @@ namespace UnityEditor
             if (field == null)
                 return null;
             string path = parent == null ? name : parent.propertyPath + "." + name;
+            if (parent == null)
+                return new SerializedProperty(owner, name, path, field.FieldType, i => owner.Get(i, field), (i, value) => owner.Set(i, field, value));
             return new SerializedProperty(owner, name, path, field.FieldType,
-                () => field.GetValue(parent == null ? holder : parent.get()),
-                value =>
+                i => field.GetValue(parent.get(i)),
+                (i, value) =>
                 {
                     // A struct in between is a copy: written back to its own holder.
-                    object box = parent == null ? holder : parent.get();
+                    object box = parent.get(i);
                     field.SetValue(box, value);
-                    if (parent != null)
-                        parent.set(box);
-                    owner.Modified = true;
+                    parent.set(i, box);
                 });
+        }
+
+        object First => get(0);
+
+        void SetAll(object value)
+        {
+            for (int i = 0; i < serializedObject.Count; i++)
+                set(i, value);
         }
 
         public SerializedObject serializedObject { get; }
         public string name { get; }
         public string propertyPath { get; }
-        public string displayName => string.Concat(name.TrimStart('m', '_').Select((c, i) => i == 0 ? char.ToUpperInvariant(c).ToString() : char.IsUpper(c) ? " " + c : c.ToString()));
+        public string displayName => ObjectNames.NicifyVariableName(name);
         public string tooltip => "";
         public string type => valueType.Name;
         public bool isArray => SerializedFields.ElementType(valueType) != null || valueType == typeof(string);
         public bool editable => true;
-        public bool hasMultipleDifferentValues => false;
-        public bool isExpanded { get; set; }
+        public bool hasMultipleDifferentValues => Enumerable.Range(1, serializedObject.Count - 1).Any(i => !SerializedValues.Same(get(0), get(i)));
+
+        public bool isExpanded
+        {
+            get => serializedObject.Expanded.Contains(propertyPath);
+            set
+            {
+                if (value) serializedObject.Expanded.Add(propertyPath);
+                else serializedObject.Expanded.Remove(propertyPath);
+            }
+        }
+
         public int depth => propertyPath.Count(c => c == '.');
 
         public SerializedProperty Copy() => this;
@@ -111,7 +175,7 @@ namespace UnityEditor
         {
             SerializedProperty at = this;
             foreach (string part in relativePropertyPath.Split('.'))
-                at = at == null ? null : OfField(serializedObject, at, at.get(), part);
+                at = at == null ? null : OfField(serializedObject, at, at.First, part);
             return at;
         }
 
@@ -129,14 +193,14 @@ namespace UnityEditor
             }
         }
 
-        T Get<T>() => get() is T value ? value : throw new InvalidOperationException($"type is not a supported {typeof(T).Name} value: '{propertyPath}' is a {valueType.Name}.");
+        T Get<T>() => First is T value ? value : throw new InvalidOperationException($"type is not a supported {typeof(T).Name} value: '{propertyPath}' is a {valueType.Name}.");
 
         void Set<T>(T value)
         {
             if (!valueType.IsAssignableFrom(typeof(T)) && !(value is Object) && value != null)
                 throw new InvalidOperationException($"type is not a supported {typeof(T).Name} value: '{propertyPath}' is a {valueType.Name}.");
-            if (!Equals(get(), value))
-                set(value);
+            if (hasMultipleDifferentValues || !Equals(First, value))
+                SetAll(value);
         }
 
         void SetNumber(IConvertible value)
@@ -144,24 +208,24 @@ namespace UnityEditor
             object converted = Convert.ChangeType(value, valueType.IsEnum ? Enum.GetUnderlyingType(valueType) : valueType);
             if (valueType.IsEnum)
                 converted = Enum.ToObject(valueType, converted);
-            if (!Equals(get(), converted))
-                set(converted);
+            if (hasMultipleDifferentValues || !Equals(First, converted))
+                SetAll(converted);
         }
 
         public bool boolValue { get => Get<bool>(); set => Set(value); }
-        public int intValue { get => Convert.ToInt32(get()); set => SetNumber(value); }
-        public uint uintValue { get => Convert.ToUInt32(get()); set => SetNumber(value); }
-        public long longValue { get => Convert.ToInt64(get()); set => SetNumber(value); }
-        public float floatValue { get => Convert.ToSingle(get()); set => SetNumber(value); }
-        public double doubleValue { get => Convert.ToDouble(get()); set => SetNumber(value); }
-        public int enumValueFlag { get => Convert.ToInt32(get()); set => SetNumber(value); }
-        public int enumValueIndex { get => Array.IndexOf(Enum.GetValues(valueType), get()); set => set(Enum.GetValues(valueType).GetValue(value)); }
+        public int intValue { get => Convert.ToInt32(First); set => SetNumber(value); }
+        public uint uintValue { get => Convert.ToUInt32(First); set => SetNumber(value); }
+        public long longValue { get => Convert.ToInt64(First); set => SetNumber(value); }
+        public float floatValue { get => Convert.ToSingle(First); set => SetNumber(value); }
+        public double doubleValue { get => Convert.ToDouble(First); set => SetNumber(value); }
+        public int enumValueFlag { get => Convert.ToInt32(First); set => SetNumber(value); }
+        public int enumValueIndex { get => Array.IndexOf(Enum.GetValues(valueType), First); set => SetAll(Enum.GetValues(valueType).GetValue(value)); }
         public string[] enumNames => Enum.GetNames(valueType);
         public string[] enumDisplayNames => Enum.GetNames(valueType);
-        public string stringValue { get => (string)get() ?? ""; set => Set(value); }
-        public Object objectReferenceValue { get => (Object)get(); set => Set(value); }
-        public object managedReferenceValue { get => get(); set => set(value); }
-        public object boxedValue { get => get(); set => set(value); }
+        public string stringValue { get => (string)First ?? ""; set => Set(value); }
+        public Object objectReferenceValue { get => (Object)First; set => Set(value); }
+        public object managedReferenceValue { get => First; set => SetAll(value); }
+        public object boxedValue { get => First; set => SetAll(value); }
         public Color colorValue { get => Get<Color>(); set => Set(value); }
         public Vector2 vector2Value { get => Get<Vector2>(); set => Set(value); }
         public Vector3 vector3Value { get => Get<Vector3>(); set => Set(value); }
@@ -177,7 +241,7 @@ namespace UnityEditor
         // ---- arrays and lists
         public int arraySize
         {
-            get => (get() as IList)?.Count ?? 0;
+            get => (First as IList)?.Count ?? 0;
             set => Rebuild(items =>
             {
                 while (items.Count > value) items.RemoveAt(items.Count - 1);
@@ -190,11 +254,12 @@ namespace UnityEditor
             if (index < 0 || index >= arraySize)
                 throw new IndexOutOfRangeException($"Retrieving array element that was out of bounds: {index} of {arraySize} in '{propertyPath}'.");
             return new SerializedProperty(serializedObject, $"data[{index}]", $"{propertyPath}.Array.data[{index}]", SerializedFields.ElementType(valueType),
-                () => ((IList)get())[index],
-                value =>
+                i => ((IList)get(i))[index],
+                (i, value) =>
                 {
-                    ((IList)get())[index] = value;
-                    serializedObject.Modified = true;
+                    var list = (IList)get(i);
+                    list[index] = value;
+                    set(i, list);
                 });
         }
 
@@ -210,16 +275,35 @@ namespace UnityEditor
 
         void Rebuild(Action<List<object>> change)
         {
-            var items = (get() as IList)?.Cast<object>().ToList() ?? new List<object>();
-            change(items);
-            Type element = SerializedFields.ElementType(valueType);
-            IList made = valueType.IsArray ? Array.CreateInstance(element, items.Count) : (IList)Activator.CreateInstance(valueType);
-            for (int i = 0; i < items.Count; i++)
+            for (int target = 0; target < serializedObject.Count; target++)
             {
-                if (valueType.IsArray) made[i] = items[i];
-                else made.Add(items[i]);
+                var items = (get(target) as IList)?.Cast<object>().ToList() ?? new List<object>();
+                change(items);
+                Type element = SerializedFields.ElementType(valueType);
+                IList made = valueType.IsArray ? Array.CreateInstance(element, items.Count) : (IList)Activator.CreateInstance(valueType);
+                for (int i = 0; i < items.Count; i++)
+                {
+                    if (valueType.IsArray) made[i] = items[i];
+                    else made.Add(items[i]);
+                }
+                set(target, made);
             }
-            set(made);
+        }
+    }
+
+    /// <summary>Compares what serialized fields hold.</summary>
+    internal static class SerializedValues
+    {
+        public static bool Same(object a, object b)
+        {
+            if (a is IList list && b is IList other)
+                return list.Count == other.Count && Enumerable.Range(0, list.Count).All(i => Same(list[i], other[i]));
+            if (Equals(a, b))
+                return true;
+            if (a == null || b == null || a.GetType() != b.GetType() || a is Object || !a.GetType().IsSerializable && !a.GetType().IsValueType)
+                return false;
+            FieldInfo[] fields = SerializedFields.Of(a.GetType());
+            return fields.Length > 0 && fields.All(field => Same(field.GetValue(a), field.GetValue(b)));
         }
     }
 

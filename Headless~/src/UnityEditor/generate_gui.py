@@ -4,7 +4,8 @@
     generate_gui.py API_LIST [API_LIST ...]
 
 Each API list has lines "Namespace.Type | signature". Only members that all lists agree on are written, and of those the
-ones whose types this host knows. A field's value comes back as it went in, a button is never pressed.
+ones whose types this host knows. A field's value comes back as it went in, a button is never pressed. What begins a group
+or ends one says so to GuiGroups, which throws where they do not match.
 Rewrites ../UnityEngine/Misc/GUI.Generated.cs and GUI.Generated.cs beside this script.
 """
 import os
@@ -27,7 +28,11 @@ BASES = {"EditorGUIUtility": "GUIUtility", "Handles": None}
 HIDES = {("EditorGUIUtility", "systemCopyBuffer")}
 # Written by hand beside this file.
 BY_HAND = {("Undo", "AddComponent"), ("Undo", "DestroyObjectImmediate"), ("Undo", "SetTransformParent"), ("Undo", "SetSiblingIndex"),
-           ("Undo", "MoveGameObjectToScene"), ("GUILayout", "Width"), ("GUILayout", "Height")}
+           ("Undo", "MoveGameObjectToScene"), ("Undo", "RecordObject"), ("Undo", "RecordObjects"), ("Undo", "RegisterCompleteObjectUndo"),
+           ("Undo", "RegisterCreatedObjectUndo"), ("Undo", "IncrementCurrentGroup"), ("Undo", "GetCurrentGroup"), ("Undo", "GetCurrentGroupName"),
+           ("Undo", "SetCurrentGroupName"), ("Undo", "CollapseUndoOperations"), ("Undo", "PerformUndo"), ("Undo", "ClearAll"),
+           ("GUILayout", "Width"), ("GUILayout", "Height"), ("EditorGUI", "BeginChangeCheck"), ("EditorGUI", "EndChangeCheck"),
+           ("EditorGUILayout", "PropertyField"), ("EditorGUILayout", "HelpBox")}
 
 
 def members(lists, full_name):
@@ -71,10 +76,14 @@ def method(owner, line):
     shown = ", ".join((m + " " if m else "") + f"{t} {n}" + (f" = {d}" if d else "") for m, t, n, d in parsed)
     head = f"public static {result} {name}({shown})"
     outs = "".join(f"{n} = default; " for m, t, n, d in parsed if m == "out")
-    if result == "void":
-        return f"{head} {{ {outs}}}"
     echo = next((n for wanted in ECHOED for m, t, n, d in parsed if n == wanted and t == result), None)
     answer = echo or nothing(result)
+    group = re.fullmatch(r"(Begin|End)(\w+)", name)
+    if group:
+        call = f'GuiGroups.{group.group(1)}("{group.group(2)}");'
+        return f"{head} {{ {outs}{call}{'' if result == 'void' else f' return {answer};'} }}"
+    if result == "void":
+        return f"{head} {{ {outs}}}"
     return f"{head} {{ {outs}return {answer}; }}" if outs else f"{head} => {answer};"
 
 
@@ -98,7 +107,7 @@ def member(owner, line):
 
 def write(path, namespace, types, lists):
     out = ["// Written by UnityEditor/generate_gui.py; change that instead.", "using System;"]
-    out += ["using UnityEngine;", "using UnityEngine.SceneManagement;", "using Object = UnityEngine.Object;", "using UnityObject = UnityEngine.Object;"] if namespace == "UnityEditor" else []
+    out += ["using UnityEngine;", "using UnityEngine.Headless;", "using UnityEngine.SceneManagement;", "using Object = UnityEngine.Object;", "using UnityObject = UnityEngine.Object;"] if namespace == "UnityEditor" else ["using UnityEngine.Headless;"]
     out += ["", f"namespace {namespace}", "{"]
     for i, name in enumerate(types):
         base = BASES.get(name)

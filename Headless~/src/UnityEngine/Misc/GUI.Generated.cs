@@ -1,5 +1,6 @@
 // Written by UnityEditor/generate_gui.py; change that instead.
 using System;
+using UnityEngine.Headless;
 
 namespace UnityEngine
 {
@@ -22,10 +23,10 @@ namespace UnityEngine
         public static Rect Window(int id, Rect clientRect, WindowFunction func, Texture image, GUIStyle style) => clientRect;
         public static Rect Window(int id, Rect clientRect, WindowFunction func, string text) => clientRect;
         public static Rect Window(int id, Rect clientRect, WindowFunction func, string text, GUIStyle style) => clientRect;
-        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect) => scrollPosition;
-        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar) => scrollPosition;
-        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect, bool alwaysShowHorizontal, bool alwaysShowVertical) => scrollPosition;
-        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar) => scrollPosition;
+        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect, bool alwaysShowHorizontal, bool alwaysShowVertical) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Rect position, Vector2 scrollPosition, Rect viewRect, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
         public static bool Button(Rect position, GUIContent content) => default;
         public static bool Button(Rect position, GUIContent content, GUIStyle style) => default;
         public static bool Button(Rect position, Texture image) => default;
@@ -87,16 +88,16 @@ namespace UnityEngine
         public static string TextField(Rect position, string text, int maxLength) => text;
         public static string TextField(Rect position, string text, int maxLength, GUIStyle style) => text;
         public static string tooltip { get; set; }
-        public static void BeginClip(Rect position) { }
-        public static void BeginClip(Rect position, Vector2 scrollOffset, Vector2 renderOffset, bool resetOffset) { }
-        public static void BeginGroup(Rect position) { }
-        public static void BeginGroup(Rect position, GUIContent content) { }
-        public static void BeginGroup(Rect position, GUIContent content, GUIStyle style) { }
-        public static void BeginGroup(Rect position, GUIStyle style) { }
-        public static void BeginGroup(Rect position, Texture image) { }
-        public static void BeginGroup(Rect position, Texture image, GUIStyle style) { }
-        public static void BeginGroup(Rect position, string text) { }
-        public static void BeginGroup(Rect position, string text, GUIStyle style) { }
+        public static void BeginClip(Rect position) { GuiGroups.Begin("Clip"); }
+        public static void BeginClip(Rect position, Vector2 scrollOffset, Vector2 renderOffset, bool resetOffset) { GuiGroups.Begin("Clip"); }
+        public static void BeginGroup(Rect position) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, GUIContent content) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, GUIContent content, GUIStyle style) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, GUIStyle style) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, Texture image) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, Texture image, GUIStyle style) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, string text) { GuiGroups.Begin("Group"); }
+        public static void BeginGroup(Rect position, string text, GUIStyle style) { GuiGroups.Begin("Group"); }
         public static void Box(Rect position, GUIContent content) { }
         public static void Box(Rect position, GUIContent content, GUIStyle style) { }
         public static void Box(Rect position, Texture image) { }
@@ -110,10 +111,10 @@ namespace UnityEngine
         public static void DrawTexture(Rect position, Texture image) { }
         public static void DrawTextureWithTexCoords(Rect position, Texture image, Rect texCoords) { }
         public static void DrawTextureWithTexCoords(Rect position, Texture image, Rect texCoords, bool alphaBlend) { }
-        public static void EndClip() { }
-        public static void EndGroup() { }
-        public static void EndScrollView() { }
-        public static void EndScrollView(bool handleScrollWheel) { }
+        public static void EndClip() { GuiGroups.End("Clip"); }
+        public static void EndGroup() { GuiGroups.End("Group"); }
+        public static void EndScrollView() { GuiGroups.End("ScrollView"); }
+        public static void EndScrollView(bool handleScrollWheel) { GuiGroups.End("ScrollView"); }
         public static void FocusControl(string name) { }
         public static void FocusWindow(int windowID) { }
         public static void Label(Rect position, GUIContent content) { }
@@ -141,13 +142,13 @@ namespace UnityEngine
         public static Rect Window(int id, Rect screenRect, GUI.WindowFunction func, Texture image, params GUILayoutOption[] options) => screenRect;
         public static Rect Window(int id, Rect screenRect, GUI.WindowFunction func, string text, GUIStyle style, params GUILayoutOption[] options) => screenRect;
         public static Rect Window(int id, Rect screenRect, GUI.WindowFunction func, string text, params GUILayoutOption[] options) => screenRect;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle style) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle style, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, GUIStyle background, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, params GUILayoutOption[] options) => scrollPosition;
-        public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => scrollPosition;
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle style) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, GUIStyle background, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
+        public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
         public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => default;
         public static bool Button(GUIContent content, params GUILayoutOption[] options) => default;
         public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => default;
@@ -203,34 +204,34 @@ namespace UnityEngine
         public static string TextField(string text, int maxLength, GUIStyle style, params GUILayoutOption[] options) => text;
         public static string TextField(string text, int maxLength, params GUILayoutOption[] options) => text;
         public static string TextField(string text, params GUILayoutOption[] options) => text;
-        public static void BeginArea(Rect screenRect) { }
-        public static void BeginArea(Rect screenRect, GUIContent content) { }
-        public static void BeginArea(Rect screenRect, GUIContent content, GUIStyle style) { }
-        public static void BeginArea(Rect screenRect, GUIStyle style) { }
-        public static void BeginArea(Rect screenRect, Texture image) { }
-        public static void BeginArea(Rect screenRect, Texture image, GUIStyle style) { }
-        public static void BeginArea(Rect screenRect, string text) { }
-        public static void BeginArea(Rect screenRect, string text, GUIStyle style) { }
-        public static void BeginHorizontal(GUIContent content, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginHorizontal(Texture image, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginHorizontal(params GUILayoutOption[] options) { }
-        public static void BeginHorizontal(string text, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginVertical(GUIContent content, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginVertical(GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginVertical(Texture image, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void BeginVertical(params GUILayoutOption[] options) { }
-        public static void BeginVertical(string text, GUIStyle style, params GUILayoutOption[] options) { }
+        public static void BeginArea(Rect screenRect) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, GUIContent content) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, GUIContent content, GUIStyle style) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, GUIStyle style) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, Texture image) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, Texture image, GUIStyle style) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, string text) { GuiGroups.Begin("Area"); }
+        public static void BeginArea(Rect screenRect, string text, GUIStyle style) { GuiGroups.Begin("Area"); }
+        public static void BeginHorizontal(GUIContent content, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); }
+        public static void BeginHorizontal(GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); }
+        public static void BeginHorizontal(Texture image, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); }
+        public static void BeginHorizontal(params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); }
+        public static void BeginHorizontal(string text, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); }
+        public static void BeginVertical(GUIContent content, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); }
+        public static void BeginVertical(GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); }
+        public static void BeginVertical(Texture image, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); }
+        public static void BeginVertical(params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); }
+        public static void BeginVertical(string text, GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); }
         public static void Box(GUIContent content, GUIStyle style, params GUILayoutOption[] options) { }
         public static void Box(GUIContent content, params GUILayoutOption[] options) { }
         public static void Box(Texture image, GUIStyle style, params GUILayoutOption[] options) { }
         public static void Box(Texture image, params GUILayoutOption[] options) { }
         public static void Box(string text, GUIStyle style, params GUILayoutOption[] options) { }
         public static void Box(string text, params GUILayoutOption[] options) { }
-        public static void EndArea() { }
-        public static void EndHorizontal() { }
-        public static void EndScrollView() { }
-        public static void EndVertical() { }
+        public static void EndArea() { GuiGroups.End("Area"); }
+        public static void EndHorizontal() { GuiGroups.End("Horizontal"); }
+        public static void EndScrollView() { GuiGroups.End("ScrollView"); }
+        public static void EndVertical() { GuiGroups.End("Vertical"); }
         public static void FlexibleSpace() { }
         public static void Label(GUIContent content, GUIStyle style, params GUILayoutOption[] options) { }
         public static void Label(GUIContent content, params GUILayoutOption[] options) { }

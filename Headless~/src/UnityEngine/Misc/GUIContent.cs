@@ -97,16 +97,16 @@ namespace UnityEngine
 
         public class HorizontalScope : GUI.Scope
         {
-            public HorizontalScope(params GUILayoutOption[] options) { }
-            public HorizontalScope(GUIStyle style, params GUILayoutOption[] options) { }
-            protected override void CloseScope() { }
+            public HorizontalScope(params GUILayoutOption[] options) => BeginHorizontal(options);
+            public HorizontalScope(GUIStyle style, params GUILayoutOption[] options) => BeginHorizontal(style, options);
+            protected override void CloseScope() => EndHorizontal();
         }
 
         public class VerticalScope : GUI.Scope
         {
-            public VerticalScope(params GUILayoutOption[] options) { }
-            public VerticalScope(GUIStyle style, params GUILayoutOption[] options) { }
-            protected override void CloseScope() { }
+            public VerticalScope(params GUILayoutOption[] options) => BeginVertical(options);
+            public VerticalScope(GUIStyle style, params GUILayoutOption[] options) => BeginVertical(style, options);
+            protected override void CloseScope() => EndVertical();
         }
     }
 

@@ -17,6 +17,9 @@ namespace UnityEngine.Headless
             (to as ISerializationCallbackReceiver)?.OnAfterDeserialize();
         }
 
+        /// <summary>A copy of a field's value as storing and reading it again would give.</summary>
+        public static object Of(FieldInfo field, object value) => new Context().CopyField(field, value);
+
         sealed class Context
         {
             public Dictionary<Object, Object> Copies;
@@ -25,11 +28,10 @@ namespace UnityEngine.Headless
             public void CopyFields(object from, object to)
             {
                 foreach (FieldInfo field in SerializedFields.Of(from.GetType()))
-                {
-                    object value = field.GetValue(from);
-                    field.SetValue(to, field.IsDefined(typeof(SerializeReference)) ? CopyReference(value) : CopyValue(value, field.FieldType));
-                }
+                    field.SetValue(to, CopyField(field, field.GetValue(from)));
             }
+
+            public object CopyField(FieldInfo field, object value) => field.IsDefined(typeof(SerializeReference)) ? CopyReference(value) : CopyValue(value, field.FieldType);
 
             object CopyValue(object value, Type type)
             {

@@ -6,6 +6,9 @@ namespace Rill.Editor
     /// <summary>What the inspector says of a budget: rows while it plays, and what is wrong with it.</summary>
     static class BudgetSummary
     {
+        /// <summary>What a budget that is on means for the solver's own settings.</summary>
+        public const string SolverNote = "The budget chooses iterations, relaxation and substeps once the GPU time is known; until then these hold.";
+
         public static IEnumerable<(string label, string text)> Rows(BudgetState state)
         {
             if (state.reason == BudgetReason.Off)

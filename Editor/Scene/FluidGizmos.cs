@@ -10,16 +10,16 @@ namespace Rill.Editor
         const float ArrowLength = 0.3f;     // m, of what has no speed
         const int DiscSides = 24;
 
-        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawDomain(FluidSimulation simulation, GizmoType type)
         {
-            DrawBox(simulation.transform, simulation.DomainSize, new Color(0.3f, 0.6f, 1f));
+            DrawBox(simulation.transform, simulation.DomainSize, GizmoColors.Domain);
         }
 
-        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawVolume(FluidVolume volume, GizmoType type)
         {
-            var color = new Color(0.2f, 0.4f, 1f, 0.7f);
+            Color color = GizmoColors.Volume;
             if (volume.Shape == VolumeShape.SignedDistanceField)
             {
                 Place(volume.transform, volume.transform.lossyScale, color);
@@ -32,10 +32,10 @@ namespace Rill.Editor
                 DrawBox(volume.transform, volume.Size, color);
         }
 
-        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawEmitter(FluidEmitter emitter, GizmoType type)
         {
-            var color = new Color(0.2f, 0.8f, 1f);
+            Color color = GizmoColors.Emitter;
             switch (emitter.Shape)
             {
                 case EmitterShape.Box:
@@ -56,20 +56,20 @@ namespace Rill.Editor
             DrawArrow(emitter.transform, ArrowTime * emitter.Speed, color);
         }
 
-        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawDrain(FluidDrain drain, GizmoType type)
         {
-            var color = new Color(1f, 0.45f, 0.2f);
+            Color color = GizmoColors.Drain;
             if (drain.Shape == DrainShape.Sphere)
                 DrawSphere(drain.transform, drain.Radius, color);
             else
                 DrawBox(drain.transform, drain.Size, color);
         }
 
-        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawField(FluidForceField field, GizmoType type)
         {
-            var color = new Color(0.9f, 0.85f, 0.2f);
+            Color color = GizmoColors.ForceField;
             if (field.Bounds == ForceFieldBounds.Sphere)
                 DrawSphere(field.transform, field.Radius, color);
             else if (field.Bounds == ForceFieldBounds.Box)
@@ -80,13 +80,13 @@ namespace Rill.Editor
                 DrawSphere(field.transform, 0.1f * ArrowLength, color);
         }
 
-        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawCollider(FluidCollider collider, GizmoType type)
         {
             Transform at = collider.transform;
             Vector3 scale = at.lossyScale;
             float even = Mathf.Max(Mathf.Abs(scale.x), Mathf.Abs(scale.y), Mathf.Abs(scale.z));
-            Gizmos.color = collider.isActiveAndEnabled ? new Color(0.3f, 0.9f, 0.4f) : new Color(0.3f, 0.9f, 0.4f, 0.3f);
+            Gizmos.color = collider.isActiveAndEnabled ? GizmoColors.Collider : GizmoColors.Collider * new Color(1f, 1f, 1f, 0.3f);
             Gizmos.matrix = Matrix4x4.TRS(collider.Middle, at.rotation, Vector3.one);
             switch (collider.Shape)
             {

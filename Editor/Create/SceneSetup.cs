@@ -1,0 +1,203 @@
+using System;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+
+namespace Rill.Editor
+{
+    /// <summary>Makes working objects in the open scene: below the given one, undone in one step, selected afterwards.</summary>
+    /// <remarks>Objects are made inactive and switched on when they are whole, so that what looks for its fluid finds it.</remarks>
+    static class SceneSetup
+    {
+        static readonly Vector3 DefaultBox = new Vector3(2f, 2f, 1f);
+        const float DefaultSpacing = 0.05f;
+        const int DefaultCapacity = 50000;
+
+        /// <summary>A box with water on one side of it, drawn as particles.</summary>
+        /// <param name="parent">Null for the root of the scene, in front of the scene view.</param>
+        public static GameObject CreateFluid(GameObject parent) => Finish(MakeFluid(parent, true), "Fluid");
+
+        /// <summary>Water at the start, in the fluid that the parent belongs to.</summary>
+        public static GameObject CreateVolume(GameObject parent)
+        {
+            return CreatePart<FluidVolume>(parent, "Fluid Volume", false, (volume, fluid) =>
+            {
+                Vector3 box = fluid.DomainSize;
+                volume.Size = new Vector3(0.5f * box.x, 0.25f * box.y, 0.5f * box.z);
+                Place(volume, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
+            });
+        }
+
+        /// <summary>A tap below the lid, pointing down.</summary>
+        public static GameObject CreateEmitter(GameObject parent)
+        {
+            return CreatePart<FluidEmitter>(parent, "Fluid Emitter", false, (emitter, fluid) =>
+            {
+                const float Speed = 2f, Fullness = 0.3f;
+                float radius = 2f * fluid.ParticleSpacing;
+                emitter.Radius = radius;
+                emitter.Speed = Speed;
+                emitter.Rate = Fullness * Mathf.PI * radius * radius * Speed;
+                Place(emitter, fluid, new Vector3(0f, 0.4f * fluid.DomainSize.y, 0f), Quaternion.Euler(90f, 0f, 0f));
+            });
+        }
+
+        /// <summary>A hole in the floor.</summary>
+        public static GameObject CreateDrain(GameObject parent)
+        {
+            return CreatePart<FluidDrain>(parent, "Fluid Drain", true, (drain, fluid) =>
+            {
+                Vector3 box = fluid.DomainSize;
+                float depth = 4f * fluid.ParticleSpacing;
+                drain.Size = new Vector3(0.25f * box.x, depth, 0.25f * box.z);
+                Place(drain, fluid, new Vector3(0.25f * box.x, 0.5f * (depth - box.y), 0f), Quaternion.identity);
+            });
+        }
+
+        /// <summary>A gust along the box in its middle.</summary>
+        public static GameObject CreateForceField(GameObject parent)
+        {
+            return CreatePart<FluidForceField>(parent, "Fluid Force Field", true, (field, fluid) =>
+            {
+                field.Bounds = ForceFieldBounds.Sphere;
+                field.Radius = 0.25f * Shortest(fluid.DomainSize);
+                field.Falloff = ForceFieldFalloff.Smooth;
+                Place(field, fluid, Vector3.zero, Quaternion.Euler(0f, 90f, 0f));
+            });
+        }
+
+        /// <summary>A ball that the water goes around, in the middle of the fluid that the parent belongs to.</summary>
+        public static GameObject CreateCollider(GameObject parent) => CreateObstacle(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
+
+        /// <summary>A visible obstacle of the size of a share of the fluid's shortest side.</summary>
+        /// <param name="shape">Sphere or cube.</param>
+        /// <param name="add">Adds what else it needs; its collider is there. Null for nothing.</param>
+        public static GameObject CreateObstacle(GameObject parent, PrimitiveType shape, string name, float share, Action<GameObject, FluidSimulation> add)
+        {
+            FluidSimulation fluid = FindFluid(parent);
+            GameObject root = null;
+            if (fluid == null)
+                fluid = (root = MakeFluid(null, true)).GetComponent<FluidSimulation>();
+
+            GameObject made = GameObject.CreatePrimitive(shape);
+            made.SetActive(false);
+            made.name = name;
+            Adopt(made, parent);
+            made.transform.SetPositionAndRotation(fluid.transform.position, fluid.transform.rotation);
+            made.transform.localScale = Vector3.one;
+            Vector3 scale = made.transform.lossyScale;
+            made.transform.localScale = share * Shortest(fluid.DomainSize) * new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
+            FluidCollider collider = made.AddComponent<FluidCollider>();
+            collider.Shape = shape == PrimitiveType.Sphere ? ColliderShape.Sphere : ColliderShape.Box;
+            collider.Radius = 0.5f;
+            collider.Size = Vector3.one;
+            add?.Invoke(made, fluid);
+            if (root != null)
+                Register(root, name);
+            return Finish(made, name);
+        }
+
+        /// <summary>The fluid that an object belongs to: above it, or the first of the open scenes.</summary>
+        /// <returns>Null where there is none.</returns>
+        public static FluidSimulation FindFluid(GameObject near)
+        {
+            FluidSimulation above = near != null ? near.GetComponentInParent<FluidSimulation>(true) : null;
+            return above != null ? above : FirstOfScenes<FluidSimulation>(_ => true);
+        }
+
+        // Below the parent where it works there, else below the fluid; with a fluid of its own where there is none.
+        static GameObject CreatePart<T>(GameObject parent, string name, bool needsWater, Action<T, FluidSimulation> set) where T : Component
+        {
+            FluidSimulation fluid = FindFluid(parent);
+            GameObject root = null;
+            if (fluid == null)
+            {
+                fluid = (root = MakeFluid(parent, needsWater)).GetComponent<FluidSimulation>();
+                parent = root;
+            }
+            var made = new GameObject(name);
+            made.SetActive(false);
+            T part = made.AddComponent<T>();
+            bool isOutside = parent == null || parent.GetComponentInParent<FluidSimulation>(true) != fluid;
+            Adopt(made, parent != null && (!isOutside || part is FluidPart) ? parent : fluid.gameObject);
+            if (parent != null && isOutside && part is FluidPart acts)
+                acts.Simulation = fluid;
+            set(part, fluid);
+            if (root == null)
+                return Finish(made, name);
+            made.SetActive(true);
+            Finish(root, name);
+            Selection.activeGameObject = made;
+            return made;
+        }
+
+        static GameObject MakeFluid(GameObject parent, bool withWater)
+        {
+            var made = new GameObject("Fluid");
+            made.SetActive(false);
+            Adopt(made, parent);
+            if (parent == null)
+                made.transform.position = ScenePivot + new Vector3(0f, 0.5f * DefaultBox.y, 0f);       // it stands on the pivot
+
+            FluidSimulation fluid = made.AddComponent<FluidSimulation>();
+            fluid.Configure(DefaultBox, DefaultSpacing, DefaultCapacity);
+            made.AddComponent<ParticleRenderer>().Sun = SunOfScene();
+            made.AddComponent<DomainRenderer>();
+            if (!withWater)
+                return made;
+            var water = new GameObject("Water");
+            water.transform.SetParent(made.transform, false);
+            FluidVolume volume = water.AddComponent<FluidVolume>();
+            volume.Size = new Vector3(0.4f * DefaultBox.x, 0.6f * DefaultBox.y, DefaultBox.z);
+            water.transform.localPosition = 0.5f * (volume.Size - DefaultBox);
+            return made;
+        }
+
+        static Vector3 ScenePivot => SceneView.lastActiveSceneView != null ? SceneView.lastActiveSceneView.pivot : Vector3.zero;
+
+        static Light SunOfScene() => RenderSettings.sun != null ? RenderSettings.sun : FirstOfScenes<Light>(light => light.type == LightType.Directional);
+
+        static T FirstOfScenes<T>(Func<T, bool> fits) where T : Component
+        {
+            for (int scene = 0; scene < SceneManager.sceneCount; scene++)
+                foreach (GameObject root in SceneManager.GetSceneAt(scene).GetRootGameObjects())
+                    foreach (T found in root.GetComponentsInChildren<T>())
+                        if (fits(found))
+                            return found;
+            return null;
+        }
+
+        // In the frame of the domain, wherever in its tree the part is.
+        static void Place(Component part, FluidSimulation fluid, Vector3 position, Quaternion rotation)
+        {
+            Transform box = fluid.transform;
+            part.transform.SetPositionAndRotation(box.position + box.rotation * position, box.rotation * rotation);
+        }
+
+        static void Adopt(GameObject made, GameObject parent)
+        {
+            if (parent == null)
+                StageUtility.PlaceGameObjectInCurrentStage(made);
+            GameObjectUtility.SetParentAndAlign(made, parent);
+            GameObjectUtility.EnsureUniqueNameForSibling(made);
+        }
+
+        static GameObject Finish(GameObject made, string name)
+        {
+            Register(made, name);
+            Selection.activeGameObject = made;
+            return made;
+        }
+
+        static void Register(GameObject made, string name)
+        {
+            made.SetActive(true);
+            Undo.RegisterCreatedObjectUndo(made, $"Create {name}");
+            Undo.SetCurrentGroupName($"Create {name}");
+        }
+
+        static float Shortest(Vector3 size) => Mathf.Min(size.x, size.y, size.z);
+        static float Inverse(float scale) => scale != 0f ? 1f / scale : 1f;
+    }
+}

@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidCollider))]
+    [CanEditMultipleObjects]
+    sealed class FluidColliderEditor : RillEditor
+    {
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Shape", true,
+                new InspectorField("shape"),
+                new InspectorField("center", "m", When.IsNot("shape", ColliderShape.Mesh, ColliderShape.HeightField)),
+                new InspectorField("size", "m", When.Is("shape", ColliderShape.Box)),
+                new InspectorField("radius", "m", When.Is("shape", ColliderShape.Sphere, ColliderShape.Capsule)),
+                new InspectorField("height", "m", When.Is("shape", ColliderShape.Capsule)),
+                new InspectorField("field", when: When.Is("shape", ColliderShape.Mesh)),
+                new InspectorField("insideOut", when: When.IsNot("shape", ColliderShape.HeightField))),
+            new InspectorSection("Surface", true,
+                new InspectorField("friction"),
+                new InspectorField("bounce"),
+                new InspectorField("carriesDensity")),
+            new InspectorSection("Reaction", false,
+                new InspectorField("measuresForce")),
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        internal override void ListLive(List<(string label, string text)> live)
+        {
+            var collider = (FluidCollider)target;
+            if (!collider.MeasuresForce)
+                return;
+            bool known = collider.TryGetForce(out Vector3 force, out Vector3 torque);
+            live.Add(("Force", known ? $"{force.x:0.##}, {force.y:0.##}, {force.z:0.##} N" : "not known yet"));
+            if (known)
+                live.Add(("Torque", $"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle"));
+        }
+
+        void OnSceneGUI() => ColliderHandles.Draw((FluidCollider)target);
+    }
+}

@@ -1,0 +1,71 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidEmitter))]
+    [CanEditMultipleObjects]
+    sealed class FluidEmitterEditor : RillEditor
+    {
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Shape", true,
+                new InspectorField("simulation"),
+                new InspectorField("shape"),
+                new InspectorField("size", "m", When.Is("shape", EmitterShape.Box)),
+                new InspectorField("radius", "m", When.Is("shape", EmitterShape.Sphere, EmitterShape.Disc)),
+                new InspectorField("mesh", when: When.Is("shape", EmitterShape.MeshSurface))),
+            new InspectorSection("Flow", true,
+                new InspectorField("mode", when: When.IsNot("shape", EmitterShape.MeshSurface)),
+                new InspectorField("rate", "m³/s"),
+                new InspectorField("speed", "m/s"),
+                new InspectorField("spread", "degrees")),
+            new InspectorSection("Time", false,
+                new InspectorField("startsItself"),
+                new InspectorField("delay", "s"),
+                new InspectorField("duration", "s")),
+            new InspectorSection("Particles", false,
+                new InspectorField("phase"),
+                new InspectorField("lifetime", "s")),
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        internal override void ListLive(List<(string label, string text)> live)
+        {
+            var emitter = (FluidEmitter)target;
+            live.Add(("State", emitter.IsEmitting ? "lets fluid in" : "off"));
+            live.Add(("Emitted", $"{emitter.Emitted:N0} particles, {emitter.EmittedVolume:0.####} m³ of {emitter.DueVolume:0.####} m³ due since its start"));
+            live.Add(("Waiting for room", $"{emitter.Waiting:N0}, given up {emitter.Blocked:N0}, refused by the capacity {emitter.Refused:N0}"));
+        }
+
+        private protected override void DrawLive()
+        {
+            var emitter = (FluidEmitter)target;
+            using (new EditorGUILayout.HorizontalScope())
+            {
+                if (GUILayout.Button("Start"))
+                    emitter.StartEmission();
+                if (GUILayout.Button("Stop"))
+                    emitter.StopEmission();
+            }
+        }
+
+        void OnSceneGUI()
+        {
+            var emitter = (FluidEmitter)target;
+            bool fills = emitter.Mode == EmitterMode.Fill;
+            switch (emitter.Shape)
+            {
+                case EmitterShape.Box:
+                    ShapeHandles.Box(emitter, "size", !fills, GizmoColors.Emitter);
+                    break;
+                case EmitterShape.Sphere:
+                case EmitterShape.Disc:
+                    ShapeHandles.Sphere(emitter, "radius", !fills || emitter.Shape == EmitterShape.Disc, GizmoColors.Emitter);
+                    break;
+            }
+        }
+    }
+}

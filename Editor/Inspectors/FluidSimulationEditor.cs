@@ -1,0 +1,185 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    /// <summary>The simulation's settings, presets of fluids and, while it runs, what it measures and costs.</summary>
+    [CustomEditor(typeof(FluidSimulation))]
+    [CanEditMultipleObjects]
+    sealed class FluidSimulationEditor : RillEditor
+    {
+        const string FluidTitle = "Fluid", DomainTitle = "Domain", SolverTitle = "Solver", BudgetTitle = "Budget";
+        const int MemoryInterval = 30;      // frames between two looks at the buffers; by frames, so that layout and repaint see the same
+
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection(DomainTitle, true,
+                new InspectorField("domainSize", "m"),
+                new InspectorField("particleSpacing", "m"),
+                new InspectorField("capacity", "particles"),
+                new InspectorField("inertial"),
+                new InspectorField("seed")),
+            new InspectorSection(FluidTitle, true,
+                new InspectorField("material.density", "kg/m³"),
+                new InspectorField("material.viscosity", "share in 1/60 s"),
+                new InspectorField("material.vorticity", "m/s"),
+                new InspectorField("material.artificialPressure"),
+                new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),
+                new InspectorField("material.allowedTension"),
+                new InspectorField("gravity", "m/s²")),
+            new InspectorSection(SolverTitle, true,
+                new InspectorField("solver.deepWater"),
+                new InspectorField("solver.iterations"),
+                new InspectorField("solver.relaxation"),
+                new InspectorField("solver.substeps"),
+                new InspectorField("solver.softness"),
+                new InspectorField("solver.listMargin", "support radii"),
+                new InspectorField("solver.neighborCapacity"),
+                new InspectorField("solver.sleepSpeed", "m/s")),
+            new InspectorSection(BudgetTitle, false,
+                new InspectorField("budget.mode"),
+                new InspectorField("budget.milliseconds", "ms", When.Is("budget.mode", BudgetMode.Milliseconds)),
+                new InspectorField("budget.share", "of the frame", When.Is("budget.mode", BudgetMode.ShareOfFrame)),
+                new InspectorField("budget.frameRate", "1/s", When.Is("budget.mode", BudgetMode.ShareOfFrame)),
+                new InspectorField("budget.targetError", "C+", When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.leastIterations", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.mostIterations", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.leastSubsteps", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.mostSubsteps", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.deviceFactor", "of the cost model", When.IsNot("budget.mode", BudgetMode.Off))),
+            new InspectorSection("Time", false,
+                new InspectorField("stepRate", "1/s"),
+                new InspectorField("maxStepsPerFrame"),
+                new InspectorField("paused"),
+                new InspectorField("statisticsInterval", "steps")),
+        };
+
+        StageTimes times;
+        readonly List<MemoryRows.Row> memory = new List<MemoryRows.Row>();
+        int memoryAt = -MemoryInterval;
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        FluidSimulation Simulation => (FluidSimulation)target;
+
+        void OnDisable() => StopTimes();
+
+        private protected override void DrawMessages()
+        {
+            if (targets.Length > 1)
+                return;
+            foreach ((MessageType type, string text) in BudgetSummary.Messages(Simulation.Budget, Simulation.BudgetState, Simulation.StatisticsInterval))
+                EditorGUILayout.HelpBox(text, type);
+        }
+
+        private protected override void DrawBelow(string title)
+        {
+            if (title == FluidTitle)
+                DrawPresets();
+            if (targets.Length > 1)
+                return;
+            if (title == DomainTitle)
+                DrawEstimates();
+            if (title == SolverTitle && Simulation.Budget.mode != BudgetMode.Off)
+                EditorGUILayout.HelpBox(BudgetSummary.SolverNote, MessageType.Info);
+            if (title == BudgetTitle)
+                foreach ((string label, string text) in BudgetSummary.Rows(Simulation.BudgetState))
+                    EditorGUILayout.LabelField(label, text);
+        }
+
+        void DrawEstimates()
+        {
+            EditorGUILayout.LabelField("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
+            long bytes = Simulation.EstimatedBytes;
+            if (bytes > 0)
+                EditorGUILayout.LabelField("GPU memory", MemoryRows.Text(bytes, Simulation.Capacity) + ", without optional stages");
+        }
+
+        void DrawPresets()
+        {
+            serializedObject.ApplyModifiedProperties();
+            int current = targets.Length == 1 ? FluidPresets.IndexOf(Simulation.Material, Simulation.ParticleSpacing) : -1;
+            int chosen = EditorGUILayout.Popup("Preset", current + 1, FluidPresets.Names) - 1;
+            if (chosen >= 0 && chosen != current)
+            {
+                FluidPresets.Apply(FluidPresets.All[chosen], targets);
+                GUIUtility.ExitGUI();       // another preset has other lines below it
+            }
+            if (targets.Length > 1)
+                return;
+            EditorGUILayout.LabelField("Acts like", FluidPresets.ViscosityText(Simulation.Material, Simulation.ParticleSpacing));
+            if (current >= 0)
+                EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
+        }
+
+        private protected override void DrawLive()
+        {
+            if (GUILayout.Button("Restart"))
+                Simulation.Restart();
+            DrawStatistics();
+            DrawTimes();
+            DrawMemory();
+        }
+
+        void DrawStatistics()
+        {
+            if (!Unfold("Statistics", true))
+                return;
+            bool known = Simulation.TryGetStatistics(out FluidStatistics statistics);
+            if (!known)
+                EditorGUILayout.HelpBox(StatisticsSummary.WhyNone(Simulation.StatisticsInterval), MessageType.None);
+            else
+                foreach ((string label, string text) in StatisticsSummary.Rows(statistics, Simulation.Capacity))
+                    EditorGUILayout.LabelField(label, text);
+            if (known)
+                foreach (string text in StatisticsSummary.Warnings(statistics))
+                    EditorGUILayout.HelpBox(text, MessageType.Warning);
+        }
+
+        // Recorders cost a little, so they run while someone looks.
+        void DrawTimes()
+        {
+            if (!Unfold("GPU time", false))
+            {
+                StopTimes();
+                return;
+            }
+            times ??= new StageTimes();
+            times.Update(Time.frameCount);
+            if (times.Rows.Count == 0)
+                EditorGUILayout.HelpBox(StageTimes.WhyNone(SystemInfo.supportsGpuRecorder), MessageType.None);
+            foreach (StageTimes.Row row in times.Rows)
+                BarChart.Draw(row.Label, row.Share, $"{row.Milliseconds:0.000} ms");
+            if (times.Rows.Count > 0)
+                EditorGUILayout.LabelField("All stages", $"{times.Total:0.000} ms a frame, of all simulations together");
+        }
+
+        void StopTimes()
+        {
+            times?.Dispose();
+            times = null;
+        }
+
+        void DrawMemory()
+        {
+            if (!Unfold("GPU memory", false))
+                return;
+            if (Time.frameCount - memoryAt >= MemoryInterval)
+            {
+                memoryAt = Time.frameCount;
+                MemoryRows.List(Simulation.Describe(), memory);
+            }
+            EditorGUILayout.LabelField("All buffers", MemoryRows.Text(MemoryRows.Total(memory), Simulation.Capacity));
+            foreach (MemoryRows.Row row in memory)
+                BarChart.Draw(row.Label, row.Share, EditorUtility.FormatBytes(row.Bytes));
+        }
+
+        void OnSceneGUI()
+        {
+            // A fluid that runs would start anew at every move.
+            if (!Application.isPlaying)
+                ShapeHandles.Box(Simulation, "domainSize", false, GizmoColors.Domain);
+        }
+    }
+}

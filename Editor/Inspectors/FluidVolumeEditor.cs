@@ -1,0 +1,40 @@
+using UnityEditor;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidVolume))]
+    [CanEditMultipleObjects]
+    sealed class FluidVolumeEditor : RillEditor
+    {
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Volume", true,
+                new InspectorField("shape"),
+                new InspectorField("size", "m", When.Is("shape", VolumeShape.Box)),
+                new InspectorField("radius", "m", When.Is("shape", VolumeShape.Sphere)),
+                new InspectorField("field", when: When.Is("shape", VolumeShape.SignedDistanceField)),
+                new InspectorField("velocity", "m/s")),
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        private protected override void DrawBelow(string title)
+        {
+            if (targets.Length > 1)
+                return;
+            var volume = (FluidVolume)target;
+            FluidSimulation fluid = volume.GetComponentInParent<FluidSimulation>(true);
+            if (fluid != null)
+                EditorGUILayout.LabelField("Holds", $"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles");
+        }
+
+        void OnSceneGUI()
+        {
+            var volume = (FluidVolume)target;
+            if (volume.Shape == VolumeShape.Sphere)
+                ShapeHandles.Sphere(volume, "radius", false, GizmoColors.Volume);
+            else if (volume.Shape == VolumeShape.Box)
+                ShapeHandles.Box(volume, "size", false, GizmoColors.Volume);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    /// <summary>
+    /// Draws what is wrong, the sections of a component and, while it plays, what it measures. What there is to draw comes from
+    /// plain classes; nothing here decides.
+    /// </summary>
+    abstract class RillEditor : UnityEditor.Editor
+    {
+        readonly List<(string label, string text)> rows = new List<(string, string)>();
+
+        /// <summary>All serialized fields, each once.</summary>
+        internal abstract InspectorSection[] Sections { get; }
+
+        /// <summary>What one component has to tell while it plays.</summary>
+        internal virtual void ListLive(List<(string label, string text)> live) { }
+
+        /// <summary>Below what is wrong with the component itself.</summary>
+        private protected virtual void DrawMessages() { }
+
+        /// <summary>Of a section whose title is given: what stands below its fields.</summary>
+        private protected virtual void DrawBelow(string title) { }
+
+        /// <summary>Below all sections.</summary>
+        private protected virtual void DrawLive() { }
+
+        public override bool RequiresConstantRepaint() => Application.isPlaying;
+
+        public override void OnInspectorGUI()
+        {
+            serializedObject.Update();
+            foreach (string problem in ProblemList.Of(targets))
+                EditorGUILayout.HelpBox(problem, MessageType.Warning);
+            DrawMessages();
+            foreach (InspectorSection section in Sections)
+                Draw(section);
+            serializedObject.ApplyModifiedProperties();
+            if (!Application.isPlaying || targets.Length > 1)
+                return;
+            rows.Clear();
+            ListLive(rows);
+            DrawRows(rows);
+            DrawLive();
+        }
+
+        private protected static void DrawRows(List<(string label, string text)> rows)
+        {
+            foreach ((string label, string text) in rows)
+                EditorGUILayout.LabelField(label, text);
+        }
+
+        /// <summary>A foldout whose state lasts for the session.</summary>
+        // Not a foldout header group: lists have headers of their own, which may not be nested in one.
+        private protected bool Unfold(string title, bool startsOpen)
+        {
+            string key = $"Rill.{GetType().Name}.{title}";
+            bool wasOpen = SessionState.GetBool(key, startsOpen);
+            bool isOpen = EditorGUILayout.Foldout(wasOpen, title, true, EditorStyles.foldoutHeader);
+            if (isOpen != wasOpen)
+                SessionState.SetBool(key, isOpen);
+            return isOpen;
+        }
+
+        void Draw(InspectorSection section)
+        {
+            if (!Unfold(section.Title, section.StartsOpen))
+                return;
+            using (new EditorGUI.IndentLevelScope())
+            {
+                foreach (InspectorField field in section.Shown(serializedObject))
+                {
+                    SerializedProperty property = serializedObject.FindProperty(field.Path);
+                    EditorGUILayout.PropertyField(property, field.Label(serializedObject, property), true);
+                }
+                DrawBelow(section.Title);
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+using System;
+using System.Linq;
+using UnityEditor;
+using Object = UnityEngine.Object;
+
+namespace Rill.Editor
+{
+    /// <summary>Fluids to choose from.</summary>
+    static class FluidPresets
+    {
+        const float SameShare = 1e-3f;
+
+        // Rounded textbook figures: the solver is coarser than what they leave out.
+        public static readonly FluidPreset[] All =
+        {
+            new FluidPreset("Water", 1000f, 0.001f, "20 °C"),
+            new FluidPreset("Seawater", 1025f, 0.00108f, "20 °C, 35 g salt a kg"),
+            new FluidPreset("Mercury", 13530f, 0.00153f, "25 °C"),
+            new FluidPreset("Olive oil", 910f, 0.084f, "20 °C"),
+            new FluidPreset("Glycerol", 1260f, 1.41f, "20 °C, pure"),
+            new FluidPreset("Honey", 1420f, 10f, "20 °C, typical; 2 to 20 by its water"),
+            new FluidPreset("Basaltic lava", 2700f, 100f, "1200 °C, typical; 10 to 1000"),
+        };
+
+        /// <summary>As a popup shows them, after what is none of them.</summary>
+        public static readonly string[] Names = new[] { "Custom" }.Concat(All.Select(preset => preset.Name)).ToArray();
+
+        /// <summary>Number of the preset that a material has the values of, -1 for none.</summary>
+        /// <param name="spacing">m.</param>
+        public static int IndexOf(in FluidMaterial material, float spacing)
+        {
+            for (int i = 0; i < All.Length; i++)
+                if (Same(material, All[i].MaterialAt(spacing)))
+                    return i;
+            return -1;
+        }
+
+        /// <summary>Gives simulations a preset's material, each at its spacing, as one step of undo.</summary>
+        public static void Apply(FluidPreset preset, Object[] simulations)
+        {
+            foreach (Object target in simulations)
+                using (var one = new SerializedObject(target))
+                {
+                    FluidMaterial material = preset.MaterialAt(one.FindProperty("particleSpacing").floatValue);
+                    SerializedProperty property = one.FindProperty("material");
+                    property.FindPropertyRelative("density").floatValue = material.density;
+                    property.FindPropertyRelative("viscosity").floatValue = material.viscosity;
+                    property.FindPropertyRelative("vorticity").floatValue = material.vorticity;
+                    property.FindPropertyRelative("artificialPressure").floatValue = material.artificialPressure;
+                    property.FindPropertyRelative("artificialPressureDistance").floatValue = material.artificialPressureDistance;
+                    property.FindPropertyRelative("allowedTension").floatValue = material.allowedTension;
+                    one.ApplyModifiedProperties();
+                }
+            Undo.SetCurrentGroupName($"Fluid preset {preset.Name}");
+        }
+
+        public static string ViscosityText(in FluidMaterial material, float spacing) => $"{material.DynamicViscosity(spacing):G3} Pa s at this spacing (water 0.001, honey about 10)";
+
+        static bool Same(in FluidMaterial a, in FluidMaterial b)
+        {
+            return Near(a.density, b.density) && Near(a.viscosity, b.viscosity) && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
+                && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension;
+        }
+
+        static bool Near(float a, float b) => Math.Abs(a - b) <= SameShare * Math.Abs(b);
+    }
+}

@@ -1,0 +1,77 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor
+{
+    public sealed class GameObjectUtility
+    {
+        /// <summary>Below the parent at its place, with its layer; nothing without one.</summary>
+        public static void SetParentAndAlign(GameObject child, GameObject parent)
+        {
+            if (parent == null)
+                return;
+            child.transform.SetParent(parent.transform, false);
+            child.transform.localPosition = Vector3.zero;
+            child.transform.localRotation = Quaternion.identity;
+            child.transform.localScale = Vector3.one;
+            SetLayer(child.transform, parent.layer);
+        }
+
+        public static void EnsureUniqueNameForSibling(GameObject self) => self.name = Unique(self.transform.parent, self.name, self);
+        public static string GetUniqueNameForSibling(Transform parent, string name) => Unique(parent, name, null);
+
+        static string Unique(Transform parent, string name, GameObject self)
+        {
+            IEnumerable<GameObject> siblings = parent ? parent.Cast<Transform>().Select(t => t.gameObject) : UnityEngine.SceneManagement.SceneManager.GetActiveScene().GetRootGameObjects();
+            var taken = new HashSet<string>(siblings.Where(o => o != self).Select(o => o.name));
+            string unique = name;
+            for (int number = 1; taken.Contains(unique); number++)
+                unique = $"{name} ({number})";
+            return unique;
+        }
+
+        static void SetLayer(Transform tree, int layer)
+        {
+            tree.gameObject.layer = layer;
+            foreach (Transform child in tree)
+                SetLayer(child, layer);
+        }
+    }
+
+    /// <summary>What a menu item was called on.</summary>
+    public sealed class MenuCommand
+    {
+        public Object context;
+        public int userData;
+
+        public MenuCommand(Object inContext) : this(inContext, 0) { }
+
+        public MenuCommand(Object inContext, int inUserData)
+        {
+            context = inContext;
+            userData = inUserData;
+        }
+    }
+
+    /// <summary>Kept for as long as the process runs.</summary>
+    public class SessionState
+    {
+        static readonly Dictionary<string, bool> bools = new Dictionary<string, bool>();
+
+        public static bool GetBool(string key, bool defaultValue) => bools.TryGetValue(key, out bool value) ? value : defaultValue;
+        public static void SetBool(string key, bool value) => bools[key] = value;
+        public static void EraseBool(string key) => bools.Remove(key);
+    }
+}
+
+namespace UnityEditor.SceneManagement
+{
+    /// <summary>There is only the main stage here.</summary>
+    public static class StageUtility
+    {
+        public static void PlaceGameObjectInCurrentStage(GameObject gameObject) { }
+    }
+}

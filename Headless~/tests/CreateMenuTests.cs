@@ -1,0 +1,105 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
+using NUnit.Framework;
+using Rill;
+using Rill.Editor;
+using UnityEditor;
+using UnityEngine;
+using UnityEngine.Headless;
+
+namespace Host.Tests
+{
+    /// <summary>That what GameObject > Rill makes runs as it is.</summary>
+    public class CreateMenuTests : InspectorFixture
+    {
+        const int FramesToRun = 30;
+        const float CoarseSpacing = 0.1f;       // m: an eighth of the particles
+
+        static IEnumerable<string> Items => Methods.Select(item => item.Key);
+
+        static Dictionary<string, MethodInfo> Methods => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor") }
+            .SelectMany(assembly => assembly.GetTypes()).SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
+            .Where(method => method.IsDefined(typeof(MenuItem)) && method.GetCustomAttribute<MenuItem>().menuItem.StartsWith("GameObject/Rill/"))
+            .ToDictionary(method => method.GetCustomAttribute<MenuItem>().menuItem);
+
+        [Test]
+        public void The_menu_has_what_scenes_are_made_of()
+        {
+            Assert.That(Items.Select(item => item.Split('/').Last()), Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Floating Body" }));
+        }
+
+        [TestCaseSource(nameof(Items))]
+        public void What_a_menu_item_makes_in_an_empty_scene_runs_with_particles_and_no_complaint(string item)
+        {
+            GameObject made = Choose(item, null);
+            if (made.GetComponent<FluidSimulation>() == null)
+                Coarsen(Object.FindObjectOfType<FluidSimulation>());
+            Run();
+        }
+
+        [TestCaseSource(nameof(Items))]
+        public void What_a_menu_item_makes_below_a_fluid_runs_with_particles_and_no_complaint(string item)
+        {
+            GameObject fluid = SceneSetup.CreateFluid(null);
+            Coarsen(fluid.GetComponent<FluidSimulation>());
+            GameObject made = Choose(item, fluid);
+            Assert.That(made.transform.parent, Is.SameAs(fluid.transform));
+            if (made.GetComponent<FluidSimulation>() == null)
+                Assert.That(Object.FindObjectsOfType<FluidSimulation>().Length, Is.EqualTo(1), "no fluid beside the one that is there");
+            Run();
+        }
+
+        [Test]
+        public void A_menu_item_that_is_called_on_nothing_takes_the_selection_unless_that_is_an_asset()
+        {
+            var selected = new GameObject("Selected");
+            Selection.activeGameObject = selected;
+            GameObject made = Choose("GameObject/Rill/Collider", null);
+            Assert.That(made.transform.parent, Is.SameAs(selected.transform));
+            selected.IsAsset = true;
+            Selection.activeGameObject = selected;
+            Assert.That(Choose("GameObject/Rill/Drain", null).transform.parent.GetComponent<FluidSimulation>() != null);
+            selected.IsAsset = false;
+        }
+
+        [Test]
+        public void A_floating_body_floats()
+        {
+            GameObject made = Choose("GameObject/Rill/Floating Body", null);
+            var body = made.GetComponent<Rigidbody>();
+            Coarsen(Object.FindObjectOfType<FluidSimulation>());
+            Run();
+            Assert.That(made.GetComponent<FluidBuoyancy>().isActiveAndEnabled);
+            Assert.That(body.mass, Is.EqualTo(500f * Mathf.Pow(0.25f, 3f)).Within(0.01f));
+            Undo.PerformUndo();
+            Assert.That((bool)made, Is.False);
+            Assert.That(Object.FindObjectOfType<FluidSimulation>(), Is.Null, "its fluid went with it");
+        }
+
+        static GameObject Choose(string item, GameObject on)
+        {
+            Undo.IncrementCurrentGroup();
+            Methods[item].Invoke(null, new object[] { new MenuCommand(on) });
+            Assert.That(Selection.activeGameObject, Is.Not.Null);
+            return Selection.activeGameObject;
+        }
+
+        static void Coarsen(FluidSimulation fluid) => fluid.Configure(fluid.DomainSize, CoarseSpacing, 2000);
+
+        void Run()
+        {
+            for (int i = 0; i < FramesToRun; i++)
+                PlayerLoop.Frame(1f / 60f);
+            FluidSimulation[] fluids = Object.FindObjectsOfType<FluidSimulation>();
+            Assert.That(fluids, Is.Not.Empty);
+            foreach (FluidSimulation fluid in fluids)
+            {
+                Assert.That(fluid.TryGetStatistics(out FluidStatistics statistics));
+                Assert.That(statistics.particles, Is.Positive);
+                Assert.That(statistics.refused + statistics.nonFinite + statistics.escaped, Is.Zero);
+            }
+            Assert.That(Logged, Is.Empty);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
+using NUnit.Framework;
+using Rill.Editor;
+using UnityEditor;
+using UnityEditor.IMGUI.Controls;
+using UnityEngine;
+using UnityEngine.Headless;
+using Object = UnityEngine.Object;
+
+namespace Host.Tests
+{
+    /// <summary>Draws the package's inspectors and handles as the Editor would, and sees what came of it.</summary>
+    public abstract class InspectorFixture : GraphicsFixture
+    {
+        readonly List<Editor> editors = new List<Editor>();
+
+        [SetUp]
+        public void ClearGui()
+        {
+            GuiTrace.Clear();
+            GuiGroups.Clear();
+            Undo.ClearAll();
+            Selection.activeObject = null;
+        }
+
+        [TearDown]
+        public void CloseInspectors()
+        {
+            GuiTrace.Clear();
+            PrimitiveBoundsHandle.Drag = null;
+            GUI.changed = false;
+            foreach (Editor editor in editors)
+                if (editor)
+                    Object.DestroyImmediate(editor);
+            editors.Clear();
+        }
+
+        /// <summary>The package's custom inspectors, by what they inspect.</summary>
+        internal static IEnumerable<(Type inspected, Type editor)> Inspectors
+        {
+            get
+            {
+                foreach (Assembly assembly in new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") })
+                    foreach (Type type in assembly.GetTypes())
+                        foreach (CustomEditor mark in type.GetCustomAttributes<CustomEditor>(false))
+                            yield return (mark.Inspected, type);
+            }
+        }
+
+        internal Editor Inspect(params Object[] targets)
+        {
+            Editor editor = Editor.CreateEditor(targets);
+            editors.Add(editor);
+            return editor;
+        }
+
+        /// <summary>Draws everything that an inspector has, with all foldouts open.</summary>
+        internal static void Draw(Editor editor)
+        {
+            GuiTrace.Fields.Clear();
+            GuiTrace.HelpBoxes.Clear();
+            foreach (string title in new[] { "Statistics", "GPU time", "GPU memory" }.Concat((editor as RillEditor)?.Sections.Select(s => s.Title) ?? new string[0]))
+                SessionState.SetBool($"Rill.{editor.GetType().Name}.{title}", true);
+            editor.OnInspectorGUI();
+            AssertClosed(editor);
+        }
+
+        /// <summary>Draws the handles of each target.</summary>
+        internal static void DrawHandles(Editor editor)
+        {
+            MethodInfo draw = editor.GetType().GetMethod("OnSceneGUI", BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public);
+            draw?.Invoke(editor, null);
+            AssertClosed(editor);
+        }
+
+        static void AssertClosed(Editor editor)
+        {
+            Assert.That(GuiGroups.Open, Is.Zero, $"groups of {editor.GetType().Name} that were left open");
+            Assert.That(EditorGUI.indentLevel, Is.Zero);
+            Assert.That(Handles.matrix, Is.EqualTo(Matrix4x4.identity));
+        }
+    }
+}

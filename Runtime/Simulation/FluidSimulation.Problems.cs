@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    // What is wrong, in the words in which it is logged.
+    public sealed partial class FluidSimulation
+    {
+        string clamped;     // what the newest validation changed
+        string failure;     // what stopped it
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            if (pbf == null)
+            {
+                problems.AddIfAny(DeviceProblem ?? NoPlaceProblem ?? LayoutProblem ?? failure);
+                return;
+            }
+            problems.AddIfAny(placeIsLost ? LostPlaceProblem : null);
+            problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
+        }
+
+        static string DeviceProblem => SystemInfo.supportsComputeShaders ? null : "this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.";
+
+        string NoPlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.";
+
+        string LostPlaceProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.";
+
+        string TooManyProblem => $"takes {ColliderSet.Most} colliders at a time; {leftOutCount} more are in its box and left out, '{(leftOut != null ? leftOut.name : "")}' first. Merge meshes into one field, or disable colliders that the fluid does not reach.";
+
+        string LayoutProblem
+        {
+            get
+            {
+                TryMakeLayout(out _, out string problem);
+                return problem;
+            }
+        }
+
+        /// <summary>What its buffers will take on the GPU, without optional stages; 0 where it cannot run.</summary>
+        internal long EstimatedBytes => TryMakeLayout(out SolverLayout layout, out _) ? layout.EstimatedBytes : 0;
+
+        bool TryMakeLayout(out SolverLayout layout, out string problem)
+        {
+            layout = null;
+            problem = null;
+            try
+            {
+                layout = MakeLayout();
+            }
+            catch (ArgumentException refusal)
+            {
+                problem = refusal.Message;
+            }
+            return problem == null;
+        }
+    }
+}

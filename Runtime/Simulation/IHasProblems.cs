@@ -1,0 +1,20 @@
+using System.Collections.Generic;
+
+namespace Rill
+{
+    /// <summary>Says what is wrong with it now, playing or not, in the words in which it is logged.</summary>
+    interface IHasProblems
+    {
+        void ListProblems(List<string> problems);
+    }
+
+    static class Problems
+    {
+        /// <summary>Null is no problem.</summary>
+        public static void AddIfAny(this List<string> problems, string problem)
+        {
+            if (problem != null)
+                problems.Add(problem);
+        }
+    }
+}

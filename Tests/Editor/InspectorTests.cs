@@ -1,0 +1,167 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Rill.Editor.Tests
+{
+    /// <summary>What inspectors show, without drawing it.</summary>
+    public class InspectorTests
+    {
+        static readonly Type[] Components =
+        {
+            typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidVolume), typeof(FluidCollider),
+            typeof(ParticleRenderer), typeof(DomainRenderer),
+        };
+
+        EditorScene scene;
+
+        [SetUp]
+        public void MakeScene() => scene = new EditorScene();
+
+        [TearDown]
+        public void DestroyScene() => scene.Dispose();
+
+        [TestCaseSource(nameof(Components))]
+        public void Every_serialized_field_of_a_component_is_in_one_section(Type component)
+        {
+            RillEditor editor = Inspect(scene.Add(component));
+            string[] shown = editor.Sections.SelectMany(section => section.Fields).Select(field => field.Path).ToArray();
+            Assert.That(shown, Is.EquivalentTo(Fields(component, "")));
+            foreach (string path in shown)
+                Assert.That(editor.serializedObject.FindProperty(path), Is.Not.Null, path);
+        }
+
+        [TestCaseSource(nameof(Components))]
+        public void Several_of_a_kind_can_be_edited_together(Type component)
+        {
+            RillEditor editor = Inspect(scene.Add(component), scene.Add(component));
+            Assert.That(editor.GetType().GetCustomAttributes(typeof(CanEditMultipleObjects), false), Is.Not.Empty);
+            Assert.That(editor.serializedObject.isEditingMultipleObjects);
+            Assert.That(editor.Sections.SelectMany(section => section.Shown(editor.serializedObject)), Is.Not.Empty);
+        }
+
+        [TestCaseSource(nameof(Components))]
+        public void A_unit_on_a_label_is_the_one_that_the_tooltip_gives(Type component)
+        {
+            RillEditor editor = Inspect(scene.Add(component));
+            foreach (InspectorField field in editor.Sections.SelectMany(section => section.Fields))
+            {
+                SerializedProperty property = editor.serializedObject.FindProperty(field.Path);
+                string unit = field.Unit(editor.serializedObject);
+                GUIContent label = field.Label(editor.serializedObject, property);
+                Assert.That(label.text, Is.EqualTo(unit == null ? property.displayName : $"{property.displayName} ({unit})"));
+                bool isSi = new[] { "m", "s", "m/s", "m/s²", "m³/s", "kg/m³", "ms", "1/s" }.Contains(unit);
+                if (isSi && unit != "1/s")
+                    Assert.That(label.tooltip, Does.Match($@"(^|[ (,]){unit}($|[ ,.:;)])"), field.Path);
+            }
+        }
+
+        [TestCase(EmitterShape.Box, "size")]
+        [TestCase(EmitterShape.Sphere, "radius")]
+        [TestCase(EmitterShape.Disc, "radius")]
+        [TestCase(EmitterShape.MeshSurface, "mesh")]
+        public void Fields_that_a_shape_has_no_use_for_are_hidden(EmitterShape shape, string wanted)
+        {
+            var emitter = scene.Add<FluidEmitter>();
+            Set(emitter, "shape", (int)shape);
+            string[] shown = Shown(emitter);
+            Assert.That(shown.Intersect(new[] { "size", "radius", "mesh" }), Is.EqualTo(new[] { wanted }));
+            Assert.That(shown.Contains("mode"), Is.EqualTo(shape != EmitterShape.MeshSurface));
+        }
+
+        [Test]
+        public void Objects_that_differ_in_a_choice_show_what_any_of_them_needs()
+        {
+            FluidDrain box = scene.Add<FluidDrain>(), ball = scene.Add<FluidDrain>();
+            Set(ball, "shape", (int)DrainShape.Sphere);
+            Assert.That(Shown(box), Has.Member("size").And.No.Member("radius"));
+            Assert.That(Shown(ball), Has.Member("radius").And.No.Member("size"));
+            Assert.That(Shown(box, ball), Has.Member("radius").And.Member("size"));
+        }
+
+        [Test]
+        public void The_budgets_settings_are_there_only_while_it_is_on()
+        {
+            var fluid = scene.Add<FluidSimulation>();
+            Assert.That(Shown(fluid).Where(path => path.StartsWith("budget.")), Is.EqualTo(new[] { "budget.mode" }));
+            Set(fluid, "budget.mode", (int)BudgetMode.Milliseconds);
+            Assert.That(Shown(fluid), Has.Member("budget.milliseconds").And.No.Member("budget.share"));
+            Set(fluid, "budget.mode", (int)BudgetMode.ShareOfFrame);
+            Assert.That(Shown(fluid), Has.Member("budget.share").And.Member("budget.frameRate").And.No.Member("budget.milliseconds"));
+        }
+
+        [TestCase(ForceFieldKind.Direction, "m/s²")]
+        [TestCase(ForceFieldKind.Wind, "m/s")]
+        public void The_unit_of_a_strength_is_that_of_its_kind(ForceFieldKind kind, string unit)
+        {
+            var field = scene.Add<FluidForceField>();
+            Set(field, "kind", (int)kind);
+            RillEditor editor = Inspect(field);
+            Assert.That(editor.Sections.SelectMany(section => section.Fields).Single(f => f.Path == "strength").Unit(editor.serializedObject), Is.EqualTo(unit));
+        }
+
+        [Test]
+        public void What_HDRP_does_not_draw_is_said_where_it_would_be_missed()
+        {
+            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset"), Does.Contain("HDRP does not draw"));
+            Assert.That(FluidRendererEditor.PipelineNote("UniversalRenderPipelineAsset"), Is.Null);
+            Assert.That(FluidRendererEditor.PipelineNote(null), Is.Null);
+        }
+
+        [Test]
+        public void Volumes_are_estimated_by_what_they_hold()
+        {
+            var box = scene.Add<FluidVolume>();
+            box.Size = new Vector3(1f, 0.5f, 0.24f);
+            Assert.That(FillEstimate.Particles(box, 0.05f), Is.EqualTo(20 * 10 * 4));
+            box.Shape = VolumeShape.Sphere;
+            box.Radius = 0.5f;
+            Assert.That(FillEstimate.Particles(box, 0.05f), Is.EqualTo(4189).Within(1));
+            Assert.That(FillEstimate.Particles(box, 0f), Is.Zero);
+            box.Shape = VolumeShape.SignedDistanceField;
+            Assert.That(FillEstimate.Particles(box, 0.05f), Is.Zero, "without a field");
+        }
+
+        static void Set(Object target, string path, int value)
+        {
+            var serialized = new SerializedObject(target);
+            serialized.FindProperty(path).intValue = value;
+            serialized.ApplyModifiedProperties();
+        }
+
+        RillEditor Inspect(params Object[] targets)
+        {
+            UnityEditor.Editor editor = scene.Inspect(targets);
+            Assert.That(editor, Is.InstanceOf<RillEditor>());
+            return (RillEditor)editor;
+        }
+
+        string[] Shown(params Object[] targets)
+        {
+            RillEditor editor = Inspect(targets);
+            return editor.Sections.SelectMany(section => section.Shown(editor.serializedObject)).Select(field => field.Path).ToArray();
+        }
+
+        // Structs of the package one by one, as the sections name them.
+        static IEnumerable<string> Fields(Type type, string prefix)
+        {
+            for (Type t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ValueType); t = t.BaseType)
+                foreach (FieldInfo field in t.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                {
+                    if (!field.IsPublic && !field.IsDefined(typeof(SerializeField)))
+                        continue;
+                    bool isOurs = field.FieldType.IsValueType && !field.FieldType.IsEnum && field.FieldType.Assembly == typeof(FluidSimulation).Assembly;
+                    if (!isOurs)
+                        yield return prefix + field.Name;
+                    else
+                        foreach (string path in Fields(field.FieldType, field.Name + "."))
+                            yield return path;
+                }
+        }
+    }
+}
