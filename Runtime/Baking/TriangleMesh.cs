@@ -36,6 +36,8 @@ namespace Rill
 
         public int TriangleCount => Triangles.Length / 3;
 
+        internal Vector3 Corner(int triangle, int k) => Vertices[Triangles[3 * triangle + k]];
+
         /// <summary>Submeshes of the meshes that this was made of, with those of points and lines.</summary>
         public int SubMeshes { get; private set; } = 1;
 
