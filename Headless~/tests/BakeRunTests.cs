@@ -6,6 +6,7 @@ using Host.Assets;
 using Host.Baking;
 using NUnit.Framework;
 using Rill;
+using Rill.Editor;
 using Rill.Tests;
 using Unity.Mathematics;
 using UnityEngine;
@@ -161,7 +162,8 @@ namespace Host.Tests
             box.Read();
             SdfBake bake = MeshSdfBaker.Bake(box.Mesh, Settings(20));
             Vector3Int n = bake.Resolution;
-            float[,] x = SlicePicture.Slice(bake, (2, 1, 0), 2), y = SlicePicture.Slice(bake, (0, 2, 1), 6), z = SlicePicture.Slice(bake, (0, 1, 2), 17);
+            SdfVolume volume = SdfVolume.Of(bake);
+            float[,] x = SdfSlice.Across(0).Values(volume, 2), y = SdfSlice.Across(1).Values(volume, 6), z = SdfSlice.Across(2).Values(volume, 17);
             int At(int i, int j, int k) => (k * n.y + j) * n.x + i;
             for (int i = 0; i < bake.Distances.Length; i++)
             {

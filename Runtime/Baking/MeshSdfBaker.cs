@@ -44,6 +44,7 @@ namespace Rill
         readonly MeshSdfPasses passes;
         readonly IEnumerator<string> work;
         readonly int totalSteps;
+        readonly ulong sourceHash;
         int steps;
         NativeArray<float> arriving;
         AsyncGPUReadbackRequest readback;
@@ -73,6 +74,7 @@ namespace Rill
                 throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
 
             geometry = new BakeGeometry(triangles, edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
+            sourceHash = mesh.Hash();
             passes = new MeshSdfPasses(geometry, grid);
             int brickParts = Parts(passes.BrickCount, size.bricks), voxelParts = Parts(grid.VoxelCount, size.voxels);
             totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts + (isShell ? voxelParts : passes.LevelCount + 2 * brickParts);
@@ -262,7 +264,7 @@ namespace Rill
         {
             if (readback.hasError)
                 throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake anew, with fewer voxels if it happens again.");
-            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.Triangles.Length);
+            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.Triangles.Length, sourceHash);
             Dispose();
         }
 
