@@ -134,7 +134,7 @@ namespace Host.Baking
             return MetaFile.TryRead(meta, meta, out MetaFile read, out string problem) ? read.Guid : throw new AssetException(problem);
         }
 
-        static string ScriptGuid(ProjectAssets package)
+        internal static string ScriptGuid(ProjectAssets package)
         {
             IEnumerable<AssetEntry> scripts = package.Index.Entries.Where(entry => entry.Extension == ".cs" && entry.Name == nameof(SignedDistanceField));
             return scripts.FirstOrDefault()?.Guid ?? throw new HostException($"{nameof(SignedDistanceField)}.cs is not in the project: run rill in Rill's package or in a project that has it, or set RILL_ROOT.");
