@@ -104,7 +104,7 @@ namespace Host.Tests
             Holds(Errors(Load(run), run.Mesh), wrongSigns: 0);
         });
 
-        // Its scan has holes between the scales and under the feet, and parts thinner than a voxel.
+        // Not watertight, with edges of more than two triangles and parts thinner than a voxel.
         [Test]
         public void Stanfords_dragon_is_right_everywhere() => WithDevice(() =>
         {

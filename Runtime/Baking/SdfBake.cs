@@ -82,24 +82,12 @@ namespace Rill
             near = 0f;
             foreach (float distance in Distances)
             {
-                float error = HalfErrorOf(distance);
+                float error = math.abs(Mathf.HalfToFloat(Mathf.FloatToHalf(distance)) - distance);
                 most = math.max(most, error);
                 if (math.abs(distance) <= StrictDistance * VoxelSize)
                     near = math.max(near, error);
             }
             return most;
-        }
-
-        /// <summary>What rounding to 16 bits changes a number by.</summary>
-        internal static float HalfErrorOf(float value)
-        {
-            const uint smallestNormal = 0x38800000, largest = 0x477FE000, dropped = 0x1FFF;
-            uint bits = math.asuint(value) & 0x7FFFFFFF;
-            if (bits < smallestNormal || bits > largest)
-                return math.abs(Mathf.HalfToFloat(Mathf.FloatToHalf(value)) - value);
-            // The last 13 bits go, down or up: without calling the engine for each of millions of voxels.
-            uint rest = bits & dropped;
-            return math.asfloat(bits & 0x7F800000) * (math.min(rest, dropped + 1 - rest) / 8388608f);
         }
     }
 }
