@@ -222,7 +222,7 @@ namespace Rill.Editor.Tests
             // Each triangle begins with another corner, and the last comes first.
             mesh.triangles = Enumerable.Range(0, t.Length).Select(i => t[t.Length - 3 - i / 3 * 3 + (i + 1) % 3]).ToArray();
             Assert.That(field.IsStale(TriangleMesh.Of(mesh)), Is.False);
-            mesh.triangles = t.Reverse().ToArray();
+            mesh.triangles = Enumerable.Range(1, t.Length).Select(i => t[t.Length - i]).ToArray();
             Assert.That(field.IsStale(TriangleMesh.Of(mesh)), Is.True, "turned inside out");
             mesh.triangles = t;
             Vector3[] vertices = mesh.vertices;
