@@ -33,7 +33,6 @@ namespace Host.Tests
                 Assert.That(r.GetData<uint>()[7], Is.EqualTo(7));
             });
             Player.Device.WaitIdle();
-            request.Update();
             Assert.That(request.done, Is.False, "in its own frame");
             Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message, Does.Contain("Source").And.Contain("second frame"));
             Frame();
@@ -49,6 +48,46 @@ namespace Host.Tests
             Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message, Does.Contain("Source").And.Contain("frame in which it arrived"));
             Assert.That(() => data[0], Throws.Exception, "the array's memory went with the frame");
             Assert.That(called, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Updates_alone_bring_a_request_that_the_device_has_finished()
+        {
+            int called = 0;
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer, r => called++);
+            request.Update();       // submits it
+            Player.Device.WaitIdle();
+            request.Update();
+            Assert.That((request.done, request.hasError, called), Is.EqualTo((true, false, 1)));
+            Assert.That(request.GetData<uint>()[6], Is.EqualTo(6));
+            request.Update();
+            Frame();
+            Frame();
+            Assert.That(called, Is.EqualTo(1), "it does not arrive again");
+        }
+
+        /// <summary>A device's copy that is there when the test says so, and that nobody may wait for.</summary>
+        sealed class PendingCopy : DeviceReadback
+        {
+            public bool Arrived;
+            public override bool IsDone => Arrived;
+            public override void Wait() => Assert.Fail("an update waits for nothing");
+            public override ReadOnlySpan<byte> Data => Arrived ? new byte[4] : throw new InvalidOperationException("read before it arrived");
+            public override void Dispose() { }
+        }
+
+        [Test]
+        public void An_update_waits_for_nothing()
+        {
+            var copies = new[] { new PendingCopy { Arrived = true }, new PendingCopy() };
+            var request = new AsyncGPUReadbackRequest(new ReadbackRequest { LayerCount = 2, LayerBytes = 4, Source = "pending" });
+            request.Request.Copies.AddRange(copies);
+            request.Update();
+            Assert.That(request.done, Is.False, "one of two has arrived");
+            copies[1].Arrived = true;
+            request.Update();
+            Assert.That(request.done, Is.True);
+            request.Request.Expire();
         }
 
         [Test]

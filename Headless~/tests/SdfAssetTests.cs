@@ -25,7 +25,7 @@ namespace Host.Tests
             + "--- !u!114 &11400000\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 0}\n  m_Enabled: 1\n  m_EditorHideFlags: 0\n"
             + $"  m_Script: {{fileID: 11500000, guid: {ScriptGuid}, type: 3}}\n  m_Name: Box\n  m_EditorClassIdentifier: \n"
             + "  version: 1\n  texture: {fileID: -3846215730123456789}\n  bounds:\n    m_Center: {x: 1, y: 2, z: 3}\n    m_Extent: {x: 0.5, y: 0.5, z: 0.5}\n  voxelSize: 0.5\n"
-            + "  sign: 1\n  shellThickness: 0\n  storageError: 0.001\n  sourceMesh: 0123456789abcdef0123456789abcdef\n"
+            + "  sign: 1\n  shellThickness: 0\n  storageError: 0.001\n  sourceMesh: 0123456789abcdef0123456789abcdef\n  sourceMeshId: -4321000056780000999\n  sourceHash: 18446744073709551615\n"
             + "  settings:\n    voxelSize: 0.5\n    resolution: 64\n    padding: 3\n    memoryCap: 1024\n    sign: 0\n    shellThickness: 0\n    format: 2\n";
 
         TemporaryProject Project() => Temporary().Write("Assets/Scripts/SignedDistanceField.cs", "namespace Rill { class SignedDistanceField {} }", ScriptGuid);
@@ -47,6 +47,7 @@ namespace Host.Tests
             Assert.That(field.Bounds, Is.EqualTo(new Bounds(new Vector3(1, 2, 3), Vector3.one)));
             Assert.That(field.Resolution, Is.EqualTo(2 * Vector3Int.one));
             Assert.That(field.SourceMesh, Is.EqualTo("0123456789abcdef0123456789abcdef"));
+            Assert.That((field.SourceMeshId, field.SourceHash), Is.EqualTo((-4321000056780000999, ulong.MaxValue)));
             Assert.That((field.Settings.memoryCap, field.Settings.format), Is.EqualTo((1024, SdfFormat.Float)));
             Assert.That((field.Texture.format, field.Texture.wrapMode, field.Texture.filterMode), Is.EqualTo((TextureFormat.RFloat, TextureWrapMode.Clamp, FilterMode.Bilinear)));
             Assert.That(field.TrySample(new Vector3(1.25f, 2.25f, 3.25f), out float distance));

@@ -35,35 +35,37 @@ namespace Rill
 
         readonly long[] firstPairs;
 
-        /// <param name="edges">Of the mesh; says what takes part and what is turned over.</param>
+        /// <param name="turned">By triangle of the mesh: those to turn over; null for none.</param>
         /// <param name="turnAll">Whether all triangles face the wrong side.</param>
-        public BakeGeometry(TriangleMesh mesh, MeshEdges edges, in SdfGrid grid, bool turnAll)
+        public BakeGeometry(BakedTriangles part, bool[] turned, in SdfGrid grid, bool turnAll)
         {
-            int count = 0;
-            for (int t = 0; t < mesh.TriangleCount; t++)
-                count += edges.TakesPart(t) ? 1 : 0;
-
-            var unordered = new Triangle[count];
-            var keys = new uint[count];
+            TriangleMesh mesh = part.Mesh;
+            var unordered = new Triangle[part.Count];
+            var order = new ulong[part.Count];
             float perMetre = 1f / grid.VoxelSize, perVoxel = 1024f / math.cmax(grid.Resolution);
             for (int t = 0, next = 0; t < mesh.TriangleCount; t++)
             {
-                if (!edges.TakesPart(t))
+                if (!part.TakesPart(t))
                     continue;
-                float3 a = Corner(mesh, t, 0), b = Corner(mesh, t, 1), c = Corner(mesh, t, 2);
-                bool turn = edges.Turned[t] != turnAll;
-                var triangle = new Triangle { a = (a - grid.Min) * perMetre, b = ((turn ? c : b) - grid.Min) * perMetre, c = ((turn ? b : c) - grid.Min) * perMetre };
+                bool turn = (turned != null && turned[t]) != turnAll;
+                var triangle = new Triangle
+                {
+                    a = ((float3)mesh.Corner(t, 0) - grid.Min) * perMetre,
+                    b = ((float3)mesh.Corner(t, turn ? 2 : 1) - grid.Min) * perMetre,
+                    c = ((float3)mesh.Corner(t, turn ? 1 : 2) - grid.Min) * perMetre,
+                };
                 unordered[next] = triangle;
-                keys[next++] = MortonKey((triangle.a + triangle.b + triangle.c) / 3f * perVoxel);
+                order[next] = (ulong)MortonKey((triangle.a + triangle.b + triangle.c) / 3f * perVoxel) << 32 | (uint)next;
+                next++;
             }
 
-            int[] order = Order(keys);
-            Triangles = new Triangle[count];
-            FirstPairs = new uint[count];
-            firstPairs = new long[count + 1];
-            for (int i = 0; i < count; i++)
+            order = Sorted(order);
+            Triangles = new Triangle[part.Count];
+            FirstPairs = new uint[part.Count];
+            firstPairs = new long[part.Count + 1];
+            for (int i = 0; i < Triangles.Length; i++)
             {
-                Triangles[i] = unordered[order[i]];
+                Triangles[i] = unordered[(uint)order[i]];
                 int3 bricks = BricksOf(Triangles[i], grid.Resolution);
                 FirstPairs[i] = unchecked((uint)firstPairs[i]);
                 firstPairs[i + 1] = firstPairs[i] + (long)bricks.x * bricks.y * bricks.z;
@@ -82,22 +84,6 @@ namespace Rill
         {
             int3 bricks = (resolution + Brick - 1) / Brick;
             return bricks.x * bricks.y * bricks.z;
-        }
-
-        /// <summary>The bounds of all triangles that take part, m.</summary>
-        public static Bounds BoundsOf(TriangleMesh mesh, MeshEdges edges)
-        {
-            float3 low = float.PositiveInfinity, high = float.NegativeInfinity;
-            for (int t = 0; t < mesh.TriangleCount; t++)
-                for (int k = 0; k < 3 && edges.TakesPart(t); k++)
-                {
-                    float3 corner = Corner(mesh, t, k);
-                    low = math.min(low, corner);
-                    high = math.max(high, corner);
-                }
-            var bounds = new Bounds();
-            bounds.SetMinMax(low, high);
-            return bounds;
         }
 
         /// <summary>All pairs in runs of at most so many.</summary>
@@ -124,8 +110,6 @@ namespace Rill
             return high - low + 1;
         }
 
-        static float3 Corner(TriangleMesh mesh, int triangle, int k) => mesh.Vertices[mesh.Triangles[3 * triangle + k]];
-
         static uint MortonKey(float3 place)
         {
             uint3 cell = (uint3)math.clamp(place, 0f, 1023f);
@@ -141,27 +125,25 @@ namespace Rill
             return (bits | bits << 2) & 0x09249249;
         }
 
-        // Radix sort of 30 bits: stable, so that the order does not depend on the runtime's own sort.
-        static int[] Order(uint[] keys)
+        // Radix sort by the 30 bits of the key, which are the upper ones: stable, so that the order does not depend on the
+        // runtime's own sort.
+        static ulong[] Sorted(ulong[] items)
         {
             const int bits = 10, buckets = 1 << bits;
-            var order = new int[keys.Length];
-            var sorted = new int[keys.Length];
-            for (int i = 0; i < order.Length; i++)
-                order[i] = i;
+            var sorted = new ulong[items.Length];
             var starts = new int[buckets + 1];
-            for (int shift = 0; shift < 3 * bits; shift += bits)
+            for (int shift = 32; shift < 32 + 3 * bits; shift += bits)
             {
                 Array.Clear(starts, 0, starts.Length);
-                foreach (uint key in keys)
-                    starts[(key >> shift & (buckets - 1)) + 1]++;
+                foreach (ulong item in items)
+                    starts[(int)(item >> shift & (buckets - 1)) + 1]++;
                 for (int b = 0; b < buckets; b++)
                     starts[b + 1] += starts[b];
-                foreach (int i in order)
-                    sorted[starts[keys[i] >> shift & (buckets - 1)]++] = i;
-                (order, sorted) = (sorted, order);
+                foreach (ulong item in items)
+                    sorted[starts[(int)(item >> shift & (buckets - 1))]++] = item;
+                (items, sorted) = (sorted, items);
             }
-            return order;
+            return items;
         }
     }
 }

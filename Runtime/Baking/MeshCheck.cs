@@ -18,11 +18,11 @@ namespace Rill
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));
-            var edges = new MeshEdges(mesh);
+            var edges = new MeshEdges(new BakedTriangles(mesh));
             int nonFinite = 0;
             foreach (Vector3 vertex in mesh.Vertices)
                 nonFinite += math.all(math.isfinite((float3)vertex)) ? 0 : 1;
-            return new MeshReport(mesh, edges, nonFinite, SelfIntersections.Find(mesh, edges, mostCrossingTests));
+            return new MeshReport(mesh, edges, nonFinite, SelfIntersections.Find(edges, mostCrossingTests));
         }
     }
 }

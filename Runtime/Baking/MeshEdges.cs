@@ -7,60 +7,52 @@ namespace Rill
 {
     /// <summary>
     /// How the triangles of a mesh hang together: vertices at the same place are one, and every edge knows its triangles.
-    /// Triangles without area, and those of vertices that are no numbers, take no part.
+    /// Only triangles that take part in the bake count.
     /// </summary>
     sealed class MeshEdges
     {
-        /// <summary>A triangle without area: thinner than this share of its longest edge.</summary>
-        const double Thinnest = 1e-10;
-
         const int None = -1;
+        // Few enough that sorting them by insertion is quickest. A vertex of a closed mesh has six triangles on average.
+        const int Few = 24;
 
-        /// <summary>First three: a triangle's corners as welded vertices; <see cref="None"/> for one that takes no part.</summary>
-        readonly int[] corners;
-        // An edge's lower and higher vertex, the triangles along it and against it, and the first two of them.
-        readonly List<ulong> edges = new List<ulong>();
-        readonly List<int2> uses = new List<int2>();
-        readonly List<int2> triangles = new List<int2>();
-        readonly double3[] places;
+        readonly TriangleMesh mesh;
+        /// <summary>By vertex of the mesh: its place's number.</summary>
+        readonly int[] welded;
+        /// <summary>By place: a vertex of the mesh that lies there.</summary>
+        readonly List<int> vertexAt = new List<int>();
 
-        /// <summary>Triangles that are to be turned over to agree with their neighbors.</summary>
-        public readonly bool[] Turned;
+        // Sides of triangles, bundled by the lower of their two places: first in sides of each place's bundle, and one more.
+        // A side is its higher place, number (3 t + k) and whether it runs downwards, from the highest bits on, so that in a
+        // sorted bundle the sides of one edge are neighbors, in the order of their triangles.
+        readonly int[] bundles;
+        readonly ulong[] sides;
+        readonly List<int> boundary = new List<int>();
 
-        public MeshEdges(TriangleMesh mesh)
+        public MeshEdges(BakedTriangles triangles)
         {
-            int[] welded = Weld(mesh.Vertices, out int count);
-            places = new double3[count];
-            for (int i = 0; i < welded.Length; i++)
-                places[welded[i]] = new double3(mesh.Vertices[i].x, mesh.Vertices[i].y, mesh.Vertices[i].z);
-            Vertices = count;
-
-            corners = new int[mesh.Triangles.Length];
+            Triangles = triangles;
+            mesh = triangles.Mesh;
+            welded = Weld();
+            sides = Sides(out bundles);
+            Count();
             Turned = new bool[mesh.TriangleCount];
-            for (int t = 0; t < mesh.TriangleCount; t++)
-            {
-                int a = welded[mesh.Triangles[3 * t]], b = welded[mesh.Triangles[3 * t + 1]], c = welded[mesh.Triangles[3 * t + 2]];
-                bool finite = math.all(math.isfinite(places[a])) && math.all(math.isfinite(places[b])) && math.all(math.isfinite(places[c]));
-                bool hasArea = finite && HasArea(places[a], places[b], places[c]);
-                NonFiniteTriangles += finite ? 0 : 1;
-                ZeroAreaTriangles += finite && !hasArea ? 1 : 0;
-                corners[3 * t] = hasArea ? a : None;
-                corners[3 * t + 1] = hasArea ? b : None;
-                corners[3 * t + 2] = hasArea ? c : None;
-            }
-            FindEdges();
-            Orient();
+            if (InconsistentEdges > 0)
+                Orient();
             FindHoles();
-            Measure();
+            SignedVolume = MeasureVolume();
         }
 
+        /// <summary>What takes part.</summary>
+        public BakedTriangles Triangles { get; }
+
+        /// <summary>Triangles that are to be turned over to agree with their neighbors.</summary>
+        public bool[] Turned { get; }
+
         /// <summary>Places that vertices have.</summary>
-        public int Vertices { get; }
-        public int NonFiniteTriangles { get; }
-        public int ZeroAreaTriangles { get; }
+        public int Vertices => vertexAt.Count;
 
         /// <summary>Edges of one triangle only, and of more than two.</summary>
-        public int BoundaryEdges { get; private set; }
+        public int BoundaryEdges => boundary.Count;
         public int NonManifoldEdges { get; private set; }
 
         /// <summary>Edges whose two triangles see different sides.</summary>
@@ -70,103 +62,136 @@ namespace Rill
         /// <summary>Boundary edges that hang together, counted once; those that touch in a vertex are one.</summary>
         public int Holes { get; private set; }
 
-        /// <summary>Of the triangles, m².</summary>
-        public double Area { get; private set; }
-
         /// <summary>Of the flattest surfaces that would close the holes, as vectors, m².</summary>
         public double HoleArea { get; private set; }
 
         /// <summary>With turned triangles turned, m³; negative for a mesh that is inside out.</summary>
-        public double SignedVolume { get; private set; }
+        public double SignedVolume { get; }
 
-        /// <summary>Whether a triangle has area and finite vertices.</summary>
-        public bool TakesPart(int triangle) => corners[3 * triangle] != None;
+        /// <summary>A corner of a triangle, as a number that vertices of one place share.</summary>
+        public int Corner(int triangle, int k) => welded[mesh.Triangles[3 * triangle + k]];
 
-        /// <summary>A corner of a triangle that takes part, as a number that vertices of one place share.</summary>
-        public int Corner(int triangle, int k) => corners[3 * triangle + k];
-
-        static bool HasArea(double3 a, double3 b, double3 c)
+        // Open addressing: a dictionary takes several times as long, and this is most of what the CPU does in a bake.
+        int[] Weld()
         {
-            double longest = math.max(math.lengthsq(b - a), math.max(math.lengthsq(c - b), math.lengthsq(a - c)));
-            return math.length(math.cross(b - a, c - a)) > Thinnest * longest;
-        }
-
-        static int[] Weld(Vector3[] vertices, out int count)
-        {
-            var numbers = new int[vertices.Length];
-            var table = new Dictionary<Vector3, int>(vertices.Length, new SamePlace());
-            for (int i = 0; i < vertices.Length; i++)
-                if (!table.TryGetValue(vertices[i], out numbers[i]))
-                    table.Add(vertices[i], numbers[i] = table.Count);
-            count = table.Count;
+            var numbers = new int[mesh.Vertices.Length];
+            int mask = math.ceilpow2(math.max(2 * numbers.Length, 16)) - 1;
+            var table = new int[mask + 1];      // a place's number + 1; 0: free
+            for (int i = 0; i < numbers.Length; i++)
+            {
+                uint3 bits = Bits(i);
+                int slot = (int)math.hash(bits) & mask;
+                while (table[slot] != 0 && math.any(Bits(vertexAt[table[slot] - 1]) != bits))
+                    slot = (slot + 1) & mask;
+                if (table[slot] == 0)
+                {
+                    vertexAt.Add(i);
+                    table[slot] = vertexAt.Count;
+                }
+                numbers[i] = table[slot] - 1;
+            }
             return numbers;
         }
 
-        /// <summary>The bits, but for the sign of 0.</summary>
-        sealed class SamePlace : IEqualityComparer<Vector3>
-        {
-            public bool Equals(Vector3 a, Vector3 b) => math.all(Bits(a) == Bits(b));
-            public int GetHashCode(Vector3 v) => (int)math.hash(Bits(v));
-            static uint3 Bits(Vector3 v) => math.asuint((float3)v + 0f);
-        }
+        // But for the sign of 0.
+        uint3 Bits(int vertex) => math.asuint((float3)mesh.Vertices[vertex] + 0f);
 
-        /// <summary>Mixes both vertices: the framework's hash of a ulong is their exclusive or, and neighbors' are all small.</summary>
-        sealed class SameEdge : IEqualityComparer<ulong>
+        ulong[] Sides(out int[] firsts)
         {
-            public bool Equals(ulong a, ulong b) => a == b;
-            public int GetHashCode(ulong edge) => (int)math.hash(new uint2((uint)edge, (uint)(edge >> 32)));
-        }
-
-        void FindEdges()
-        {
-            var table = new Dictionary<ulong, int>(corners.Length / 2 + 1, new SameEdge());
-            for (int t = 0; t < Turned.Length; t++)
-                for (int k = 0; k < 3 && TakesPart(t); k++)
-                {
-                    int from = corners[3 * t + k], to = corners[3 * t + (k + 1) % 3];
-                    ulong key = ((ulong)(uint)math.min(from, to) << 32) | (uint)math.max(from, to);
-                    if (!table.TryGetValue(key, out int edge))
-                    {
-                        table.Add(key, edge = edges.Count);
-                        edges.Add(key);
-                        uses.Add(0);
-                        triangles.Add(None);
-                    }
-                    uses[edge] += from < to ? new int2(1, 0) : new int2(0, 1);
-                    int2 pair = triangles[edge];
-                    triangles[edge] = pair.x == None ? new int2(t, None) : pair.y == None ? new int2(pair.x, t) : pair;
-                }
-            foreach (int2 use in uses)
+            firsts = new int[Vertices + 1];
+            for (int t = 0; t < mesh.TriangleCount; t++)
             {
-                int all = use.x + use.y;
-                BoundaryEdges += all == 1 ? 1 : 0;
-                NonManifoldEdges += all > 2 ? 1 : 0;
-                InconsistentEdges += all == 2 && use.x != 1 ? 1 : 0;
+                if (!Triangles.TakesPart(t))
+                    continue;
+                int a = Corner(t, 0), b = Corner(t, 1), c = Corner(t, 2);
+                firsts[math.min(a, b)]++;
+                firsts[math.min(b, c)]++;
+                firsts[math.min(c, a)]++;
             }
+            // To the end of each bundle; filling them backwards then leaves their beginnings.
+            for (int v = 1; v <= Vertices; v++)
+                firsts[v] += firsts[v - 1];
+            var all = new ulong[firsts[Vertices]];
+            for (int t = mesh.TriangleCount - 1; t >= 0; t--)
+                for (int k = 2; k >= 0 && Triangles.TakesPart(t); k--)
+                {
+                    int from = Corner(t, k), to = Corner(t, k == 2 ? 0 : k + 1);
+                    ulong side = (ulong)math.max(from, to) << 33 | (ulong)(3 * t + k) << 1 | (from > to ? 1ul : 0ul);
+                    all[--firsts[math.min(from, to)]] = side;
+                }
+            for (int v = 0; v < Vertices; v++)
+                Sort(all, firsts[v], firsts[v + 1] - firsts[v]);
+            return all;
+        }
+
+        static void Sort(ulong[] all, int first, int count)
+        {
+            if (count > Few)
+            {
+                Array.Sort(all, first, count);
+                return;
+            }
+            for (int i = first + 1; i < first + count; i++)
+            {
+                ulong side = all[i];
+                int at = i;
+                for (; at > first && all[at - 1] > side; at--)
+                    all[at] = all[at - 1];
+                all[at] = side;
+            }
+        }
+
+        static int PlaceOf(ulong side) => (int)(side >> 33);
+        static int TriangleOf(ulong side) => (int)((uint)(side >> 1) / 3);
+        static bool RunsDown(ulong side) => (side & 1) != 0;
+
+        /// <summary>Behind the last side of the edge that begins at one.</summary>
+        int EndOfEdge(int first, int endOfBundle)
+        {
+            int end = first + 1;
+            while (end < endOfBundle && PlaceOf(sides[end]) == PlaceOf(sides[first]))
+                end++;
+            return end;
+        }
+
+        void Count()
+        {
+            for (int v = 0; v < Vertices; v++)
+                for (int first = bundles[v], end; first < bundles[v + 1]; first = end)
+                {
+                    end = EndOfEdge(first, bundles[v + 1]);
+                    if (end - first == 1)
+                        boundary.Add(first);
+                    else if (end - first > 2)
+                        NonManifoldEdges++;
+                    else if (RunsDown(sides[first]) == RunsDown(sides[first + 1]))
+                        InconsistentEdges++;
+                }
         }
 
         // Walks over edges of two triangles; in each part that hangs together the larger area is right.
         void Orient()
         {
-            if (InconsistentEdges == 0)
-                return;
-
             var neighbors = new int3[Turned.Length];
             var opposed = new bool3[Turned.Length];
             for (int t = 0; t < neighbors.Length; t++)
                 neighbors[t] = None;
-            for (int e = 0; e < edges.Count; e++)
-                if (uses[e].x + uses[e].y == 2)
+            for (int v = 0; v < Vertices; v++)
+                for (int first = bundles[v], end; first < bundles[v + 1]; first = end)
                 {
-                    Link(neighbors, opposed, triangles[e].x, triangles[e].y, uses[e].x != 1);
-                    Link(neighbors, opposed, triangles[e].y, triangles[e].x, uses[e].x != 1);
+                    end = EndOfEdge(first, bundles[v + 1]);
+                    if (end - first != 2)
+                        continue;
+                    bool against = RunsDown(sides[first]) == RunsDown(sides[first + 1]);
+                    Link(neighbors, opposed, TriangleOf(sides[first]), TriangleOf(sides[first + 1]), against);
+                    Link(neighbors, opposed, TriangleOf(sides[first + 1]), TriangleOf(sides[first]), against);
                 }
 
             var seen = new bool[Turned.Length];
             var part = new List<int>();
             for (int start = 0; start < seen.Length; start++)
             {
-                if (seen[start] || !TakesPart(start))
+                if (seen[start] || !Triangles.TakesPart(start))
                     continue;
                 part.Clear();
                 part.Add(start);
@@ -208,33 +233,39 @@ namespace Rill
 
         double3 AreaVector(int t)
         {
-            double3 a = places[corners[3 * t]];
-            return 0.5 * math.cross(places[corners[3 * t + 1]] - a, places[corners[3 * t + 2]] - a);
+            double3 a = (float3)mesh.Corner(t, 0);
+            return 0.5 * math.cross((float3)mesh.Corner(t, 1) - a, (float3)mesh.Corner(t, 2) - a);
         }
 
         void FindHoles()
         {
             var root = new Dictionary<int, int>();
             var sums = new Dictionary<int, double3>();
-            for (int e = 0; e < edges.Count; e++)
-                if (uses[e].x + uses[e].y == 1)
-                    Join(root, (int)(edges[e] >> 32), (int)(uint)edges[e]);
-            for (int e = 0; e < edges.Count; e++)
+            foreach (int side in boundary)
+                Join(root, From(sides[side]), To(sides[side]));
+            foreach (int side in boundary)
             {
-                if (uses[e].x + uses[e].y != 1)
-                    continue;
-                int low = (int)(edges[e] >> 32), high = (int)(uint)edges[e];
-                int hole = Root(root, low);
+                int from = From(sides[side]), to = To(sides[side]), hole = Root(root, from);
                 // About a vertex of the hole, so that far from the origin nothing is lost.
-                double3 area = 0.5 * math.cross(places[low] - places[hole], places[high] - places[hole]);
-                bool along = uses[e].x == 1 != Turned[triangles[e].x];
+                double3 middle = Place(hole), area = 0.5 * math.cross(Place(from) - middle, Place(to) - middle);
                 sums.TryGetValue(hole, out double3 sum);
-                sums[hole] = sum + (along ? area : -area);
+                sums[hole] = sum + (Turned[TriangleOf(sides[side])] ? -area : area);
             }
             Holes = sums.Count;
             foreach (double3 sum in sums.Values)
                 HoleArea += math.length(sum);
         }
+
+        // The places where a side begins and ends, as its triangle has it.
+        int From(ulong side) => welded[mesh.Triangles[(int)(uint)(side >> 1)]];
+
+        int To(ulong side)
+        {
+            int corner = (int)(uint)(side >> 1);
+            return welded[mesh.Triangles[corner % 3 == 2 ? corner - 2 : corner + 1]];
+        }
+
+        double3 Place(int place) => (float3)mesh.Vertices[vertexAt[place]];
 
         static int Root(Dictionary<int, int> root, int vertex)
         {
@@ -256,27 +287,19 @@ namespace Rill
                 root[math.min(a, b)] = math.min(a, b);
         }
 
-        void Measure()
+        double MeasureVolume()
         {
-            double3 middle = 0;
-            int count = 0;
-            for (int i = 0; i < places.Length; i++)
-                if (math.all(math.isfinite(places[i])))
-                {
-                    middle += places[i];
-                    count++;
-                }
-            middle /= math.max(count, 1);
+            double3 middle = (float3)Triangles.Bounds.center;
+            double sum = 0;
             for (int t = 0; t < Turned.Length; t++)
             {
-                if (!TakesPart(t))
+                if (!Triangles.TakesPart(t))
                     continue;
-                double3 area = AreaVector(t);
-                Area += math.length(area);
                 // Unity's triangles are clockwise from outside, so their area vectors, left-handed, point outwards.
-                double volume = math.dot(places[corners[3 * t]] - middle, area) / 3;
-                SignedVolume += Turned[t] ? -volume : volume;
+                double volume = math.dot((float3)mesh.Corner(t, 0) - middle, AreaVector(t)) / 3;
+                sum += Turned[t] ? -volume : volume;
             }
+            return sum;
         }
     }
 }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Globalization;
+using UnityEngine;
 
 namespace Rill
 {
@@ -20,9 +21,9 @@ namespace Rill
             SubMeshes = mesh.SubMeshes;
             SubMeshesWithoutTriangles = mesh.SubMeshesWithoutTriangles;
             NonFiniteVertices = nonFiniteVertices;
-            NonFiniteTriangles = edges.NonFiniteTriangles;
+            NonFiniteTriangles = edges.Triangles.NonFinite;
             DuplicateVertices = mesh.Vertices.Length - edges.Vertices;
-            ZeroAreaTriangles = edges.ZeroAreaTriangles;
+            ZeroAreaTriangles = edges.Triangles.WithoutArea;
             BoundaryEdges = edges.BoundaryEdges;
             Holes = edges.Holes;
             NonManifoldEdges = edges.NonManifoldEdges;
@@ -30,11 +31,12 @@ namespace Rill
             FlippedTriangles = edges.TurnedTriangles;
             SelfIntersections = intersections.Pairs;
             SelfIntersectionsChecked = intersections.Checked;
-            Area = edges.Area;
+            Area = edges.Triangles.Area;
+            Bounds = edges.Triangles.Bounds;
             SignedVolume = edges.SignedVolume;
-            HoleShare = edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Area) : 0;
+            HoleShare = HoleShareOf(edges);
             Sign = SignOf(edges);
-            Problem = ProblemOf(mesh, edges);
+            Problem = ProblemOf(edges.Triangles);
             Texts = Tell();
         }
 
@@ -83,6 +85,9 @@ namespace Rill
         /// <summary>m².</summary>
         public double Area { get; }
 
+        /// <summary>Of the triangles that are baked, m, in the frame of the mesh.</summary>
+        public Bounds Bounds { get; }
+
         /// <summary>m³, with flipped triangles turned; negative for a mesh that is inside out. Means little for an open one.</summary>
         public double SignedVolume { get; }
 
@@ -102,19 +107,21 @@ namespace Rill
 
         internal static MeshSdfSign SignOf(MeshEdges edges)
         {
-            double share = edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Area) : 0;
-            bool hasVolume = System.Math.Abs(edges.SignedVolume) > LeastVolume * System.Math.Pow(edges.Area, 1.5);
-            return share <= LargestHoleShare && hasVolume ? MeshSdfSign.WindingNumber : MeshSdfSign.OpenShell;
+            bool hasVolume = System.Math.Abs(edges.SignedVolume) > LeastVolume * System.Math.Pow(edges.Triangles.Area, 1.5);
+            return HoleShareOf(edges) <= LargestHoleShare && hasVolume ? MeshSdfSign.WindingNumber : MeshSdfSign.OpenShell;
         }
 
+        static double HoleShareOf(MeshEdges edges) => edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Triangles.Area) : 0;
+
         /// <summary>Why triangles cannot be baked; null if they can.</summary>
-        internal static string ProblemOf(TriangleMesh mesh, MeshEdges edges)
+        internal static string ProblemOf(BakedTriangles triangles)
         {
+            TriangleMesh mesh = triangles.Mesh;
             if (mesh.TriangleCount == 0)
                 return $"'{mesh.Name}' has no triangles: there is nothing to bake.";
-            if (edges.NonFiniteTriangles > 0)
-                return $"'{mesh.Name}': {Number(edges.NonFiniteTriangles)} of {Number(mesh.TriangleCount)} triangles have vertices that are no finite numbers: repair the mesh.";
-            if (edges.ZeroAreaTriangles == mesh.TriangleCount)
+            if (triangles.NonFinite > 0)
+                return $"'{mesh.Name}': {Number(triangles.NonFinite)} of {Number(mesh.TriangleCount)} triangles have vertices that are no finite numbers: repair the mesh.";
+            if (triangles.Count == 0)
                 return $"'{mesh.Name}': none of its {Number(mesh.TriangleCount)} triangles has an area: repair the mesh, or scale it up.";
             return null;
         }

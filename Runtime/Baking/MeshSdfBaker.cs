@@ -21,6 +21,8 @@ namespace Rill
     /// </remarks>
     public sealed class MeshSdfBaker : IDisposable
     {
+        /// <summary><see cref="Stage"/> once all dispatches are made.</summary>
+        internal const string ReadingBack = "Reading back";
 
         /// <summary>The most work of one dispatch.</summary>
         internal struct StepSize
@@ -42,6 +44,7 @@ namespace Rill
         readonly MeshSdfPasses passes;
         readonly IEnumerator<string> work;
         readonly int totalSteps;
+        readonly ulong sourceHash;
         int steps;
         NativeArray<float> arriving;
         AsyncGPUReadbackRequest readback;
@@ -60,13 +63,18 @@ namespace Rill
             this.settings = settings;
             if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)
                 throw new InvalidOperationException("Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
-            grid = GridFor(mesh, settings, out MeshEdges edges, out sign);
+            BakedTriangles triangles = Usable(mesh, settings);
+            // Which way a triangle faces, and what it hangs together with, is nothing to a shell.
+            MeshEdges edges = settings.sign == MeshSdfSign.OpenShell ? null : new MeshEdges(triangles);
+            sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
             bool isShell = sign == MeshSdfSign.OpenShell;
+            grid = new SdfGrid(triangles.Bounds, settings, isShell);
             string problem = new MeshSdfEstimate(grid, mesh.TriangleCount, settings).Problem;
             if (problem != null)
                 throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
 
-            geometry = new BakeGeometry(mesh, edges, grid, turnAll: !isShell && edges.SignedVolume < 0);
+            geometry = new BakeGeometry(triangles, edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
+            sourceHash = mesh.Hash();
             passes = new MeshSdfPasses(geometry, grid);
             int brickParts = Parts(passes.BrickCount, size.bricks), voxelParts = Parts(grid.VoxelCount, size.voxels);
             totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts + (isShell ? voxelParts : passes.LevelCount + 2 * brickParts);
@@ -101,7 +109,7 @@ namespace Rill
             }
             if (!isReading)
             {
-                Stage = "Reading back";
+                Stage = ReadingBack;
                 arriving = new NativeArray<float>((int)grid.VoxelCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
                 readback = AsyncGPUReadback.RequestIntoNativeArray(ref arriving, passes.Distances);
                 isReading = true;
@@ -161,20 +169,36 @@ namespace Rill
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));
-            return new MeshSdfEstimate(GridFor(mesh, settings, out _, out _), mesh.TriangleCount, settings);
+            BakedTriangles triangles = Usable(mesh, settings);
+            MeshSdfSign sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(new MeshEdges(triangles)) : settings.sign;
+            return new MeshSdfEstimate(new SdfGrid(triangles.Bounds, settings, sign == MeshSdfSign.OpenShell), mesh.TriangleCount, settings);
         }
 
-        // The voxels of a bake; throws where mesh or settings allow none.
-        static SdfGrid GridFor(TriangleMesh mesh, in MeshSdfSettings settings, out MeshEdges edges, out MeshSdfSign sign)
+        /// <summary>The same of a mesh that was checked, which reads nothing: for a window whose settings are being dragged.</summary>
+        /// <exception cref="ArgumentException">The mesh or the settings cannot be baked at any size.</exception>
+        public static MeshSdfEstimate Estimate(MeshReport report, in MeshSdfSettings settings)
+        {
+            if (report == null)
+                throw new ArgumentNullException(nameof(report));
+            RequireValid(report.Name, settings);
+            if (report.Problem != null)
+                throw new ArgumentException(report.Problem, nameof(report));
+            MeshSdfSign sign = settings.sign == MeshSdfSign.Automatic ? report.Sign : settings.sign;
+            return new MeshSdfEstimate(new SdfGrid(report.Bounds, settings, sign == MeshSdfSign.OpenShell), report.Triangles, settings);
+        }
+
+        static BakedTriangles Usable(TriangleMesh mesh, in MeshSdfSettings settings)
+        {
+            RequireValid(mesh.Name, settings);
+            var triangles = new BakedTriangles(mesh);
+            string problem = MeshReport.ProblemOf(triangles);
+            return problem == null ? triangles : throw new ArgumentException(problem, nameof(mesh));
+        }
+
+        static void RequireValid(string name, in MeshSdfSettings settings)
         {
             if (!settings.Validate(out string problem))
-                throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
-            edges = new MeshEdges(mesh);
-            problem = MeshReport.ProblemOf(mesh, edges);
-            if (problem != null)
-                throw new ArgumentException(problem, nameof(mesh));
-            sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
-            return new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), settings, sign == MeshSdfSign.OpenShell);
+                throw new ArgumentException($"'{name}' cannot be baked. {problem}", nameof(settings));
         }
 
         // The order of a bake; each turn is one dispatch.
@@ -240,7 +264,7 @@ namespace Rill
         {
             if (readback.hasError)
                 throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake anew, with fewer voxels if it happens again.");
-            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.Triangles.Length);
+            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.Triangles.Length, sourceHash);
             Dispose();
         }
 

@@ -10,7 +10,7 @@ namespace Rill
         // Where the choice of a format is strict, voxels from the surface; what rounding may cost there and elsewhere, voxels.
         const float StrictDistance = 2f, StrictError = 1e-3f, LooseError = 0.05f;
 
-        internal SdfBake(string name, in SdfGrid grid, float[] distances, in MeshSdfSettings settings, MeshSdfSign sign, int triangles)
+        internal SdfBake(string name, in SdfGrid grid, float[] distances, in MeshSdfSettings settings, MeshSdfSign sign, int triangles, ulong sourceHash = 0)
         {
             Name = name;
             Resolution = new Vector3Int(grid.Resolution.x, grid.Resolution.y, grid.Resolution.z);
@@ -21,6 +21,7 @@ namespace Rill
             Sign = sign;
             ShellThickness = grid.Thickness;
             TriangleCount = triangles;
+            SourceHash = sourceHash;
 
             HalfError = MeasureHalfError(out float near);
             bool accurate = near <= StrictError * VoxelSize && HalfError <= LooseError * VoxelSize;
@@ -53,6 +54,9 @@ namespace Rill
 
         /// <summary>Triangles that were baked, without those of zero area.</summary>
         public int TriangleCount { get; }
+
+        /// <summary><see cref="TriangleMesh.Hash"/> of the mesh.</summary>
+        public ulong SourceHash { get; }
 
         /// <summary>Largest error of any voxel that 16 bits make, m.</summary>
         public float HalfError { get; }

@@ -22,26 +22,25 @@ namespace Rill
         const int MostCellsAcross = 128;
 
         /// <param name="mostTests">Pairs of triangles that are tested at most, and entries of the grid.</param>
-        public static Count Find(TriangleMesh mesh, MeshEdges edges, long mostTests)
+        public static Count Find(MeshEdges edges, long mostTests)
         {
+            BakedTriangles triangles = edges.Triangles;
+            TriangleMesh mesh = triangles.Mesh;
             int count = mesh.TriangleCount;
             var low = new float3[count];
             var high = new float3[count];
-            float3 from = float.PositiveInfinity, to = float.NegativeInfinity;
-            int taking = 0;
-            for (int t = 0; t < count; t++)
-            {
-                if (!edges.TakesPart(t))
-                    continue;
-                float3 a = At(mesh, t, 0), b = At(mesh, t, 1), c = At(mesh, t, 2);
-                low[t] = math.min(a, math.min(b, c));
-                high[t] = math.max(a, math.max(b, c));
-                from = math.min(from, low[t]);
-                to = math.max(to, high[t]);
-                taking++;
-            }
+            float3 from = triangles.Bounds.min, to = triangles.Bounds.max;
+            int taking = triangles.Count;
             if (taking == 0)
                 return new Count(0, 1f);
+            for (int t = 0; t < count; t++)
+            {
+                if (!triangles.TakesPart(t))
+                    continue;
+                float3 a = mesh.Corner(t, 0), b = mesh.Corner(t, 1), c = mesh.Corner(t, 2);
+                low[t] = math.min(a, math.min(b, c));
+                high[t] = math.max(a, math.max(b, c));
+            }
 
             // Some triangles a cell of the surface.
             int across = math.clamp((int)math.sqrt(taking / 4f), 1, MostCellsAcross);
@@ -53,7 +52,7 @@ namespace Rill
             int entered = 0, last = 0;
             for (; last < count && entries < mostTests; last++)
             {
-                if (!edges.TakesPart(last))
+                if (!triangles.TakesPart(last))
                     continue;
                 entered++;
                 int3 first = Cell(low[last], from, cell, cells), end = Cell(high[last], from, cell, cells);
@@ -88,8 +87,6 @@ namespace Rill
 
         static int3 Cell(float3 place, float3 from, float size, int3 cells) => math.clamp((int3)((place - from) / size), 0, cells - 1);
 
-        static float3 At(TriangleMesh mesh, int triangle, int corner) => mesh.Vertices[mesh.Triangles[3 * triangle + corner]];
-
         static bool ShareVertex(MeshEdges edges, int a, int b)
         {
             for (int i = 0; i < 3; i++)
@@ -107,6 +104,8 @@ namespace Rill
                     return true;
             return false;
         }
+
+        static double3 At(TriangleMesh mesh, int triangle, int k) => (float3)mesh.Corner(triangle, k);
 
         // Whether the segment pq goes through the triangle: its ends lie on different sides, and it passes the three edges on one.
         static bool Pierces(double3 p, double3 q, double3 a, double3 b, double3 c)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Rill
@@ -36,11 +37,44 @@ namespace Rill
 
         public int TriangleCount => Triangles.Length / 3;
 
+        internal Vector3 Corner(int triangle, int k) => Vertices[Triangles[3 * triangle + k]];
+
         /// <summary>Submeshes of the meshes that this was made of, with those of points and lines.</summary>
         public int SubMeshes { get; private set; } = 1;
 
         /// <summary>Of those, the ones of points and lines: they bound nothing and are left out.</summary>
         public int SubMeshesWithoutTriangles { get; private set; }
+
+        /// <summary>
+        /// Of where all triangles lie and which side they face: the same however they are ordered and share vertices. Never 0.
+        /// Tells whether a mesh is still the one that was baked.
+        /// </summary>
+        public ulong Hash()
+        {
+            ulong sum = (ulong)TriangleCount;
+            for (int t = 0; t < TriangleCount; t++)
+            {
+                ulong a = HashOf(t, 0), b = HashOf(t, 1), c = HashOf(t, 2);
+                // Sums over the corners and over the triangles know no first one; the mixing between keeps who goes with whom.
+                sum += Mix(Mix(3 * a + b) + Mix(3 * b + c) + Mix(3 * c + a));
+            }
+            return sum == 0 ? 1 : sum;
+        }
+
+        ulong HashOf(int triangle, int k)
+        {
+            // But for the sign of 0.
+            uint3 bits = math.asuint((float3)Corner(triangle, k) + 0f);
+            return Mix(Mix(bits.x | (ulong)bits.y << 32) + bits.z);
+        }
+
+        // The finalizer of splitmix64 (Steele, Lea and Flood 2014).
+        static ulong Mix(ulong x)
+        {
+            x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9;
+            x = (x ^ x >> 27) * 0x94D049BB133111EB;
+            return x ^ x >> 31;
+        }
 
         /// <summary>All submeshes of a mesh; quads become two triangles each.</summary>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>

@@ -23,6 +23,8 @@ namespace Rill
         [SerializeField] float shellThickness;
         [SerializeField] float storageError;
         [SerializeField] string sourceMesh = "";
+        [SerializeField] long sourceMeshId;
+        [SerializeField] ulong sourceHash;
         [SerializeField] MeshSdfSettings settings = MeshSdfSettings.Default;
 
         [NonSerialized] float volume;
@@ -55,22 +57,32 @@ namespace Rill
         /// <summary>GUID of the mesh's asset as Unity writes it, 32 hexadecimal digits; empty where the mesh was none.</summary>
         public string SourceMesh => sourceMesh;
 
+        /// <summary>Of the mesh among the objects of its asset, as Unity's local file identifiers are; 0 where it is unknown.</summary>
+        public long SourceMeshId => sourceMeshId;
+
+        /// <summary><see cref="TriangleMesh.Hash"/> of the mesh as it was baked; 0 where it is unknown.</summary>
+        public ulong SourceHash => sourceHash;
+
+        /// <summary>Whether the mesh has changed since it was baked, or is another one. False where the field does not know what it was baked from.</summary>
+        public bool IsStale(TriangleMesh mesh) => sourceHash != 0 && sourceHash != mesh.Hash();
+
         /// <summary>What it was baked with, for baking it anew.</summary>
         public MeshSdfSettings Settings => settings;
 
         /// <summary>An asset in memory with the content of a bake. The caller saves or destroys it, and its texture with it.</summary>
-        public static SignedDistanceField Create(SdfBake bake, string sourceMesh = "")
+        public static SignedDistanceField Create(SdfBake bake, string sourceMesh = "", long sourceMeshId = 0)
         {
             var field = CreateInstance<SignedDistanceField>();
             field.name = bake.Name;
-            field.Apply(bake, sourceMesh);
+            field.Apply(bake, sourceMesh, sourceMeshId);
             return field;
         }
 
         /// <summary>Replaces the content by that of a bake. The object stays, and the texture too where size and format do.</summary>
         /// <param name="sourceMesh">GUID of the mesh's asset; empty if it has none.</param>
+        /// <param name="sourceMeshId">Local file identifier of the mesh in that asset.</param>
         /// <returns>The texture that was replaced, which the caller destroys and, in the editor, takes out of the asset's file; null if it stayed.</returns>
-        public Texture3D Apply(SdfBake bake, string sourceMesh = "")
+        public Texture3D Apply(SdfBake bake, string sourceMesh = "", long sourceMeshId = 0)
         {
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));
@@ -104,6 +116,8 @@ namespace Rill
             storageError = bake.StorageError;
             settings = bake.Settings;
             this.sourceMesh = sourceMesh ?? "";
+            this.sourceMeshId = sourceMeshId;
+            sourceHash = bake.SourceHash;
             return replaced;
         }
 

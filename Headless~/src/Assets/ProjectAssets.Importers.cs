@@ -88,7 +88,7 @@ namespace Host.Assets
         public Scene ReadScene(AssetEntry entry) => Reading(() =>
         {
             var scene = SceneManager.CreateForLoading(entry.Name, entry.Path);
-            new ObjectBuilder(this, Documents(entry), new LoadedAsset(entry), scene, wakeups.Enqueue).Build();
+            new ObjectBuilder(this, Documents(entry), scenes[entry.Path] = new LoadedAsset(entry), scene, wakeups.Enqueue).Build();
             return scene;
         });
 

@@ -15,6 +15,7 @@ namespace Host.Assets
     internal sealed partial class ProjectAssets : IAssetSource
     {
         readonly Dictionary<string, LoadedAsset> loaded = new Dictionary<string, LoadedAsset>();
+        readonly Dictionary<string, LoadedAsset> scenes = new Dictionary<string, LoadedAsset>();
         readonly HashSet<string> notes = new HashSet<string>();
         Dictionary<string, AssetEntry> shaders;
 
@@ -55,6 +56,7 @@ namespace Host.Assets
                         if (!(made is Component)) Object.DestroyImmediate(made, true);
             loaded.Clear();
             prefabs.Clear();
+            scenes.Clear();
             shaders = null;
         }
 
@@ -89,6 +91,26 @@ namespace Host.Assets
         }
 
         public string GuidOfPath(string assetPath) => Index.ByPath(assetPath)?.Guid;
+        public string PathOfGuid(string guid) => Index.ByGuid(guid)?.Path;
+
+        public IEnumerable<Object> LoadAllAtPath(string assetPath) =>
+            Index.ByPath(assetPath) is AssetEntry entry && Load(entry) is LoadedAsset asset ? asset.Objects.Values : Enumerable.Empty<Object>();
+
+        public bool TryIdentify(Object asset, out string assetPath, out string guid, out long fileId)
+        {
+            foreach (var file in loaded.Values)
+                foreach (var part in file?.Objects ?? new Dictionary<long, Object>())
+                    if (ReferenceEquals(part.Value, asset))
+                    {
+                        (assetPath, guid, fileId) = (file.Entry.Path, file.Entry.Guid, part.Key);
+                        return true;
+                    }
+            return BuiltInAssets.TryIdentify(asset, out assetPath, out guid, out fileId);
+        }
+
+        /// <summary>File id of an object of a scene that was opened; 0 for what a script made since.</summary>
+        public long FileIdIn(string scenePath, Object found) =>
+            scenes.TryGetValue(scenePath, out var scene) ? scene.Objects.FirstOrDefault(part => ReferenceEquals(part.Value, found)).Key : 0;
 
         public Shader FindShader(string name)
         {

@@ -33,20 +33,6 @@ namespace UnityEditor
 
     public enum PlayModeStateChange { EnteredEditMode = 0, ExitingEditMode = 1, EnteredPlayMode = 2, ExitingPlayMode = 3 }
 
-    public sealed class AssetDatabase
-    {
-        public static T LoadAssetAtPath<T>(string assetPath) where T : Object => (T)LoadAssetAtPath(assetPath, typeof(T));
-
-        public static Object LoadAssetAtPath(string assetPath, Type type) => Player.Assets?.LoadAtPath(assetPath, type);
-        public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath(assetPath, typeof(Object));
-        public static string AssetPathToGUID(string path) => Player.Assets?.GuidOfPath(path) ?? "";
-        public static void Refresh() { }
-        public static void SaveAssets() { }
-        public static void StartAssetEditing() { }
-        public static void StopAssetEditing() { }
-        public static bool Contains(Object obj) => Object.IsAlive(obj) && obj.IsAsset;
-    }
-
     public sealed class EditorUtility
     {
         static readonly HashSet<int> dirty = new HashSet<int>();

@@ -271,9 +271,9 @@ namespace Rill.Tests
         public void A_fold_of_the_groups_is_needed_for_that()
         {
             TriangleMesh mesh = TestMeshes.Sphere(1f, 50);
-            var edges = new MeshEdges(mesh);
-            var grid = new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), Settings(24), isShell: false);
-            long pairs = new BakeGeometry(mesh, edges, grid, turnAll: false).PairCount;
+            var triangles = new BakedTriangles(mesh);
+            var grid = new SdfGrid(triangles.Bounds, Settings(24), isShell: false);
+            long pairs = new BakeGeometry(triangles, null, grid, turnAll: false).PairCount;
             Assert.That(pairs, Is.GreaterThan(65535).And.LessThan(MeshSdfBaker.StepSize.Default.pairs));
         }
 
@@ -283,9 +283,9 @@ namespace Rill.Tests
         public void Slices_hold_every_pair_once(int most)
         {
             TriangleMesh mesh = Soup(20, needles: false);
-            var edges = new MeshEdges(mesh);
-            var grid = new SdfGrid(BakeGeometry.BoundsOf(mesh, edges), Settings(24), isShell: false);
-            var geometry = new BakeGeometry(mesh, edges, grid, turnAll: false);
+            var triangles = new BakedTriangles(mesh);
+            var grid = new SdfGrid(triangles.Bounds, Settings(24), isShell: false);
+            var geometry = new BakeGeometry(triangles, null, grid, turnAll: false);
             long next = 0;
             foreach (BakeGeometry.Slice slice in geometry.Slices(most))
             {
@@ -383,6 +383,39 @@ namespace Rill.Tests
             baker.Dispose();
             Assert.That(baker.Result, Is.Null);
             Assert.That(Assert.Throws<ObjectDisposedException>(() => baker.Step()).Message, Does.Contain("'Sphere' was cancelled"));
+        }
+
+        [Test]
+        public void Steps_alone_come_to_an_end_where_no_frame_passes()
+        {
+            using (var baker = new MeshSdfBaker(TestMeshes.Sphere(1f, 12), Settings(24)))
+            {
+                var clock = System.Diagnostics.Stopwatch.StartNew();
+                while (baker.Step())
+                    Assert.That(clock.Elapsed.TotalSeconds, Is.LessThan(60), "it hangs at: " + baker.Stage);
+                Assert.That(baker.Result, Is.Not.Null);
+            }
+        }
+
+        [Test]
+        public void The_estimate_of_a_checked_mesh_is_that_of_the_mesh()
+        {
+            foreach (TriangleMesh mesh in new[] { TestMeshes.Torus(1f, 0.3f, 8), TestMeshes.Sheet(2f) })
+                foreach (MeshSdfSign sign in new[] { MeshSdfSign.Automatic, MeshSdfSign.WindingNumber, MeshSdfSign.OpenShell })
+                    Assert.That(MeshSdfBaker.Estimate(MeshCheck.Run(mesh), Settings(32, sign)), Is.EqualTo(MeshSdfBaker.Estimate(mesh, Settings(32, sign))), $"{mesh.Name}, {sign}");
+            MeshReport nothing = MeshCheck.Run(new TriangleMesh("Nothing", new Vector3[3], new int[0]));
+            Assert.That(Assert.Throws<ArgumentException>(() => MeshSdfBaker.Estimate(nothing, Settings(32))).Message, Does.Contain("'Nothing' has no triangles"));
+        }
+
+        // What the sign is told, a shell does not ask of the mesh.
+        [Test]
+        public void A_shell_that_was_asked_for_is_that_of_an_open_mesh_whichever_way_its_triangles_face()
+        {
+            TriangleMesh tube = TestMeshes.Tube(1f, 2f, 24, 4);
+            float[] distances = MeshSdfBaker.Bake(tube, Settings(24)).Distances;
+            Assert.That(MeshSdfBaker.Bake(tube, Settings(24, MeshSdfSign.OpenShell)).Distances, Is.EqualTo(distances), "as automatic comes to");
+            float[] turned = MeshSdfBaker.Bake(tube.Turned(t => t % 3 == 0), Settings(24, MeshSdfSign.OpenShell)).Distances;
+            Assert.That(turned.Select((d, i) => Math.Abs(d - distances[i])).Max(), Is.LessThan(1e-5f));
         }
 
         [UnityTest]

@@ -36,6 +36,15 @@ namespace Host.Assets
             return type.IsInstanceOfType(found) ? found : null;
         }
 
+        public static bool TryIdentify(Object asset, out string path, out string guid, out long fileId)
+        {
+            (path, guid, fileId) = ("", "", 0);
+            if (!(asset is Mesh mesh) || !mesh.IsBuiltIn) return false;
+            foreach (var known in Names)
+                if (known.Value == mesh.name + ".fbx") (path, guid, fileId) = ("Library/unity default resources", Default, known.Key);
+            return fileId != 0;
+        }
+
         /// <summary>As Resources.GetBuiltinResource, but silent.</summary>
         public static Object Resource(Type type, string name) => Resources.BuiltinResource?.Invoke(type, name);
     }

@@ -1,19 +1,21 @@
 using System;
 using System.CommandLine;
 using System.Globalization;
+using System.IO;
 using System.Linq;
+using Host.Assets;
 using Rill;
 
 namespace Host.Baking
 {
-    /// <summary><c>bake</c>: a mesh file becomes a distance field's asset and a picture of its slices.</summary>
+    /// <summary><c>bake</c>: a mesh file becomes a distance field's asset and a picture of its slices, or the mesh colliders of a scene get theirs.</summary>
     static class BakeCommand
     {
         public static Command Create()
         {
             MeshSdfSettings normal = MeshSdfSettings.Default;
-            var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file." };
-            var target = new Option<string>("--out") { Description = "Folder for <name>.asset and <name>-slices.png; out/<name> by default." };
+            var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file; or a scene, a .unity file or its name, whose mesh colliders without a usable field are baked." };
+            var target = new Option<string>("--out") { Description = "Folder for <name>.asset and <name>-slices.png; out/<name> by default. Of a scene only for the pictures: new fields lie beside it." };
             var voxel = new Option<float?>("--voxel") { Description = "Edge of a voxel, m, instead of --resolution." };
             var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.LeastResolution} to {MeshSdfSettings.MostResolution}; {normal.resolution} by default." };
             var padding = new Option<int>("--padding") { Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MostPadding}.", DefaultValueFactory = _ => normal.padding };
@@ -23,7 +25,9 @@ namespace Host.Baking
             var memory = new Option<string>("--memory") { Description = $"Most memory of the bake in bytes, or with K, M, G: 512M; {normal.memoryCap}M by default." };
             var scale = new Option<float>("--scale") { Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimetres.", DefaultValueFactory = _ => 1f };
 
-            var command = new Command("bake", "Bakes a mesh file to a signed distance field.") { mesh, target, voxel, resolution, padding, sign, shell, format, memory, scale };
+            var again = new Option<bool>("--again") { Description = "Of a scene also those fields that are up to date, with the settings that they have." };
+
+            var command = new Command("bake", "Bakes a mesh file, or a scene's mesh colliders, to signed distance fields.") { mesh, target, voxel, resolution, padding, sign, shell, format, memory, scale, again };
             command.SetAction(parsed =>
             {
                 if (parsed.GetValue(voxel) != null && parsed.GetValue(resolution) != null)
@@ -37,13 +41,38 @@ namespace Host.Baking
                 settings.format = Choice<SdfFormat>(parsed.GetValue(format), "--format");
                 settings.memoryCap = parsed.GetValue(memory) is string bytes ? MebiBytes(bytes) : normal.memoryCap;
 
-                var run = new BakeRun(parsed.GetValue(mesh), parsed.GetValue(target), settings, Positive(parsed.GetValue(scale), "--scale"), Console.Out);
+                string what = parsed.GetValue(mesh);
+                if (IsScene(what))
+                {
+                    if (parsed.GetValue(scale) != 1f)
+                        throw new HostException("--scale is for a mesh's file; a scene's meshes have the scale of their import settings.");
+                    return BakeScene(what, settings, parsed.GetValue(again), parsed.GetValue(target));
+                }
+                if (parsed.GetValue(again))
+                    throw new HostException("--again is for a scene; a mesh's file is always baked.");
+
+                var run = new BakeRun(what, parsed.GetValue(target), settings, Positive(parsed.GetValue(scale), "--scale"), Console.Out);
                 run.Read();
                 using var session = new Session(Session.Root());
                 run.Bake(session.Assets, session.DescribeDevice());
                 return session.ErrorsLogged == 0 ? 0 : 1;
             });
             return command;
+        }
+
+        // A name without an ending is that of a scene or of its folder.
+        static bool IsScene(string what) => what.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) || Directory.Exists(what) || Path.GetExtension(what) == "";
+
+        static int BakeScene(string what, MeshSdfSettings settings, bool again, string pictures)
+        {
+            LocatedScene located = Session.Locate(what);
+            // Not strict: scripts that the host was not built with are nothing to a bake.
+            using var session = new Session(located, strict: false);
+            session.LoadScene(located);
+            Console.Out.WriteLine(session.DescribeDevice());
+            var run = new SceneBakeRun(located, session.Assets, settings, again, pictures, Console.Out);
+            run.Run();
+            return run.Failures == 0 ? 0 : 1;
         }
 
         static float Positive(float value, string option) => value > 0f && float.IsFinite(value) ? value : throw new HostException(string.Create(CultureInfo.InvariantCulture, $"{option} must be above 0, not {value}."));

@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using Host.Assets;
 using Rill;
+using Rill.Editor;
 using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
@@ -80,7 +81,7 @@ namespace Host.Baking
                 Object.DestroyImmediate(field.Texture);
                 Object.DestroyImmediate(field);
             }
-            SlicePicture.Draw(bake, SlicesFile);
+            SlicePicture.Draw(SdfVolume.Of(bake), SlicesFile);
 
             float inside = bake.Distances.Count(distance => distance < 0f) / (float)bake.Distances.Length;
             Say($"baked on {device}: {gpu:N1} ms on the GPU, {seconds:N2} s in all");
@@ -133,7 +134,7 @@ namespace Host.Baking
             return MetaFile.TryRead(meta, meta, out MetaFile read, out string problem) ? read.Guid : throw new AssetException(problem);
         }
 
-        static string ScriptGuid(ProjectAssets package)
+        internal static string ScriptGuid(ProjectAssets package)
         {
             IEnumerable<AssetEntry> scripts = package.Index.Entries.Where(entry => entry.Extension == ".cs" && entry.Name == nameof(SignedDistanceField));
             return scripts.FirstOrDefault()?.Guid ?? throw new HostException($"{nameof(SignedDistanceField)}.cs is not in the project: run rill in Rill's package or in a project that has it, or set RILL_ROOT.");

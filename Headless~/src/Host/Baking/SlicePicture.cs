@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text;
 using Host.Output;
-using Rill;
+using Rill.Editor;
 using UnityEngine;
 
 namespace Host.Baking
@@ -12,58 +13,41 @@ namespace Host.Baking
     /// <summary>Slices of a distance field through its middle, one for each axis, side by side: blue inside, orange outside, black where it is zero.</summary>
     static class SlicePicture
     {
-        // Horizontal, vertical and normal axis of each slice; y is up where it is in the slice.
-        static readonly (int Right, int Up, int Normal)[] Views = { (2, 1, 0), (0, 2, 1), (0, 1, 2) };
+        static readonly SdfSlice[] Views = { SdfSlice.Across(0), SdfSlice.Across(1), SdfSlice.Across(2) };
         static readonly string[] Axes = { "x", "y", "z" };
 
-        public static void Draw(SdfBake bake, string file)
+        public static void Draw(SdfVolume volume, string file)
         {
-            float most = 0f;
-            foreach (var view in Views)
-                foreach (float distance in Slice(bake, view, bake.Resolution[view.Normal] / 2))
-                    most = Math.Max(most, Math.Abs(distance));
+            float most = Views.Max(view => view.Largest(volume, Middle(volume, view)));
 
             var script = new StringBuilder();
             void Line(FormattableString line) => script.Append(line.ToString(CultureInfo.InvariantCulture)).Append('\n');
             Line($"set terminal pngcairo size 1500,640 font 'DejaVu Sans,10'");
             Line($"set output {Quote(file)}");
             for (int i = 0; i < Views.Length; i++)
-                Data(script, i, Slice(bake, Views[i], bake.Resolution[Views[i].Normal] / 2), Lowest(bake, Views[i].Right), Lowest(bake, Views[i].Up), bake.VoxelSize);
-            // The two halves do not meet in one colour, so that the sign of the smallest distance shows.
-            Line($"set palette defined (-1 '#08306b', -0.4 '#2b7bba', 0 '#d6e6f4', 0 '#fdebd5', 0.4 '#ee7f26', 1 '#7f2704')");
+                Data(script, i, Views[i].Values(volume, Middle(volume, Views[i])), Lowest(volume, Views[i].Right), Lowest(volume, Views[i].Up), volume.VoxelSize);
+            Line($"set palette defined ({string.Join(", ", DistanceColors.Stops.Select(stop => string.Create(CultureInfo.InvariantCulture, $"{stop.Share} '#{stop.Color.r:x2}{stop.Color.g:x2}{stop.Color.b:x2}'")))})");
             Line($"set cbrange [{-most:R}:{most:R}]");
             Line($"set colorbox horizontal user origin screen 0.3,0.1 size screen 0.4,0.03");
             Line($"set cblabel 'distance to the surface (m), negative inside; black: 0'");
             Line($"set size ratio -1");
             Line($"set tics nomirror out");
-            Line($"set multiplot layout 1,3 margins screen 0.05,0.98,0.27,0.86 spacing screen 0.06 title {Quote($"{bake.Name}: {bake.Resolution.x} x {bake.Resolution.y} x {bake.Resolution.z} voxels of {bake.VoxelSize.ToString("G4", CultureInfo.InvariantCulture)} m")} noenhanced");
+            Line($"set multiplot layout 1,3 margins screen 0.05,0.98,0.27,0.86 spacing screen 0.06 title {Quote($"{volume.Name}: {volume.Resolution.x} x {volume.Resolution.y} x {volume.Resolution.z} voxels of {volume.VoxelSize.ToString("G4", CultureInfo.InvariantCulture)} m")} noenhanced");
             for (int i = 0; i < Views.Length; i++)
             {
-                (int right, int up, int normal) = Views[i];
+                (int right, int up, int normal) = (Views[i].Right, Views[i].Up, Views[i].Normal);
                 if (i > 0)
                     Line($"unset colorbox");
-                Line($"set title '{Axes[normal]} = {Lowest(bake, normal) + bake.Resolution[normal] / 2 * bake.VoxelSize:G4} m'");
+                Line($"set title '{Axes[normal]} = {Views[i].PlaceOf(volume, Middle(volume, Views[i])):G4} m'");
                 Line($"set xlabel '{Axes[right]} (m)'");
                 Line($"set ylabel '{Axes[up]} (m)'");
-                Line($"set xrange [{bake.Bounds.min[right]:R}:{bake.Bounds.max[right]:R}]");
-                Line($"set yrange [{bake.Bounds.min[up]:R}:{bake.Bounds.max[up]:R}]");
+                Line($"set xrange [{volume.Bounds.min[right]:R}:{volume.Bounds.max[right]:R}]");
+                Line($"set yrange [{volume.Bounds.min[up]:R}:{volume.Bounds.max[up]:R}]");
                 Line($"plot $slice{i} using 1:2:3 with image notitle, $zero{i} using 1:2 with lines lw 1.5 lc rgb 'black' notitle");
             }
             Line($"unset multiplot");
             Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file)));
             Tool.Run("gnuplot", "gnuplot-nox", Array.Empty<string>(), script.ToString());
-        }
-
-        /// <summary>[up, right] of the voxels of one layer, m.</summary>
-        internal static float[,] Slice(SdfBake bake, (int Right, int Up, int Normal) view, int layer)
-        {
-            Vector3Int n = bake.Resolution, at = default;
-            var slice = new float[n[view.Up], n[view.Right]];
-            at[view.Normal] = layer;
-            for (at[view.Up] = 0; at[view.Up] < n[view.Up]; at[view.Up]++)
-                for (at[view.Right] = 0; at[view.Right] < n[view.Right]; at[view.Right]++)
-                    slice[at[view.Up], at[view.Right]] = bake.Distances[(at.z * n.y + at.y) * n.x + at.x];
-            return slice;
         }
 
         static void Data(StringBuilder script, int index, float[,] slice, float x0, float y0, float voxel)
@@ -86,8 +70,10 @@ namespace Host.Baking
             script.Append("EOD\n");
         }
 
+        static int Middle(SdfVolume volume, SdfSlice view) => volume.Resolution[view.Normal] / 2;
+
         /// <summary>Of the centres of the first voxels, m.</summary>
-        static float Lowest(SdfBake bake, int axis) => bake.Bounds.min[axis] + 0.5f * bake.VoxelSize;
+        static float Lowest(SdfVolume volume, int axis) => volume.Bounds.min[axis] + 0.5f * volume.VoxelSize;
 
         static string Quote(string text) => "'" + text.Replace("'", "''") + "'";
     }

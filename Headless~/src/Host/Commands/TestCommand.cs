@@ -22,17 +22,18 @@ namespace Host.Commands
             var package = new Option<bool>("--package-only") { Description = "Only the package's tests." };
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
             var noValidation = new Option<bool>("--no-validation") { Description = "Without Vulkan's validation layer, where it is not installed." };
+            var written = new Option<bool>("--output") { Description = "Also print what tests wrote that passed: their figures." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, shaders };
+            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, written, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
-                return Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation));
+                return Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation), parsed.GetValue(written));
             });
             return command;
         }
 
-        static int Execute(string[] texts, bool list, bool packageOnly, bool hostOnly, bool validation)
+        static int Execute(string[] texts, bool list, bool packageOnly, bool hostOnly, bool validation, bool showsAll)
         {
             if (packageOnly && hostOnly)
                 throw new HostException("--package-only and --host-only leave nothing to run; name one of them.");
@@ -48,7 +49,7 @@ namespace Host.Commands
             }
 
             using var session = new Session(Session.Root(), scripts: assemblies, validation: validation);
-            var run = new TestRun(output);
+            var run = new TestRun(output, showsAll);
             foreach (Assembly assembly in assemblies)
                 run.Run(assembly, filter);
 

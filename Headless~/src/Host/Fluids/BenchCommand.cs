@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Host.Baking;
 using Host.Commands;
 using Rill;
 using Spectre.Console;
@@ -38,7 +39,7 @@ namespace Host.Fluids
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, deepWater, window, steps, json, shaders };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, deepWater, window, steps, json, shaders, BakeBenchCommand.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));

@@ -16,6 +16,7 @@ namespace Host.Testing
     sealed class TestRun : ITestListener
     {
         readonly TextWriter output;
+        readonly bool showsAll;
         readonly HashSet<MethodInfo> methods = new(), dispatchingMethods = new();
         readonly List<ITestResult> failuresOfFixture = new();
 
@@ -24,7 +25,12 @@ namespace Host.Testing
         long dispatchesBefore;
 
         /// <param name="output">Where the report goes; NUnit takes Console.Out away while tests run.</param>
-        public TestRun(TextWriter output) => this.output = output;
+        /// <param name="showsAll">Also what tests wrote that passed.</param>
+        public TestRun(TextWriter output, bool showsAll = false)
+        {
+            this.output = output;
+            this.showsAll = showsAll;
+        }
 
         public int Passed { get; private set; }
         public int Failed { get; private set; }
@@ -103,6 +109,11 @@ namespace Host.Testing
             {
                 case TestStatus.Passed:
                     Passed++;
+                    if (showsAll && !string.IsNullOrWhiteSpace(result.Output))
+                    {
+                        output.WriteLine($"    {result.Test.Name}");
+                        Indent(result.Output);
+                    }
                     break;
                 case TestStatus.Failed:
                     Fail(result);

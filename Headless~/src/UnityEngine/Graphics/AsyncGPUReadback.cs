@@ -22,8 +22,8 @@ namespace UnityEngine.Rendering
         public int depth => Request?.Depth ?? 0;
         public bool forcePlayerLoopUpdate { get => Request != null && Request.ForceUpdate; set { if (Request != null) Request.ForceUpdate = value; } }
 
-        /// <summary>Brings nothing forward: requests arrive at the beginning of a frame.</summary>
-        public void Update() { }
+        /// <summary>Takes what the device has finished, without waiting and without a frame; it is then done.</summary>
+        public void Update() => Request?.Update();
         public void WaitForCompletion() => Request?.Complete();
 
         public NativeArray<T> GetData<T>(int layer = 0) where T : struct

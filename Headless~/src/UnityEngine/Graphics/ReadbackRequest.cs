@@ -54,7 +54,7 @@ namespace UnityEngine.Headless
         }
     }
 
-    /// <summary>One read-back on its way: copied on the device at the request, fetched at the second frame after it, gone with the next.</summary>
+    /// <summary>One read-back on its way: copied on the device at the request, fetched at the second frame after it or by an Update before, gone with the next.</summary>
     internal sealed unsafe class ReadbackRequest
     {
         public int LayerCount, LayerBytes, Width, Height, Depth;
@@ -78,6 +78,19 @@ namespace UnityEngine.Headless
 
         public string WhyUnavailable() => !IsDone ? $"the request for {Source} is not done; it arrives at the beginning of the second frame after it."
             : $"the data of {Source} was valid in the frame in which it arrived; copy it there, or request into a NativeArray.";
+
+        /// <summary>Completes the request if the device is through with it, and sees to it that it gets there.</summary>
+        public void Update()
+        {
+            if (IsDone || expired)
+                return;
+            // Unity's render thread submits by itself; here what was recorded lies until somebody asks for it.
+            Gpu.Device.Flush();
+            foreach (DeviceReadback copy in Copies)
+                if (!copy.IsDone)
+                    return;
+            Complete();
+        }
 
         /// <summary>Waits for the device if need be; the callback comes now.</summary>
         public void Complete()

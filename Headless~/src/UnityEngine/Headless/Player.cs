@@ -45,5 +45,10 @@ namespace UnityEngine.Headless
         /// <summary>The object of that type in the file at "Assets/..."; null when there is none.</summary>
         Object LoadAtPath(string assetPath, Type type);
         string GuidOfPath(string assetPath);
+        string PathOfGuid(string guid);
+        /// <summary>Everything in the file, if it is one that makes objects.</summary>
+        IEnumerable<Object> LoadAllAtPath(string assetPath);
+        /// <summary>Where a loaded asset, or a part of one, came from. A built-in one is in "Library/unity default resources".</summary>
+        bool TryIdentify(Object asset, out string assetPath, out string guid, out long fileId);
     }
 }

@@ -1,0 +1,77 @@
+using System.Collections.Generic;
+using System.Globalization;
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    /// <summary>What the window and the inspector say of meshes, bakes and fields.</summary>
+    static class BakeTexts
+    {
+        public static string Of(Vector3Int resolution) => $"{resolution.x} x {resolution.y} x {resolution.z}";
+
+        public static string MebiBytes(long bytes) => (bytes / 1048576.0).ToString(bytes < 10485760 ? "0.0" : "N0", CultureInfo.InvariantCulture) + " MiB";
+
+        public static string Of(in MeshSdfEstimate estimate) =>
+            $"{Of(estimate.Resolution)} voxels of {Metres(estimate.VoxelSize)}: {MebiBytes(estimate.TotalBytes)} while it bakes, the texture at most {MebiBytes(estimate.TextureBytes)}, twice";
+
+        public static string Of(SdfBake bake) =>
+            $"{Of(bake.Resolution)} voxels of {Metres(bake.VoxelSize)}, {Of(bake.Sign, bake.ShellThickness)}, {(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most {Voxels(bake.StorageError, bake.VoxelSize)}";
+
+        /// <summary>The head of a report: how large, whether closed, and the counts that are not 0.</summary>
+        public static string Of(MeshReport report)
+        {
+            var parts = new List<string> { $"{Number(report.Triangles)} triangles", report.IsWatertight ? "watertight" : "not watertight" };
+            void Count(int count, string what)
+            {
+                if (count > 0)
+                    parts.Add($"{Number(count)} {what}");
+            }
+            Count(report.Holes, "holes");
+            Count(report.BoundaryEdges, "open edges");
+            Count(report.NonManifoldEdges, "edges of more than two triangles");
+            Count(report.FlippedTriangles, "flipped triangles");
+            Count(report.ZeroAreaTriangles, "triangles without area");
+            Count(report.SelfIntersections, "pairs that cross");
+            Count(report.NonFiniteVertices, "vertices that are not finite");
+            Count(report.SubMeshes > 1 ? report.SubMeshes : 0, "submeshes");
+            return string.Join(", ", parts);
+        }
+
+        /// <summary>Facts of a field, for its inspector.</summary>
+        public static IEnumerable<(string label, string text)> Facts(SignedDistanceField field)
+        {
+            Vector3Int n = field.Resolution;
+            long voxels = (long)n.x * n.y * n.z, each = field.Texture != null && field.Texture.format == TextureFormat.RHalf ? 2 : 4;
+            yield return ("Resolution", $"{Of(n)} = {voxels.ToString("N0", CultureInfo.InvariantCulture)} voxels");
+            yield return ("Voxel Size", Metres(field.VoxelSize));
+            yield return ("Bounds", $"{Of(field.Bounds.min)} to {Of(field.Bounds.max)} m");
+            yield return ("Sign", Of(field.Sign, field.ShellThickness));
+            yield return ("Format", $"{8 * each} bits a voxel, error {(float.IsNaN(field.StorageError) ? "unknown" : "at most " + Voxels(field.StorageError, field.VoxelSize))}");
+            yield return ("Memory", $"{MebiBytes(voxels * each)} on the GPU and as much again off it");
+            yield return ("Volume Inside", $"{field.Volume.ToString("G4", CultureInfo.InvariantCulture)} m³");
+            yield return ("Source Mesh", SourceOf(field));
+            yield return ("Baked With", Of(field.Settings));
+            yield return ("Version", $"{field.Version} of {SignedDistanceField.CurrentVersion}");
+        }
+
+        static string SourceOf(SignedDistanceField field)
+        {
+            Mesh mesh = FieldAssets.MeshOf(field, out _);
+            return mesh != null ? $"{mesh.name} in {AssetDatabase.GetAssetPath(mesh)}" : field.SourceMesh == "" ? "unknown" : $"gone (GUID {field.SourceMesh})";
+        }
+
+        static string Of(in MeshSdfSettings settings) =>
+            (settings.voxelSize > 0f ? $"voxels of {Metres(settings.voxelSize)}" : $"{settings.resolution} voxels along the longest axis") + $", {settings.padding} of padding, sign {(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}";
+
+        static string Of(MeshSdfSign sign, float shell) => sign == MeshSdfSign.OpenShell ? $"open shell, {Metres(shell)} thick" : "winding number";
+
+        static string Of(Vector3 v) => string.Format(CultureInfo.InvariantCulture, "({0:G4}, {1:G4}, {2:G4})", v.x, v.y, v.z);
+
+        static string Metres(float length) => length.ToString("G4", CultureInfo.InvariantCulture) + " m";
+
+        static string Voxels(float error, float voxel) => $"{(error / voxel).ToString("G2", CultureInfo.InvariantCulture)} voxel";
+
+        static string Number(int value) => value.ToString("N0", CultureInfo.InvariantCulture);
+    }
+}

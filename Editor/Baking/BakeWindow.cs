@@ -1,0 +1,126 @@
+using System.Collections.Generic;
+using System.Linq;
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    /// <summary>Bakes the meshes of a selection to distance fields, after saying what is wrong with them and what it will take.</summary>
+    sealed class BakeWindow : EditorWindow
+    {
+        const string Title = "Bake Signed Distance Field";
+
+        [Tooltip("How the meshes are turned into distance fields.")]
+        [SerializeField] MeshSdfSettings settings = MeshSdfSettings.Default;
+
+        [Tooltip("Where new assets go, below Assets. A field that was baked from the same mesh there is baked in place.")]
+        [SerializeField] string folder = "Assets/Distance Fields";
+
+        [Tooltip("What is done with the field: nothing, Fluid Colliders on the selected objects take it, or objects without one get a collider.")]
+        [SerializeField] BakeAssign assign = BakeAssign.ToColliders;
+
+        List<Object> chosen = new List<Object>();
+        BakePlan plan;
+        SerializedObject self;
+        Vector2 scroll;
+
+        [MenuItem("Window/Rill/" + Title)]
+        static void OpenOnSelection() => Open(Selection.objects);
+
+        [MenuItem("CONTEXT/MeshFilter/" + Title)]
+        static void OpenOnFilter(MenuCommand command) => Open(new[] { command.context });
+
+        [MenuItem("CONTEXT/Mesh/" + Title)]
+        static void OpenOnMesh(MenuCommand command) => Open(new[] { command.context });
+
+        [MenuItem("Assets/" + Title, true)]
+        static bool SelectionHasMeshes() => Selection.objects.Any(o => o is Mesh || o is SignedDistanceField || o is GameObject root && root.GetComponentInChildren<MeshFilter>(true) != null);
+
+        [MenuItem("Assets/" + Title)]
+        static void OpenOnAssets() => Open(Selection.objects);
+
+        public static BakeWindow Open(IEnumerable<Object> objects)
+        {
+            BakeWindow window = GetWindow<BakeWindow>(Title);
+            window.Choose(objects);
+            return window;
+        }
+
+        /// <summary>Null before anything was chosen.</summary>
+        public BakePlan Plan => plan;
+
+        public void Choose(IEnumerable<Object> objects)
+        {
+            chosen = objects.Where(o => o != null).ToList();
+            plan = BakePlan.Of(chosen, folder);
+            Repaint();
+        }
+
+        void OnEnable()
+        {
+            self = new SerializedObject(this);
+            Choose(Selection.objects);
+        }
+
+        void OnSelectionChange() => Choose(Selection.objects);
+
+        void OnGUI()
+        {
+            self.Update();
+            EditorGUILayout.PropertyField(self.FindProperty(nameof(settings)), true);
+            EditorGUILayout.PropertyField(self.FindProperty(nameof(folder)));
+            EditorGUILayout.PropertyField(self.FindProperty(nameof(assign)));
+            if (self.ApplyModifiedProperties())
+                Choose(chosen);
+
+            scroll = EditorGUILayout.BeginScrollView(scroll);
+            if (chosen.Count == 0)
+                EditorGUILayout.HelpBox("Select objects with Mesh Filters, meshes, or distance fields to bake anew.", MessageType.Info);
+            foreach (string note in plan.Notes)
+                EditorGUILayout.HelpBox(note, MessageType.Warning);
+            bool canBake = false;
+            foreach (BakeItem item in plan.Items)
+                canBake |= Draw(item);
+            EditorGUILayout.EndScrollView();
+
+            using (new EditorGUI.DisabledScope(!canBake))
+                if (GUILayout.Button(plan.Items.Count == 1 ? "Bake" : $"Bake {plan.Items.Count} Meshes"))
+                    Bake();
+        }
+
+        bool Draw(BakeItem item)
+        {
+            EditorGUILayout.Space();
+            EditorGUILayout.LabelField(item.Mesh.name, EditorStyles.boldLabel);
+            EditorGUILayout.LabelField(item.Existing != null ? "Baked in place" : "New asset", item.Path);
+            bool canBake = item.TryEstimate(settings, out MeshSdfEstimate estimate, out string problem);
+            if (item.Report != null)
+            {
+                EditorGUILayout.LabelField("Mesh", BakeTexts.Of(item.Report));
+                foreach (string text in item.Report.Texts.Where(text => text != problem))
+                    EditorGUILayout.HelpBox(text, MessageType.Info);
+            }
+            if (canBake)
+                EditorGUILayout.LabelField("Takes", BakeTexts.Of(estimate));
+            else
+                EditorGUILayout.HelpBox(problem, MessageType.Error);
+            if (item.Outcome != null)
+                EditorGUILayout.HelpBox(item.Outcome, item.Failed ? MessageType.Warning : MessageType.None);
+            if (item.Field != null)
+                EditorGUILayout.ObjectField("Field", item.Field, typeof(SignedDistanceField), false);
+            return canBake;
+        }
+
+        void Bake()
+        {
+            try
+            {
+                plan.Bake(settings, assign, (share, what) => !EditorUtility.DisplayCancelableProgressBar(Title, what, share));
+            }
+            finally
+            {
+                EditorUtility.ClearProgressBar();
+            }
+        }
+    }
+}

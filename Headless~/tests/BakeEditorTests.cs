@@ -1,0 +1,103 @@
+using System.Linq;
+using System.Reflection;
+using NUnit.Framework;
+using Rill;
+using Rill.Editor;
+using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Host.Tests
+{
+    /// <summary>The window and the inspector of baking draw whatever they are given, and their menus are where users look.</summary>
+    public class BakeEditorTests : GraphicsFixture
+    {
+        const string Folder = "Assets/Drawn";
+
+        [TearDown]
+        public void Delete()
+        {
+            AssetDatabase.DeleteAsset(Folder);
+            Selection.objects = new Object[0];
+        }
+
+        static SignedDistanceField Field(Mesh mesh)
+        {
+            MeshSdfSettings settings = MeshSdfSettings.Default;
+            settings.resolution = 12;
+            BakePlan plan = BakePlan.Of(new Object[] { mesh }, Folder);
+            plan.Bake(settings, BakeAssign.Nothing, (share, stage) => true);
+            return plan.Items[0].Field;
+        }
+
+        static void Draw(object drawn, string method) => drawn.GetType().GetMethod(method, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public).Invoke(drawn, null);
+
+        [Test]
+        public void The_window_draws_nothing_good_and_bad_meshes_and_their_outcome()
+        {
+            var flat = new Mesh { name = "Point", vertices = new Vector3[3], triangles = new[] { 0, 1, 2 } };
+            GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube), empty = new GameObject("Empty");
+            BakeWindow window = BakeWindow.Open(new Object[0]);
+            Draw(window, "OnGUI");
+            window.Choose(new Object[] { cube, flat, empty });
+            Draw(window, "OnGUI");
+            Assert.That(window.Plan.Items.Count, Is.EqualTo(2));
+            Assert.That(window.Plan.Notes.Count, Is.EqualTo(1));
+            Draw(window, "Bake");
+            Draw(window, "OnGUI");
+            Assert.That(window.Plan.Items.Select(item => item.Failed), Is.EqualTo(new[] { false, true }));
+            AssetDatabase.DeleteAsset("Assets/Distance Fields");
+            window.Close();
+            foreach (Object made in new Object[] { flat, cube, empty })
+                Object.DestroyImmediate(made);
+        }
+
+        [Test]
+        public void The_inspector_draws_facts_slices_and_the_surface_and_bakes_anew()
+        {
+            GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            Mesh mesh = Object.Instantiate(cube.GetComponent<MeshFilter>().sharedMesh);
+            Assert.That(FieldAssets.TryMakeFolder(Folder));
+            AssetDatabase.CreateAsset(mesh, Folder + "/Cube.mesh");
+            SignedDistanceField field = Field(mesh);
+            Editor editor = Editor.CreateEditor(field);
+            Assert.That(editor, Is.InstanceOf<SignedDistanceFieldEditor>());
+            editor.OnInspectorGUI();
+            Assert.That(editor.HasPreviewGUI());
+            editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
+            var serialized = new SerializedObject(editor);
+            serialized.FindProperty("settings.resolution").intValue = 20;
+            serialized.ApplyModifiedProperties();
+            Draw(editor, "Bake");
+            Assert.That(field.Resolution, Is.EqualTo(20 * Vector3Int.one));
+            editor.OnInspectorGUI();
+            editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
+            Object.DestroyImmediate(editor);
+            Object.DestroyImmediate(cube);
+        }
+
+        [Test]
+        public void The_inspector_of_an_empty_field_says_what_is_missing()
+        {
+            var field = ScriptableObject.CreateInstance<SignedDistanceField>();
+            Editor editor = Editor.CreateEditor(field);
+            editor.OnInspectorGUI();
+            Assert.That(editor.HasPreviewGUI(), Is.False);
+            Object.DestroyImmediate(editor);
+            Object.DestroyImmediate(field);
+        }
+
+        [Test]
+        public void Menus_are_on_mesh_filters_meshes_assets_and_windows()
+        {
+            string[] items = typeof(BakeWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic).SelectMany(m => m.GetCustomAttributes<MenuItem>()).Where(m => !m.validate).Select(m => m.menuItem).ToArray();
+            Assert.That(items, Is.EquivalentTo(new[] { "Window/Rill/Bake Signed Distance Field", "CONTEXT/MeshFilter/Bake Signed Distance Field", "CONTEXT/Mesh/Bake Signed Distance Field", "Assets/Bake Signed Distance Field" }));
+            GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            typeof(BakeWindow).GetMethod("OpenOnFilter", BindingFlags.Static | BindingFlags.NonPublic).Invoke(null, new object[] { new MenuCommand(cube.GetComponent<MeshFilter>()) });
+            BakeWindow window = EditorWindow.GetWindow<BakeWindow>();
+            Assert.That(window.Plan.Items.Single().Objects, Is.EqualTo(new[] { cube }));
+            window.Close();
+            Object.DestroyImmediate(cube);
+        }
+    }
+}
