@@ -7,6 +7,7 @@ using System.Linq;
 using Host.Report.Budget;
 using Host.Report.ErrorTime;
 using Host.Report.Extremes;
+using Host.Report.Obstacles;
 using Host.Report.Thesis;
 using Host.Report.Methods;
 
@@ -20,6 +21,7 @@ namespace Host.Report
             new ErrorTimeSection(),
             new ThesisSection(),
             new TheorySection(),
+            new ObstaclesSection(),
             new ExtremesSection(),
             new MethodsSection(),
             new BudgetSection(),
