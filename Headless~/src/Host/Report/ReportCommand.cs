@@ -22,7 +22,8 @@ namespace Host.Report
             new ThesisSection(),
             new TheorySection(),
             new ObstaclesSection(),
-            new ExtremesSection(),
+            new ExtremesSection("extremes", "Stiff and extreme cases", ExtremeCases.All, besideOthers: true),
+            new ExtremesSection("obstacle-extremes", "Extreme cases with obstacles and sources", ExtremeCases.AllWithObstacles, besideOthers: false),
             new MethodsSection(),
             new BudgetSection(),
         };
