@@ -10,8 +10,8 @@ using Object = UnityEngine.Object;
 namespace Host.Report.Obstacles
 {
     /// <summary>
-    /// A ball or cube of half the water's density that FluidBuoyancy carries: it is let go above its place at rest, bobs, and comes
-    /// to rest. Draft against Archimedes, the period of heave against T = 2π √((m + m_a) / (ρ g A)), A the area that it cuts out of the surface.
+    /// A ball or cube of half the water's density that FluidBuoyancy carries: it is let go above its place at rest, bobs without
+    /// FluidBuoyancy's own damping, and comes to rest with it. Draft against Archimedes, the period of heave against T = 2π √((m + m_a) / (ρ g A)), A the area that it cuts out of the surface.
     /// </summary>
     /// <remarks>
     /// The added mass m_a is that of water whose surface does not answer, which is exact for fast heave: half of what the body and
@@ -25,6 +25,7 @@ namespace Host.Report.Obstacles
         public const float Lift = 0.15f;                        // of the body's height: where it is let go above rest
         const float HoldSeconds = 0.7f;                         // s in which the water makes room for it
         const double FittedSwings = 2.2;                        // of the theory's
+        const float CalmSeconds = 2f;                           // s after them, with FluidBuoyancy's damping; the last is measured
 
         /// <summary>Since it was let go, s; its middle over the floor, m.</summary>
         public readonly List<(double Time, double Value)> Heights = new();
@@ -56,7 +57,7 @@ namespace Host.Report.Obstacles
                 TheoryPeriod = 2 * Math.PI * Math.Sqrt((displaced + (isBall ? 0.5 : 0.68) * displaced) / (Density * FluidRun.Gravity * area)),
             };
 
-            float swings = (float)(FittedSwings * floating.TheoryPeriod), seconds = swings + 1f;
+            float swings = (float)(FittedSwings * floating.TheoryPeriod), seconds = swings + CalmSeconds;
             var made = new List<GameObject>();
             try
             {
@@ -65,11 +66,16 @@ namespace Host.Report.Obstacles
                 made.ForEach(thing => thing.SetActive(true));
                 Play(HoldSeconds, null);
                 body.isKinematic = false;
+                var buoyancy = body.GetComponent<FluidBuoyancy>();
+                float damping = buoyancy.Damping;
+                buoyancy.Damping = 0f;
                 double levels = 0;
                 int samples = 0;
                 Play(seconds, time =>
                 {
                     floating.Heights.Add((time, body.position.y));
+                    if (time > swings)
+                        buoyancy.Damping = damping;
                     if (time <= seconds - 1 || floating.Heights.Count % 6 != 0)
                         return;
                     levels += LevelAround(fluid, body.position, size);
@@ -116,8 +122,7 @@ namespace Host.Report.Obstacles
             body.mass = mass;
             body.isKinematic = true;
             body.constraints = RigidbodyConstraints.FreezeRotation | RigidbodyConstraints.FreezePositionX | RigidbodyConstraints.FreezePositionZ;
-            var buoyancy = thing.AddComponent<FluidBuoyancy>();
-            buoyancy.Damping = 0f;
+            thing.AddComponent<FluidBuoyancy>();
             return body;
         }
 
