@@ -15,7 +15,7 @@ namespace Host.Report.Obstacles
         {
             var summary = new ReportTable("across", "particles", "deep", "start", "substeps", "iterations", "steepness", "own_steepness", "largest_error", "turning", "expected_turning");
             var profiles = new ReportTable("across", "deep", "start", "substeps", "iterations", "radius_m", "height_m", "turning_per_s", "theory_m", "own_theory_m");
-            double settle = run.Quick ? 1 : 3, seconds = run.Quick ? 0.5 : 1;
+            double settle = run.Quick ? 0.8 : 3, seconds = run.Quick ? 0.8 : 1.6;     // one and two periods of the first round wave
             foreach ((int across, DeepWater deep, bool flat, int substeps) in run.Quick ? Quick : Full())
             {
                 const int iterations = 2;
