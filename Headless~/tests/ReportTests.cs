@@ -91,6 +91,19 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_page_can_be_written_anew_from_what_lies_beside_it()
+        {
+            foreach (ReportSection section in Three.Take(2))
+                Measure(section);
+            string pages = Path.Combine(folder, "pages"), page = Path.Combine(pages, "report.md");
+            ReportWriter.Write(Three.Take(2).ToArray(), ReportFolders.Of(folder, page));
+            string first = File.ReadAllText(page);
+            Directory.Delete(Path.Combine(folder, "data"), true);
+            ReportWriter.Write(Three.Take(2).ToArray(), ReportFolders.Of(pages, page));
+            Assert.That(File.ReadAllText(page), Is.EqualTo(first));
+        }
+
+        [Test]
         public void A_quick_run_says_so_first()
         {
             Measure(Three[0], quick: true, device: "a processor (in software)");

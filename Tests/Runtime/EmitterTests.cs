@@ -103,6 +103,44 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void What_is_no_number_while_it_lets_water_in_is_named_and_loses_nothing([Values("rate NaN", "speed NaN", "transform is not finite")] string what, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            const float rate = 0.006f;      // 0.8 particles a step
+            using (var scene = new SourceScene(Box, Spacing, 500, deepWater))
+            {
+                FluidEmitter emitter = scene.Add(Vector3.zero, Vector3.down, Jet(rate));
+                scene.Step(15);
+                LogAssert.Expect(LogType.Warning, new Regex("Rill: FluidEmitter 'FluidEmitter': .*" + what));
+                var far = new GameObject("Far");
+                switch (what)
+                {
+                    case "rate NaN":
+                        emitter.Rate = float.NaN;
+                        break;
+                    case "speed NaN":
+                        emitter.Speed = float.NaN;
+                        break;
+                    default:
+                        emitter.Simulation = scene.Fluid;       // and not the one above it
+                        far.transform.position = new Vector3(2f, 0f, 0f);
+                        emitter.transform.SetParent(far.transform);
+                        far.transform.localScale = 3e38f * Vector3.one;
+                        break;
+                }
+                scene.Step(15).AssertConserved();
+                far.transform.localScale = Vector3.one;
+                emitter.Rate = rate;
+                FluidStatistics last = scene.Step(15).AssertConserved();
+                int steps = what == "speed NaN" ? 45 : 30;      // 1 m/s in place of no number
+                Assert.That(last.emitted, Is.EqualTo(steps * rate / 60f / scene.ParticleVolume).Within(1));
+                Assert.That(last.nonFinite + last.refused + last.blocked + last.waiting, Is.Zero);
+                Object.DestroyImmediate(emitter.gameObject);
+                Object.DestroyImmediate(far);
+                LogAssert.NoUnexpectedReceived();
+            }
+        }
+
+        [Test]
         public void Nothing_is_put_nearer_to_another_than_room_allows([Values(EmitterMode.Jet, EmitterMode.Spray, EmitterMode.Fill)] EmitterMode mode)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 8000).Fill(0.5f))

@@ -19,11 +19,6 @@ namespace Host.Fluids
     /// <summary><c>bench</c>: GPU time of the solver's step, by stage, over windows of a breaking dam.</summary>
     static class BenchCommand
     {
-        const int LeastSteps = 100;
-
-        // Steps 3-10 of the fresh block and 20-60 of the moving one, each repeated from the start until there are enough.
-        static readonly (string Name, int First, int Last)[] Windows = { ("initial", 3, 10), ("moving", 20, 60) };
-
         public static Command Create()
         {
             var particles = new Option<int>("--particles") { Description = "Particles; the block's lattice comes as near as it can.", DefaultValueFactory = _ => 100_000 };
@@ -34,12 +29,12 @@ namespace Host.Fluids
             var viscosity = new Option<float>("--viscosity") { Description = "XSPH viscosity.", DefaultValueFactory = _ => FluidMaterial.Water.viscosity };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {LeastSteps}.", DefaultValueFactory = _ => LeastSteps };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, deepWater, window, steps, json, shaders, BakeBenchCommand.Create() };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, deepWater, window, steps, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -55,11 +50,11 @@ namespace Host.Fluids
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
                 if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
                     throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
-                if (parsed.GetValue(steps) < LeastSteps)
-                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {LeastSteps}.");
-                var windows = Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
+                if (parsed.GetValue(steps) < StepTimes.LeastSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.LeastSteps}.");
+                var windows = StepTimes.Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
                 if (windows.Count == 0)
-                    throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", Windows.Select(w => w.Name))} or all.");
+                    throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", StepTimes.Windows.Select(w => w.Name))} or all.");
 
                 var scene = ExperimentScene.Dam(parsed.GetValue(particles));
                 var input = ExperimentFigures.Input(settings, material);
@@ -77,12 +72,12 @@ namespace Host.Fluids
             if (session.Info.IsSoftware)
                 output.WriteLine("This device is a CPU: the figures say nothing about a GPU.");
 
-            var results = new Dictionary<string, Dictionary<string, Spread>>();
+            var results = new Dictionary<string, Dictionary<string, StepTimes.Spread>>();
             long bytes;
             using (var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin)))
             {
                 foreach ((string name, int first, int last) in windows)
-                    results[name] = Measure(solver, scene, input, first, last, steps);
+                    results[name] = StepTimes.Measure(solver, scene.Fill, input, first, last, steps);
                 bytes = solver.Describe(input, 0).Sum(stage => stage.Bytes);
             }
 
@@ -93,56 +88,20 @@ namespace Host.Fluids
             return 0;
         }
 
-        static Dictionary<string, Spread> Measure(PbfSolver solver, ExperimentScene scene, in StepInput input, int first, int last, int steps)
+        static void Print(Dictionary<string, Dictionary<string, StepTimes.Spread>> results, TextWriter output)
         {
-            IGraphicsDevice device = Player.Device;
-            var times = new Dictionary<string, List<double>>();
-            using var cmd = new CommandBuffer { name = "bench" };
-            int measured = 0;
-            while (measured < steps)
-            {
-                solver.Clear();
-                scene.Fill(solver);
-                for (int step = 1; step <= last && measured < steps; step++)
-                {
-                    device.Timing = step >= first;
-                    cmd.Clear();
-                    cmd.BeginSample("step");
-                    solver.Step(cmd, input);
-                    cmd.EndSample("step");
-                    Graphics.ExecuteCommandBuffer(cmd);
-                    device.Flush();
-                    if (step < first)
-                        continue;
-
-                    measured++;
-                    foreach (IGrouping<string, DeviceSample> stage in device.CollectSamples().GroupBy(sample => sample.Name))
-                    {
-                        if (!times.TryGetValue(stage.Key, out List<double> list))
-                            times[stage.Key] = list = new List<double>();
-                        list.Add(stage.Sum(sample => sample.Milliseconds));
-                    }
-                }
-                device.WaitIdle();
-            }
-            device.Timing = false;
-            return times.ToDictionary(pair => pair.Key, pair => Spread.Of(pair.Value));
-        }
-
-        static void Print(Dictionary<string, Dictionary<string, Spread>> results, TextWriter output)
-        {
-            foreach ((string window, Dictionary<string, Spread> stages) in results)
+            foreach ((string window, Dictionary<string, StepTimes.Spread> stages) in results)
             {
                 double whole = stages["step"].Median;
                 output.WriteLine();
                 output.WriteLine($"{window,-16}{"median ms",12}{"10 %",10}{"90 %",10}{"share",9}   of {stages["step"].Count} steps");
-                foreach ((string stage, Spread spread) in stages.OrderBy(pair => pair.Key == "step"))
+                foreach ((string stage, StepTimes.Spread spread) in stages.OrderBy(pair => pair.Key == "step"))
                     output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-16}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}{spread.Median / whole,9:0.0 %}"));
             }
             output.WriteLine();
         }
 
-        static string Json(Session session, ExperimentScene scene, in StepInput input, Dictionary<string, Dictionary<string, Spread>> results, long bytes)
+        static string Json(Session session, ExperimentScene scene, in StepInput input, Dictionary<string, Dictionary<string, StepTimes.Spread>> results, long bytes)
         {
             return JsonSerializer.Serialize(new
             {
@@ -162,16 +121,6 @@ namespace Host.Fluids
                 bytes,
                 milliseconds = results.ToDictionary(window => window.Key, window => window.Value.ToDictionary(stage => stage.Key, stage => new { median = stage.Value.Median, p10 = stage.Value.Low, p90 = stage.Value.High, steps = stage.Value.Count })),
             }, new JsonSerializerOptions { WriteIndented = true });
-        }
-
-        readonly record struct Spread(double Median, double Low, double High, int Count)
-        {
-            public static Spread Of(List<double> values)
-            {
-                var sorted = values.OrderBy(value => value).ToList();
-                double At(double share) => sorted[(int)Math.Round(share * (sorted.Count - 1))];
-                return new Spread(At(0.5), At(0.1), At(0.9), sorted.Count);
-            }
         }
     }
 }

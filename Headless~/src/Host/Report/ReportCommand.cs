@@ -7,6 +7,7 @@ using System.Linq;
 using Host.Report.Budget;
 using Host.Report.ErrorTime;
 using Host.Report.Extremes;
+using Host.Report.Obstacles;
 using Host.Report.Thesis;
 using Host.Report.Methods;
 
@@ -20,7 +21,9 @@ namespace Host.Report
             new ErrorTimeSection(),
             new ThesisSection(),
             new TheorySection(),
-            new ExtremesSection(),
+            new ObstaclesSection(),
+            new ExtremesSection("extremes", "Stiff and extreme cases", ExtremeCases.All, besideOthers: true),
+            new ExtremesSection("obstacle-extremes", "Extreme cases with obstacles and sources", ExtremeCases.AllWithObstacles, besideOthers: false),
             new MethodsSection(),
             new BudgetSection(),
         };

@@ -9,7 +9,8 @@ namespace Host.Report
     {
         const string Scope = "of the whole section";
 
-        static string Name(ReportSection section) => "report-" + section.Name;
+        /// <summary>Of its table.</summary>
+        public static string Name(ReportSection section) => "report-" + section.Name;
 
         public static void Save(ReportRun run, ReportSection section, double seconds)
         {

@@ -22,7 +22,7 @@ namespace Host.Report
             foreach (ReportSection section in sections)
                 page.Section(section);
             File.WriteAllText(folders.Page, page.ToString());
-            CopyTables(page, folders);
+            CopyTables(page.Tables.Concat(sections.Select(ReportRecord.Name)), folders);
         }
 
         static void Introduce(ReportPage page, IReadOnlyList<ReportSection> sections, List<ReportRecord> records)
@@ -44,13 +44,14 @@ namespace Host.Report
             page.Line("Every table lies beside the page as CSV; its first line says what it was measured on.");
         }
 
-        static void CopyTables(ReportPage page, ReportFolders folders)
+        // With the records, so that the page can be written anew from what lies beside it when one section is measured again.
+        static void CopyTables(IEnumerable<string> tables, ReportFolders folders)
         {
             if (Path.GetFullPath(folders.Data) == Path.GetFullPath(folders.LinkedData))
                 return;
             Directory.CreateDirectory(folders.LinkedData);
-            foreach (string table in page.Tables)
-                File.Copy(page.DataFile(table), Path.Combine(folders.LinkedData, table + ".csv"), overwrite: true);
+            foreach (string table in tables)
+                File.Copy(Path.Combine(folders.Data, table + ".csv"), Path.Combine(folders.LinkedData, table + ".csv"), overwrite: true);
         }
     }
 }

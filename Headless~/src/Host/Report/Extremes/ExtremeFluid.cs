@@ -87,6 +87,31 @@ namespace Host.Report.Extremes
             return this;
         }
 
+        /// <summary>Steps in which an obstacle moves from where it was to where it is told.</summary>
+        /// <param name="pose">By the time since the first of these steps, s; the obstacle is there at 0.</param>
+        /// <param name="after">After every step, with the time and the pose; null for none.</param>
+        public ExtremeFluid StepAmong(ColliderMotion obstacle, Func<float, RigidPose> pose, int steps, int every, Action<RigidPose> after = null)
+        {
+            if (Samples.Count == 0)
+                Measure();
+            Input.colliders ??= new ColliderSet { Count = 1, Version = 1, Order = 1 };
+            Input.frameTo = 1f;
+            obstacle.end = pose(0f);
+            for (int step = 1; step <= steps; step++)
+            {
+                obstacle.start = obstacle.end;
+                obstacle.end = pose(step * Input.timeStep);
+                Input.colliders.Items[0] = obstacle;
+                Solver.Step(commands, Stable());
+                Graphics.ExecuteCommandBuffer(commands);
+                commands.Clear();
+                after?.Invoke(obstacle.end);
+                if (step % every == 0 || step == steps)
+                    Measure();
+            }
+            return this;
+        }
+
         public ExtremeFluid Seconds(double seconds, int every = 10) => Step((int)Math.Round(seconds / Input.timeStep), every);
 
         /// <summary>Mean over the samples of the last seconds.</summary>
@@ -112,6 +137,14 @@ namespace Host.Report.Extremes
                 }
                 return rise / Math.Abs(Samples[0].Energy);
             }
+        }
+
+        /// <summary>Ids of all particles, in the order of the places.</summary>
+        public uint[] ReadIds()
+        {
+            var ids = new uint[Last.particles];
+            Solver.ParticleIds.GetData(ids, 0, 0, ids.Length);
+            return ids;
         }
 
         /// <summary>Places of all particles, d.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -6,17 +7,29 @@ namespace Host.Report.Extremes
     /// <summary>Stiff and extreme cases, each against its bar, with the correction for deep water and without.</summary>
     sealed class ExtremesSection : ReportSection
     {
-        const string Table = "extremes";
+        readonly Func<bool, IEnumerable<ExtremeCase>> cases;
+        readonly bool besideOthers;
 
-        public override string Name => "extremes";
-        public override string Title => "Stiff and extreme cases";
+        /// <param name="cases">By whether they shall be small.</param>
+        /// <param name="besideOthers">Whether other solvers' counts stand beside them.</param>
+        public ExtremesSection(string name, string title, Func<bool, IEnumerable<ExtremeCase>> cases, bool besideOthers)
+        {
+            Name = name;
+            Title = title;
+            this.cases = cases;
+            this.besideOthers = besideOthers;
+        }
+
+        /// <summary>Of the command line and of the table.</summary>
+        public override string Name { get; }
+        public override string Title { get; }
         public override bool OnlyByName => true;
 
         public override void Measure(ReportRun run)
         {
             var table = new ReportTable("subject", "case", "setting", "bar", "seen", "broken", "added", "alive", "refused", "not_finite", "outside", "coincident", "overflow", "speed_max");
             bool quick = run.Quick;
-            foreach (ExtremeCase extreme in ExtremeCases.All(quick))
+            foreach (ExtremeCase extreme in cases(quick))
                 foreach (ExtremeSetting setting in extreme.OfComponent ? new[] { ExtremeSetting.Default(quick) } : new[] { ExtremeSetting.DeepWaterOn(quick), ExtremeSetting.Plain(quick) })
                 {
                     var check = new ExtremeCheck();
@@ -25,20 +38,21 @@ namespace Host.Report.Extremes
                     table.Add(extreme.Subject, extreme.Name, setting.Name, check.Bar, check.Seen, broken, counts.Added, counts.Alive, counts.Refused, counts.NonFinite, counts.Escaped, counts.Coincident, counts.Overflow, counts.SpeedMax);
                     run.Log($"{extreme.Name} | {setting.Name} | {(broken.Length == 0 ? "holds" : "FAILS: " + broken)} | {check.Seen}");
                 }
-            run.Save(Table, table, $"60 steps a second and 1 substep x 4 iterations and relaxation 0.8 unless given; {(quick ? "small scenes" : "full size")}");
+            run.Save(Name, table, $"60 steps a second and 1 substep x 4 iterations and relaxation 0.8 unless given; {(quick ? "small scenes" : "full size")}");
         }
 
         public override void Write(ReportPage page)
         {
-            ReportTable table = page.Load(Table);
+            ReportTable table = page.Load(Name);
             List<ReportTable.Row> rows = table.Rows.ToList();
             int failed = rows.Count(row => row["broken"].Length > 0);
-            page.Line($"`rill report extremes`, {table.MeasuredOn}. {rows.Count} runs, of which {rows.Count - failed} hold and {failed} fail. Every run also has to keep each");
+            page.Line($"`rill report {Name}`, {table.MeasuredOn}. {rows.Count} runs, of which {rows.Count - failed} hold and {failed} fail. Every run also has to keep each");
             page.Line("particle inside, with a finite speed, and alive, refused or culled, so that nobody is missing from the sum. *On* and *off* are the setting Deep");
             page.Line("Water (automatic is on above four layers of water); *default* goes through the component with its own settings. The bar on speed where");
             page.Line("particles are crowded is what two steps can add: half a spacing a pass, and two spacings by the grid's density correction.");
             page.Line();
-            WriteCounts(page, rows);
+            if (besideOthers)
+                WriteCounts(page, rows);
             foreach (IGrouping<string, ReportTable.Row> subject in rows.GroupBy(row => row["subject"]))
             {
                 page.Line("### " + subject.Key);
@@ -66,7 +80,7 @@ namespace Host.Report.Extremes
             });
 
             static double Sum(List<ReportTable.Row> of, string column) => of.Sum(row => row.Number(column));
-            string[] Counts(string what, string others, System.Func<List<ReportTable.Row>, string> ours) => new[] { what, others, ours(usual), ours(plain) };
+            string[] Counts(string what, string others, Func<List<ReportTable.Row>, string> ours) => new[] { what, others, ours(usual), ours(plain) };
         }
     }
 }

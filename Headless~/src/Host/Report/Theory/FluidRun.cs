@@ -1,6 +1,9 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using Host.Fluids;
 using Rill;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -12,15 +15,31 @@ namespace Host.Report
     {
         public readonly PbfSolver Solver;
         public StepInput Input;
-        readonly ExperimentScene scene;
+        readonly string name;
+        readonly int particles;
         readonly CommandBuffer commands = new() { name = "run" };
 
-        public FluidRun(ExperimentScene scene, in StepInput input)
+        public FluidRun(ExperimentScene scene, in StepInput input) : this(scene.Name, scene.Domain, scene.Spacing, scene.Particles, input)
         {
-            this.scene = scene;
-            Input = input;
-            Solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin));
             scene.Fill(Solver);
+        }
+
+        /// <param name="box">d.</param>
+        /// <param name="places">d.</param>
+        /// <param name="velocity">Of what is at a place, m/s.</param>
+        public FluidRun(string name, float3 box, float spacing, IReadOnlyList<float3> places, Func<float3, float3> velocity, in StepInput input) : this(name, box * spacing, spacing, places.Count, input)
+        {
+            using var positions = new NativeArray<float4>(places.Select(p => new float4(p * spacing, 0f)).ToArray(), Allocator.Persistent);
+            using var velocities = new NativeArray<float4>(places.Select(p => new float4(velocity(p), 0f)).ToArray(), Allocator.Persistent);
+            Solver.Add(positions, velocities);
+        }
+
+        FluidRun(string name, float3 domain, float spacing, int particles, in StepInput input)
+        {
+            this.name = name;
+            this.particles = particles;
+            Input = input;
+            Solver = new PbfSolver(new SolverLayout(domain, spacing, particles, input.settings.neighborCapacity, input.settings.listMargin));
         }
 
         /// <summary>60 steps a second under gravity, water, the default settings with these changed.</summary>
@@ -47,14 +66,31 @@ namespace Host.Report
             Steps++;
         }
 
+        /// <summary>Puts these obstacles in place of those before; each moves from its start to its end in a step.</summary>
+        public void Use(params ColliderMotion[] motions)
+        {
+            Input.colliders ??= new ColliderSet();
+            if (Input.colliders.Count != motions.Length)
+            {
+                Input.colliders.Version++;
+                Input.colliders.Order++;
+            }
+            motions.CopyTo(Input.colliders.Items, 0);
+            Input.colliders.Count = motions.Length;
+            Input.frameTo = 1f;
+        }
+
         /// <summary>Of the particles alive, d.</summary>
         public float4[] ReadPositions()
         {
             int alive = (int)Read<uint>(Solver.Counters, Solver.Counters.count)[(int)ParticleCounter.Alive];
-            if (alive != scene.Particles)
-                throw new HostException($"{scene.Name}: {alive:N0} of {scene.Particles:N0} particles are left at step {Steps}; what is measured needs all.");
+            if (alive != particles)
+                throw new HostException($"{name}: {alive:N0} of {particles:N0} particles are left at step {Steps}; what is measured needs all.");
             return Read<float4>(Solver.Positions, alive);
         }
+
+        /// <summary>In the order of the positions, d/s.</summary>
+        public float4[] ReadVelocities() => Read<float4>(Solver.Velocities, particles);
 
         public static T[] Read<T>(GraphicsBuffer buffer, int count) where T : struct
         {

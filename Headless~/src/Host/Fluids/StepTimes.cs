@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rill;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.Rendering;
+
+namespace Host.Fluids
+{
+    /// <summary>GPU milliseconds of a solver's steps within a window of a scene that is played from its start until there are enough.</summary>
+    static class StepTimes
+    {
+        /// <summary>The whole step among the stages.</summary>
+        public const string Step = "step";
+        public const int LeastSteps = 100;
+
+        // Steps 3-10 of the fresh block and 20-60 of the moving one.
+        public static readonly (string Name, int First, int Last)[] Windows = { ("initial", 3, 10), ("moving", 20, 60) };
+
+        /// <param name="fill">Fills the solver, which was just cleared.</param>
+        /// <param name="after">Recorded after each step and timed with it; null for nothing.</param>
+        /// <returns>By stage.</returns>
+        public static Dictionary<string, Spread> Measure(PbfSolver solver, Action<PbfSolver> fill, in StepInput input, int first, int last, int steps, Action<CommandBuffer> after = null)
+        {
+            IGraphicsDevice device = Player.Device;
+            var times = new Dictionary<string, List<double>>();
+            using var cmd = new CommandBuffer { name = "bench" };
+            int measured = 0;
+            while (measured < steps)
+            {
+                solver.Clear();
+                fill(solver);
+                for (int step = 1; step <= last && measured < steps; step++)
+                {
+                    device.Timing = step >= first;
+                    cmd.Clear();
+                    cmd.BeginSample(Step);
+                    solver.Step(cmd, input);
+                    after?.Invoke(cmd);
+                    cmd.EndSample(Step);
+                    Graphics.ExecuteCommandBuffer(cmd);
+                    device.Flush();
+                    if (step < first)
+                        continue;
+
+                    measured++;
+                    foreach (IGrouping<string, DeviceSample> stage in device.CollectSamples().GroupBy(sample => sample.Name))
+                    {
+                        if (!times.TryGetValue(stage.Key, out List<double> list))
+                            times[stage.Key] = list = new List<double>();
+                        list.Add(stage.Sum(sample => sample.Milliseconds));
+                    }
+                }
+                device.WaitIdle();
+            }
+            device.Timing = false;
+            return times.ToDictionary(pair => pair.Key, pair => Spread.Of(pair.Value));
+        }
+
+        /// <summary>Median, and the values that a tenth is below and above.</summary>
+        public readonly record struct Spread(double Median, double Low, double High, int Count)
+        {
+            public static Spread Of(List<double> values)
+            {
+                var sorted = values.OrderBy(value => value).ToList();
+                double At(double share) => sorted[(int)Math.Round(share * (sorted.Count - 1))];
+                return new Spread(At(0.5), At(0.1), At(0.9), sorted.Count);
+            }
+        }
+    }
+}

@@ -1,0 +1,135 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Rill;
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Host.Report.Obstacles
+{
+    /// <summary>
+    /// Water in a cylinder that turns with it: its surface is the parabola z = z0 + Ω² r² / 2 g (Lamb, Hydrodynamics, §26).
+    /// </summary>
+    /// <remarks>
+    /// Water is set turning by its first velocity and the wall, which turns as fast and does not slip, goes on with it: spinning it up
+    /// from rest through the wall alone takes minutes. The floor is the domain's, which slips.
+    /// A particle's new velocity is the chord of its way. Held on a circle, it loses Ω² Δt / 2 of its turning in a second, Δt the substep: the
+    /// first-order damping of any backward step. So the surface is also compared with that of the turning that the water has.
+    /// </remarks>
+    sealed class RotatingBucket
+    {
+        public const double Radius = 0.6, Depth = 0.6;      // m
+        public const int Rings = 6;                         // of equal width
+        const int AverageEvery = 3;
+
+        /// <summary>Mean over a ring of r², as a radius, m; twice the mean height of what is in it, m; how fast it turns, rad/s; the theory's surface for the bucket's Ω and for the turning seen, m.</summary>
+        public readonly List<(double Radius, double Height, double Turning, double Theory, double OwnTheory)> Profile = new();
+        /// <summary>Of the water over the bucket's, from its moment of momentum.</summary>
+        public double Turning { get; private set; }
+        /// <summary>Slope of the height over r², over the theory's for the bucket's Ω, and for the turning seen.</summary>
+        public double Steepness { get; private set; }
+        public double OwnSteepness { get; private set; }
+        /// <summary>Largest distance of a ring's height from the theory's, over the theory's rise from the middle to the wall.</summary>
+        public double LargestError { get; private set; }
+        public int Particles { get; private set; }
+        /// <summary>Depth of as much water at rest, m.</summary>
+        public double RestDepth { get; init; }
+
+        /// <summary>Of the surface from the middle to the wall, m.</summary>
+        public static double Rise(double speed) => speed * speed * Radius * Radius / (2 * FluidRun.Gravity);
+
+        /// <summary>Height of the theory's surface, m.</summary>
+        /// <param name="depth">Of as much water at rest, m.</param>
+        public static double Surface(double depth, double speed, double r) => depth + speed * speed / (2 * FluidRun.Gravity) * (r * r - Radius * Radius / 2);
+
+        /// <summary>Share of its turning that water loses in a second to velocities that are chords.</summary>
+        public static double Loss(double speed, double substep) => speed * speed * substep / 2;
+
+        /// <param name="across">Particles across the radius.</param>
+        /// <param name="speed">Ω, rad/s.</param>
+        /// <param name="flat">Whether the water starts level, and not as the parabola.</param>
+        /// <param name="settle">Before the mean over <paramref name="seconds"/>, s.</param>
+        public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds)
+        {
+            float spacing = (float)(Radius / across), middle = across + 1f;
+            float3[] places = Lattice(across, middle, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
+            float height = (float)(Surface(Depth, speed, Radius) / spacing) + across;
+            float3 Velocity(float3 p) => (float)speed * spacing * new float3(p.z - middle, 0f, middle - p.x);
+            using var run = new FluidRun("bucket", new float3(2f * middle, height, 2f * middle), spacing, places, Velocity, input);
+            ColliderMotion wall = Solids.Still(ColliderShape.Capsule, new float3(across, 2f * height + across, 0f), new float3(middle, height / 2f, middle));
+            wall.insideOut = true;
+            wall.friction = 1f;
+
+            double[] heights = new double[Rings], counts = new double[Rings], momenta = new double[Rings], moments = new double[Rings];
+            while (run.Time < settle + seconds)
+            {
+                wall.start = wall.end;
+                wall.end.rotation = math.mul(quaternion.RotateY((float)(speed * run.Input.timeStep)), wall.start.rotation);
+                run.Use(wall);
+                run.Step();
+                if (run.Time <= settle || run.Steps % AverageEvery != 0)
+                    continue;
+                float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
+                for (int i = 0; i < positions.Length; i++)
+                {
+                    float2 arm = positions[i].xz - middle;
+                    int ring = math.min((int)(math.length(arm) / across * Rings), Rings - 1);
+                    counts[ring]++;
+                    heights[ring] += 2 * positions[i].y * spacing;
+                    momenta[ring] += arm.y * velocities[i].x - arm.x * velocities[i].z;
+                    moments[ring] += math.lengthsq(arm);
+                }
+            }
+
+            var bucket = new RotatingBucket
+            {
+                Particles = places.Length,
+                RestDepth = places.Length * Math.Pow(spacing, 3) / (Math.PI * Radius * Radius),
+                Turning = momenta.Sum() / moments.Sum() / speed,
+            };
+            bucket.Compare(speed, Enumerable.Range(0, Rings).Select(i => (Math.Sqrt(moments[i] / counts[i]) * spacing, heights[i] / counts[i], momenta[i] / moments[i])).ToArray());
+            return bucket;
+        }
+
+        /// <param name="speed">Of the bucket, rad/s.</param>
+        /// <param name="rings">Radius and height, m; turning, rad/s.</param>
+        public void Compare(double speed, (double Radius, double Height, double Turning)[] rings)
+        {
+            // dz/dr = Ω(r)² r / g from ring to ring; its constant is that of the same mean over the floor.
+            var own = new double[Rings];
+            for (int i = 1; i < Rings; i++)
+                own[i] = own[i - 1] + (Squared(rings[i].Turning) + Squared(rings[i - 1].Turning)) / 2 * (Squared(rings[i].Radius) - Squared(rings[i - 1].Radius)) / (2 * FluidRun.Gravity);
+            double Mean(Func<int, double> value) => Enumerable.Range(0, Rings).Sum(i => (2 * i + 1) * value(i)) / (Rings * Rings);
+            double shift = Mean(i => rings[i].Height) - Mean(i => own[i]);
+            for (int i = 0; i < Rings; i++)
+                Profile.Add((rings[i].Radius, rings[i].Height, rings[i].Turning, Surface(RestDepth, speed, rings[i].Radius), own[i] + shift));
+            Steepness = Slope(p => p.Height) / Slope(p => p.Theory);
+            OwnSteepness = Slope(p => p.Height) / Slope(p => p.OwnTheory);
+            LargestError = Profile.Max(p => Math.Abs(p.Height - p.Theory)) / Rise(speed);
+        }
+
+        // Over r².
+        double Slope(Func<(double Radius, double Height, double Turning, double Theory, double OwnTheory), double> height)
+        {
+            double square = Profile.Average(p => Squared(p.Radius)), mean = Profile.Average(height);
+            return Profile.Sum(p => (Squared(p.Radius) - square) * (height(p) - mean)) / Profile.Sum(p => Squared(Squared(p.Radius) - square));
+        }
+
+        static double Squared(double value) => value * value;
+
+        static float3[] Lattice(int across, float middle, Func<double, double> height)
+        {
+            var random = new Random(7);
+            var places = new List<float3>();
+            for (int x = -across; x < across; x++)
+                for (int z = -across; z < across; z++)
+                {
+                    double r = Math.Sqrt((x + 0.5) * (x + 0.5) + (z + 0.5) * (z + 0.5));
+                    int layers = (int)Math.Round(height(r));
+                    for (int y = 0; y < layers && r <= across - 0.3; y++)
+                        places.Add(new float3(middle + x + 0.5f, y + 0.5f, middle + z + 0.5f) + random.NextFloat3(-0.02f, 0.02f));
+                }
+            return places.ToArray();
+        }
+    }
+}

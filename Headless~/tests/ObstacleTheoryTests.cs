@@ -1,0 +1,70 @@
+using System;
+using System.Linq;
+using Host.Report;
+using Host.Report.Obstacles;
+using NUnit.Framework;
+using Rill;
+
+namespace Host.Tests
+{
+    /// <summary>Obstacles against theory, in small, and what judges them; "rill report obstacles" does it at size.</summary>
+    public class ObstacleTheoryTests : GraphicsFixture
+    {
+        // Deep water: as fast as Torricelli's within 3 % at this size and at twice it. The coefficient is that of a hole of 6 particles.
+        [Test]
+        public void Water_leaves_a_hole_in_a_floor_as_fast_as_what_fell_from_the_level()
+        {
+            OrificeFlow flow = OrificeFlow.Run(6, FluidRun.Water(1, 2), 0.8);
+            TestContext.WriteLine($"speed {flow.SpeedRatio:0.000}, coefficient {flow.Discharge:0.000}, misfit {flow.Misfit:0.0000}");
+            Assert.That(flow.SpeedRatio, Is.EqualTo(1).Within(0.08));
+            Assert.That(flow.Discharge, Is.InRange(0.45, 0.7));
+            Assert.That(flow.Misfit, Is.LessThan(0.02));
+            Assert.That(flow.Leaked, Is.Zero);
+        }
+
+        // The mean of 0.8 s, a period of the waves that start it: so much is left of them that the bar is wide.
+        [Test]
+        public void The_surface_of_turning_water_is_as_steep_as_its_turning_says()
+        {
+            RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, DeepWater.Off), 0.8, 0.8);
+            TestContext.WriteLine($"for its own turning {bucket.OwnSteepness:0.000}, turning {bucket.Turning:0.000}");
+            Assert.That(bucket.OwnSteepness, Is.EqualTo(1).Within(0.15));
+            Assert.That(bucket.Turning, Is.InRange(0.8, 1.0));
+        }
+
+        [TestCase(0.6, 1.0)]
+        [TestCase(0.3, 0.7)]
+        public void The_coefficient_of_a_hole_is_read_from_the_level_over_time(double coefficient, double first)
+        {
+            var flow = new OrificeFlow();
+            for (double time = 0; time < 3; time += 0.05)
+            {
+                double root = Math.Sqrt(first) - coefficient / 16 * Math.Sqrt(9.81 / 2) * time;
+                flow.Levels.Add((time, root * root));
+            }
+            flow.FitLevel();
+            Assert.That(flow.Discharge, Is.EqualTo(coefficient).Within(1e-3 * coefficient));
+            Assert.That(flow.Misfit, Is.LessThan(1e-6));
+            flow.Levels[40] = (flow.Levels[40].Time, flow.Levels[40].Level + 0.1);
+            flow.FitLevel();
+            Assert.That(flow.Misfit, Is.GreaterThan(0.08));
+        }
+
+        [TestCase(1.0)]
+        [TestCase(0.8)]
+        public void A_bucket_is_as_steep_as_its_rings_and_water_that_turns_slower_is_told_apart(double share)
+        {
+            const double speed = 4, depth = 0.6;
+            var rings = Enumerable.Range(0, RotatingBucket.Rings).Select(i => 0.05 + 0.1 * i).Select(r => (r, RotatingBucket.Surface(depth, share * speed, r), share * speed)).ToArray();
+            var bucket = new RotatingBucket { RestDepth = depth };
+            bucket.Compare(speed, rings);
+            Assert.That(bucket.Steepness, Is.EqualTo(share * share).Within(1e-6));
+            Assert.That(bucket.OwnSteepness, Is.EqualTo(1).Within(1e-6));
+            Assert.That(bucket.LargestError, Is.EqualTo((1 - share * share) / 2).Within(0.03), "at the wall and in the middle");
+
+            var level = new RotatingBucket { RestDepth = depth };
+            level.Compare(speed, rings.Select(ring => (ring.r, depth, ring.Item3)).ToArray());
+            Assert.That(level.OwnSteepness, Is.Zero.Within(1e-6), "a surface that stays level");
+        }
+    }
+}
