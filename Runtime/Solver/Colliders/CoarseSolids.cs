@@ -13,7 +13,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolids");
         readonly CoarseGrid grid;
         readonly int openCells;
-        GraphicsBuffer open, flow;
+        GraphicsBuffer open, flow, surfaces;
 
         public CoarseSolids(CoarseGrid grid)
         {
@@ -21,6 +21,7 @@ namespace Rill
             openCells = shader.FindKernel("OpenCells");
             open = GpuBuffer.Structured<uint>("Rill.Coarse.OpenShares", grid.Total);
             flow = GpuBuffer.Structured<Unity.Mathematics.float4>("Rill.Coarse.SolidFlow", grid.Total);
+            surfaces = GpuBuffer.Structured<Unity.Mathematics.float4>("Rill.Coarse.SolidSurfaces", grid.Total);
         }
 
         /// <summary>uint [cells], see PackOpen in CoarseSolids.hlsl.</summary>
@@ -39,6 +40,7 @@ namespace Rill
             colliders.BindShapes(cmd, shader, openCells);
             cmd.SetComputeBufferParam(shader, openCells, Ids.OpenCells, open);
             cmd.SetComputeBufferParam(shader, openCells, Ids.CellFlow, flow);
+            cmd.SetComputeBufferParam(shader, openCells, Ids.CellSurfaces, surfaces);
             CoarseGrid.Dispatch(cmd, shader, openCells, grid.Total);
             cmd.EndSample(Marker);
         }
@@ -48,6 +50,7 @@ namespace Rill
         {
             cmd.SetComputeBufferParam(reader, kernel, Ids.OpenShares, open);
             cmd.SetComputeBufferParam(reader, kernel, Ids.SolidFlow, flow);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.SolidSurfaces, surfaces);
         }
 
         /// <summary>Sums the pressure on the solids; null where none wants to know.</summary>
@@ -58,20 +61,24 @@ namespace Rill
             description.Kernel("CoarseSolids", "OpenCells", substeps);
             description.Buffer("Rill.Coarse.OpenShares", open);
             description.Buffer("Rill.Coarse.SolidFlow", flow);
+            description.Buffer("Rill.Coarse.SolidSurfaces", surfaces);
         }
 
         public void Dispose()
         {
             GpuBuffer.Release(ref open);
             GpuBuffer.Release(ref flow);
+            GpuBuffer.Release(ref surfaces);
         }
 
         static class Ids
         {
             public static readonly int OpenCells = Shader.PropertyToID("_OpenCells");
             public static readonly int CellFlow = Shader.PropertyToID("_CellFlow");
+            public static readonly int CellSurfaces = Shader.PropertyToID("_CellSurfaces");
             public static readonly int OpenShares = Shader.PropertyToID("_OpenShares");
             public static readonly int SolidFlow = Shader.PropertyToID("_SolidFlow");
+            public static readonly int SolidSurfaces = Shader.PropertyToID("_SolidSurfaces");
         }
     }
 }
