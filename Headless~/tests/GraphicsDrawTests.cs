@@ -73,6 +73,19 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_face_seen_from_behind_knows_it()
+        {
+            NewCamera();
+            Material material = NewMaterial(Color.red);
+            material.SetFloat("_Cull", 0);
+            GL.invertCulling = true;
+            Graphics.RenderPrimitives(new RenderParams(material) { worldBounds = everywhere }, MeshTopology.Triangles, 3);
+            Frame();
+            GL.invertCulling = false;
+            Assert.That(Pixel(Left, Bottom), Is.EqualTo(new Color32(0, 0, 255, 255)));
+        }
+
+        [Test]
         public void What_is_nearer_hides_what_is_farther_in_either_order([Values(0, 1)] int order)
         {
             NewCamera();

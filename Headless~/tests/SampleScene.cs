@@ -1,4 +1,5 @@
 using System;
+using System.Reflection;
 using Host.Assets;
 using Rill;
 using UnityEngine.Headless;
@@ -18,7 +19,7 @@ namespace Host.Tests
         {
             LocatedScene located = Session.Locate(sample);
             path = located.AssetPath;
-            assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly }, strict: true);
+            assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly, Assembly.Load("Rill.Samples") }, strict: true);
             Player.Assets = assets;
             SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
             try

@@ -29,7 +29,7 @@ namespace Host.Assets
                 case ".compute": return type.IsAssignableFrom(typeof(ComputeShader));
                 case ".shader": return type.IsAssignableFrom(typeof(Shader));
                 case ".mat": return type.IsAssignableFrom(typeof(Material));
-                case ".mesh": return type.IsAssignableFrom(typeof(Mesh));
+                case ".mesh": case ".obj": return type.IsAssignableFrom(typeof(Mesh));
                 case ".rendertexture": return type.IsAssignableFrom(typeof(RenderTexture));
                 case ".png": return type.IsAssignableFrom(typeof(Texture2D));
                 case ".prefab": return type.IsAssignableFrom(typeof(GameObject)) || typeof(Component).IsAssignableFrom(type);
@@ -101,6 +101,7 @@ namespace Host.Assets
                 case ".compute": return asset.With(MainFileId.ComputeShader, engine.ComputeShader(entry));
                 case ".shader": return asset.With(MainFileId.Shader, engine.Shader(entry, note => Note($"{entry.Path}: {note}")));
                 case ".png": return asset.With(MainFileId.Texture, engine.Texture(entry));
+                case ".obj": return ModelReader.Read(asset);
                 case ".jpg": case ".jpeg": case ".tga": case ".psd": case ".exr": case ".hdr": case ".tif": case ".tiff": case ".bmp":
                     Fail($"{entry.Path}: the host reads textures from .png files only: convert it");
                     return null;

@@ -97,7 +97,7 @@ namespace Host.Vulkan
                 write.descriptorType = slot.Type;
                 switch (slot.Type)
                 {
-                    case VkDescriptorType.UNIFORM_BUFFER:
+                    case var _ when slot.Resource.Kind == ShaderResourceKind.ConstantBuffer:
                         write.pBufferInfo = bufferInfos + i;
                         if (binding.Constants != null) ResolveConstants(slot, binding, out bufferInfos[i]);
                         else ResolveBuffer(slot, binding, scope, limits.minUniformBufferOffsetAlignment, limits.maxUniformBufferRange, out bufferInfos[i]);
@@ -131,7 +131,7 @@ namespace Host.Vulkan
         {
             int given = Math.Min(binding.ConstantsLength > 0 ? binding.ConstantsLength : binding.Constants.Length, binding.Constants.Length);
             int bytes = Math.Max(16, Math.Max(given, slot.Resource.Constants?.Bytes ?? 0) + 15 & ~15);
-            byte* target = constants.Take((ulong)bytes, limits.minUniformBufferOffsetAlignment, out var buffer, out ulong offset);
+            byte* target = constants.Take((ulong)bytes, Math.Max(limits.minUniformBufferOffsetAlignment, limits.minStorageBufferOffsetAlignment), out var buffer, out ulong offset);
             var span = new Span<byte>(target, bytes);
             binding.Constants.AsSpan(0, given).CopyTo(span);
             span.Slice(given).Clear();
@@ -154,7 +154,7 @@ namespace Host.Vulkan
             if (bytes > maxRange)
             {
                 // A cbuffer sees the front of a larger buffer; a structured buffer must be seen whole.
-                if (slot.Type != VkDescriptorType.UNIFORM_BUFFER)
+                if (slot.Resource.Kind != ShaderResourceKind.ConstantBuffer)
                     throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound to {bytes:N0} bytes of '{buffer.Name}'; {Info.Name} binds at most {maxRange:N0}. Split the buffer.");
                 bytes = maxRange;
             }

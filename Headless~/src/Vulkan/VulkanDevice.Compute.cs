@@ -10,11 +10,11 @@ namespace Host.Vulkan
         public DeviceKernel CreateKernel(ShaderProgram program)
         {
             var list = new List<Slot>();
-            Slot.Append(list, program, new SpirvFacts(program.Spirv, program.Name), VkShaderStageFlags.COMPUTE);
+            Slot.Append(list, program, new SpirvFacts(program.Spirv, program.Name), VkShaderStageFlags.COMPUTE, storesConstants: Info.IsSoftware);
             var slots = list.ToArray();
             var set = CreateSetLayout(slots, program.Name);
             var layout = CreatePipelineLayout(set, program.Name);
-            var module = CreateModule(program);
+            var module = Info.IsSoftware ? CreateModule(ConstantsPatch.Apply(program.Spirv), program.Name) : CreateModule(program);
             VkPipeline pipeline;
             fixed (byte* entry = System.Text.Encoding.UTF8.GetBytes(program.EntryPoint + "\0"))
             {

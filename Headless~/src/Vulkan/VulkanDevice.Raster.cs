@@ -271,7 +271,7 @@ namespace Host.Vulkan
             bool biased = state.DepthBiasFactor != 0 || state.DepthBiasUnits != 0;
             var raster = new VkPipelineRasterizationStateCreateInfo
             {
-                polygonMode = VkPolygonMode.FILL, frontFace = VkFrontFace.CLOCKWISE, lineWidth = 1,
+                polygonMode = VkPolygonMode.FILL, frontFace = state.FrontIsCounterClockwise ? VkFrontFace.COUNTER_CLOCKWISE : VkFrontFace.CLOCKWISE, lineWidth = 1,
                 cullMode = state.Cull switch { DeviceCull.Off => VkCullModeFlags.NONE, DeviceCull.Front => VkCullModeFlags.FRONT, _ => VkCullModeFlags.BACK },
                 depthBiasEnable = biased ? VkBool32.True : VkBool32.False, depthBiasSlopeFactor = state.DepthBiasFactor, depthBiasConstantFactor = state.DepthBiasUnits,
             };

@@ -29,7 +29,7 @@ namespace Host.Vulkan
         internal VulkanBuffer CreateHostBuffer(string name, ulong bytes, MemoryUse use)
             => CreateBuffer(name, (long)bytes, use switch
             {
-                MemoryUse.Constants => VkBufferUsageFlags.UNIFORM_BUFFER,
+                MemoryUse.Constants => VkBufferUsageFlags.UNIFORM_BUFFER | VkBufferUsageFlags.STORAGE_BUFFER,
                 MemoryUse.Readback => VkBufferUsageFlags.TRANSFER_DST,
                 _ => VkBufferUsageFlags.TRANSFER_SRC,
             }, use);

@@ -15,7 +15,8 @@ namespace Host.Vulkan
         public VkFormat TexelFormat;
         public string Program;
 
-        public static void Append(List<Slot> slots, ShaderProgram program, SpirvFacts facts, VkShaderStageFlags stage)
+        /// <param name="storesConstants">Constant buffers are storage buffers, as <see cref="ConstantsPatch"/> makes them.</param>
+        public static void Append(List<Slot> slots, ShaderProgram program, SpirvFacts facts, VkShaderStageFlags stage, bool storesConstants = false)
         {
             foreach (var r in program.Resources)
             {
@@ -23,7 +24,7 @@ namespace Host.Vulkan
                 bool writable = !facts.NonWritableBindings.Contains(r.Binding);
                 switch (r.Kind)
                 {
-                    case ShaderResourceKind.ConstantBuffer: slot.Type = VkDescriptorType.UNIFORM_BUFFER; break;
+                    case ShaderResourceKind.ConstantBuffer: slot.Type = storesConstants ? VkDescriptorType.STORAGE_BUFFER : VkDescriptorType.UNIFORM_BUFFER; break;
                     case ShaderResourceKind.StructuredBuffer or ShaderResourceKind.RawBuffer: slot.Type = VkDescriptorType.STORAGE_BUFFER; break;
                     case ShaderResourceKind.RWStructuredBuffer or ShaderResourceKind.RWRawBuffer or ShaderResourceKind.Counter:
                         (slot.Type, slot.Writes) = (VkDescriptorType.STORAGE_BUFFER, writable);

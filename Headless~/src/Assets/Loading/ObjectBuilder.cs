@@ -161,7 +161,8 @@ namespace Host.Assets
                 case Material: found = MaterialReader.Make(document.Fields, Resolve, new ReadScope(() => $"Material '{document.Fields.Text("m_Name")}'")); break;
                 case Mesh: found = MeshReader.Make(document.Fields); break;
                 case Texture2D: found = TextureReader.MakeTexture2D(document.Fields); break;
-                case Texture3D: found = TextureReader.MakeTexture3D(document.Fields); break;
+                // `rill check` has no device to put voxels on, and needs none.
+                case Texture3D: found = Player.Device == null ? null : TextureReader.MakeTexture3D(document.Fields); break;
                 case RenderTexture: found = TextureReader.MakeRenderTexture(document.Fields); break;
                 case RenderSettings when isScene:
                     NativeFields.Read(null, typeof(UnityEngine.RenderSettings), document.Fields, Reader(), new ReadScope(() => "the scene's RenderSettings"));

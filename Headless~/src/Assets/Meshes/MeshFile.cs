@@ -20,6 +20,8 @@ namespace Host.Assets
         public readonly int Parts;
         /// <summary>What the file has beside and was left out, or was taken in another way than it says.</summary>
         public readonly IReadOnlyList<string> Notes;
+        /// <summary>What an OBJ file says beside its shape; null where nobody asked for it.</summary>
+        public MeshLooks Looks;
 
         public MeshFile(string name, Vector3[] vertices, int[] triangles, int parts, IReadOnlyList<string> notes)
         {
@@ -43,5 +45,16 @@ namespace Host.Assets
             string name = Path.GetFileNameWithoutExtension(file);
             return kind == ".obj" ? ObjReader.Read(name, bytes, file) : GlbReader.Read(name, bytes, file);
         }
+    }
+
+    /// <summary>Normals, texture coordinates and names of an OBJ file, in Unity's frame.</summary>
+    internal sealed class MeshLooks
+    {
+        public readonly List<Vector3> Normals = new();
+        public readonly List<Vector2> Uvs = new();
+        /// <summary>Of every corner of the triangles: its entry in those lists, or -1.</summary>
+        public readonly List<int> NormalOf = new(), UvOf = new();
+        /// <summary>Of what has faces: names behind g, o and usemtl, each once; "" for faces before the first of the kind.</summary>
+        public readonly List<string> Groups = new(), Objects = new(), Materials = new();
     }
 }

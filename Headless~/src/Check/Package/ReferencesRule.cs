@@ -79,10 +79,25 @@ namespace Host.Check
                 return "means an asset that no .meta file of the package has";
             if (Imported.TryGetValue(target.Extension, out long[] ids))
                 return ids.Contains(reference.FileId) ? null : $"means an object of {target.Path} that its importer does not make: {string.Join(" or ", ids)} would do";
+            if (target.Extension == ".obj")
+                return ModelProblem(target, reference);
             if (!ProjectView.Documents(index).Contains(target))
                 return $"means {target.Path}, a kind of asset whose objects are not known here";
             UnityYaml document = Read(target, findings);
             return document != null && document.Find(reference.FileId) == null ? $"means an object that {target.Path} does not have" : null;
+        }
+
+        static string ModelProblem(AssetEntry model, FileReference reference)
+        {
+            try
+            {
+                long[] ids = ModelReader.FileIds(model).ToArray();
+                return ids.Contains(reference.FileId) ? null : $"means an object of {model.Path} that its importer does not make: {string.Join(" or ", ids)} would do";
+            }
+            catch (AssetException e)
+            {
+                return $"means an object of a model that is not read here: {e.Message}";
+            }
         }
     }
 }

@@ -67,13 +67,18 @@ namespace Host.Check
     /// <summary>The package's assemblies as built here.</summary>
     static class PackageScripts
     {
-        /// <summary>Those of the definitions that are no tests; one that was not built is a fault.</summary>
+        const string Samples = "Rill.Samples";
+
+        /// <summary>Those of the definitions that are no tests, and that of the samples' scripts; one that was not built is a fault.</summary>
         public static List<Assembly> Load(PackageTree package, Findings findings)
         {
             var loaded = new List<Assembly>();
-            foreach (AssemblyDefinition definition in AssemblyDefinition.All(package, findings).Where(a => !a.IsTest))
+            IEnumerable<string> names = AssemblyDefinition.All(package, findings).Where(a => !a.IsTest).Select(a => a.Name);
+            if (package.WithExtension(".cs").Any(f => f.StartsWith("Samples~/", StringComparison.Ordinal)))
+                names = names.Append(Samples);
+            foreach (string name in names)
             {
-                string file = Path.Combine(package.Assemblies, definition.Name + ".dll");
+                string file = Path.Combine(package.Assemblies, name + ".dll");
                 if (File.Exists(file))
                     loaded.Add(Assembly.LoadFrom(file));
                 else

@@ -81,8 +81,7 @@ namespace UnityEngine.Headless
             if (!Topology(call, out state.Topology, out bool quads))
                 return;
             // The projection flips y, which turns every triangle's winding around; a mirroring matrix turns it again.
-            if (call.Matrix.determinant >= 0 != RenderState.InvertCulling)
-                state.Cull = state.Cull == DeviceCull.Back ? DeviceCull.Front : state.Cull == DeviceCull.Front ? DeviceCull.Back : DeviceCull.Off;
+            state.FrontIsCounterClockwise = call.Matrix.determinant >= 0 != RenderState.InvertCulling;
 
             var draw = new DeviceDraw { VertexCount = call.Count, InstanceCount = call.Instances, FirstVertex = call.First, Indices32 = true };
             if (!Geometry(call, vertex.Program, quads, ref draw))

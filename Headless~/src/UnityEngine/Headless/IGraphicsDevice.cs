@@ -197,6 +197,7 @@ namespace UnityEngine.Headless
     {
         public DeviceTopology Topology;
         public DeviceCull Cull;
+        public bool FrontIsCounterClockwise;    // in the target's rows from 0 down
         public bool DepthWrite, Blend;
         public DeviceCompare DepthTest;
         public DeviceBlend SrcColor, DstColor, SrcAlpha, DstAlpha;
@@ -204,11 +205,11 @@ namespace UnityEngine.Headless
         public int ColorMask;           // bits R 8, G 4, B 2, A 1
         public float DepthBiasFactor, DepthBiasUnits;
         public DeviceStencil Stencil;
-        public bool Equals(DeviceRasterState o) => Stencil.Equals(o.Stencil) && Topology == o.Topology && Cull == o.Cull && DepthWrite == o.DepthWrite && Blend == o.Blend && DepthTest == o.DepthTest
+        public bool Equals(DeviceRasterState o) => Stencil.Equals(o.Stencil) && Topology == o.Topology && Cull == o.Cull && FrontIsCounterClockwise == o.FrontIsCounterClockwise && DepthWrite == o.DepthWrite && Blend == o.Blend && DepthTest == o.DepthTest
             && SrcColor == o.SrcColor && DstColor == o.DstColor && SrcAlpha == o.SrcAlpha && DstAlpha == o.DstAlpha && ColorOp == o.ColorOp && AlphaOp == o.AlphaOp
             && ColorMask == o.ColorMask && DepthBiasFactor == o.DepthBiasFactor && DepthBiasUnits == o.DepthBiasUnits;
         public override bool Equals(object o) => o is DeviceRasterState s && Equals(s);
-        public override int GetHashCode() => HashCode.Combine(HashCode.Combine(Topology, Cull, DepthWrite, Blend, DepthTest, SrcColor, DstColor, ColorMask), SrcAlpha, DstAlpha, ColorOp, AlphaOp, DepthBiasFactor, DepthBiasUnits, Stencil);
+        public override int GetHashCode() => HashCode.Combine(HashCode.Combine(Topology, (Cull, FrontIsCounterClockwise), DepthWrite, Blend, DepthTest, SrcColor, DstColor, ColorMask), SrcAlpha, DstAlpha, ColorOp, AlphaOp, DepthBiasFactor, DepthBiasUnits, Stencil);
     }
 
     internal struct DeviceDraw

@@ -40,8 +40,11 @@ Shader "Tests/Triangle"
                 return o;
             }
 
-            float4 Fragment(Varyings i) : SV_Target
+            // Back faces show in blue.
+            float4 Fragment(Varyings i, bool isFront : SV_IsFrontFace) : SV_Target
             {
+                if (!isFront)
+                    return float4(0, 0, 1, 1);
                 float4 c = _Color * _Tint * _MainTex.Sample(sampler_MainTex, i.uv) + _GlobalTint;
             #ifdef HALF_RED
                 c.r *= 0.5;
