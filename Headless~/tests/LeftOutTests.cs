@@ -55,11 +55,16 @@ namespace Host.Tests
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
             ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false), WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomBeside").ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true), WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
+            ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[] { "+1 Colliders.compute BinColliders" }),
+            ("motion of a collider in deep water", s => { AddCollider(s, false); Settings((ref SolverSettings v) => v.deepWater = DeepWater.On)(s); }, s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[]
+            {
+                "+1 Colliders.compute BinColliders", "+1 CoarseSolids.compute OpenCells",
+            }),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {
-                "+1 Rill.Colliders.*", "+1 Colliders.compute BinColliders", "+1 Colliders.compute CollidePathsDeep", "+1 Colliders.compute FindBoundary",
-                $"+{Iterations - 1} Colliders.compute Collide", "+1 Colliders.compute CollideLast", "+1 CoarseSolids.compute OpenCells",
-                "+1 Rill.Coarse.OpenShares *", "+1 Rill.Coarse.SolidFlow *",
+                "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePathsDeep", "+1 Colliders.compute FindBoundary",
+                $"+{Iterations - 1} Colliders.compute Collide", "+1 Colliders.compute CollideLast",
+                "+1 Rill.Coarse.OpenShares *", "+1 Rill.Coarse.SolidFlow *", "+1 Rill.Coarse.SolidSurfaces *",
                 "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCells",      // the way to a surface begins with the displacement
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepBeside",
             }
@@ -100,6 +105,7 @@ namespace Host.Tests
             feature.Before?.Invoke(simulation);
             SolverSettings settings = simulation.Settings;
             FluidMaterial material = simulation.Material;
+            FluidCollider[] collidersBefore = FluidCollider.Enabled.ToArray();
             FluidPart[] partsBefore = simulation.GetComponentsInChildren<FluidPart>();
             Footprint before = FullestFrame();
 
@@ -116,7 +122,9 @@ namespace Host.Tests
             simulation.Settings = settings;
             simulation.Material = material;
             simulation.StatisticsInterval = 0;
-            foreach (FluidCollider collider in FluidCollider.Enabled.ToArray())
+            foreach (Mover mover in UnityEngine.Object.FindObjectsOfType<Mover>())
+                UnityEngine.Object.DestroyImmediate(mover);
+            foreach (FluidCollider collider in FluidCollider.Enabled.Except(collidersBefore).ToArray())
                 UnityEngine.Object.DestroyImmediate(collider.gameObject);
             simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Speed;
             for (int i = 0; i < 4; i++)
@@ -198,11 +206,16 @@ namespace Host.Tests
         {
             return new[]
             {
-                "+1 Rill.Colliders.*", "+1 Colliders.compute BinColliders", "+1 Colliders.compute CollidePaths" + react, "+1 Colliders.compute FindBoundary",
+                "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths" + react, "+1 Colliders.compute FindBoundary",
                 $"+{Iterations - 1} Colliders.compute Collide" + react, "+1 Colliders.compute CollideLast" + react,
             }
                 .Concat(Instead(1, "DensityConstraint.compute BuildList", "Beside")).Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside"))
                 .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside")).ToArray();
+        }
+
+        sealed class Mover : MonoBehaviour
+        {
+            void Update() => transform.Rotate(0f, 1f, 0f);
         }
 
         static void AddCollider(FluidSimulation simulation, bool measuresForce)

@@ -13,6 +13,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolids");
         readonly CoarseGrid grid;
         readonly int openCells;
+        int seen = -1;
+        bool recorded;
         GraphicsBuffer open, flow, surfaces;
 
         public CoarseSolids(CoarseGrid grid)
@@ -30,10 +32,14 @@ namespace Rill
         /// <summary>float4 [cells], xyz displacement of the solid at the low faces in the substep, d.</summary>
         public GraphicsBuffer Flow => flow;
 
-        /// <summary>Records what is open in this substep.</summary>
+        /// <summary>Records what is open in this substep: nothing where all obstacles rest as they did.</summary>
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, GraphicsBuffer coarseConstants, Colliders colliders)
         {
             Reacting = colliders.Reactions != null ? colliders : null;
+            recorded = colliders.Changes != seen;
+            if (!recorded)
+                return;
+            seen = colliders.Changes;
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
@@ -58,7 +64,8 @@ namespace Rill
 
         public void Describe(StageDescription description, int substeps)
         {
-            description.Kernel("CoarseSolids", "OpenCells", substeps);
+            if (recorded)
+                description.Kernel("CoarseSolids", "OpenCells", substeps);
             description.Buffer("Rill.Coarse.OpenShares", open);
             description.Buffer("Rill.Coarse.SolidFlow", flow);
             description.Buffer("Rill.Coarse.SolidSurfaces", surfaces);

@@ -1,3 +1,4 @@
+using System;
 using System.Runtime.InteropServices;
 using Unity.Mathematics;
 
@@ -5,7 +6,7 @@ namespace Rill
 {
     /// <summary>A collider in a substep, as Colliders.hlsl has it, member by member; lengths in d, in the domain's frame.</summary>
     [StructLayout(LayoutKind.Sequential)]
-    struct ColliderState
+    struct ColliderState : IEquatable<ColliderState>
     {
         public float4 rotation;
         public float4 lastRotation;
@@ -26,6 +27,9 @@ namespace Rill
 
         const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4;       // as in Colliders.hlsl
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
+
+        /// <summary>Whether all bits are the same.</summary>
+        public bool Equals(ColliderState other) => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref this, 1)).SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref other, 1)));
 
         /// <param name="motion">Over a frame.</param>
         /// <param name="from">Share of the frame at which the substep starts.</param>

@@ -25,7 +25,8 @@ namespace Rill
         GraphicsBuffer constants, states, masks, boundary, insets;
         NativeArray<ColliderConstants> constantsUpload;
         NativeArray<ColliderState> statesUpload;
-        int words;
+        int words, recordedCount;
+        bool binned;
         int seenVersion = -1, seenOrder;
         ColliderReactions reactions;
 
@@ -54,6 +55,9 @@ namespace Rill
 
         public static bool IsNeeded(in StepInput input) => input.colliders != null && input.colliders.Count > 0;
 
+        /// <summary>Grows with each substep whose obstacles are not those of the one before, at rest in the same places: what was made of them does not hold any more.</summary>
+        public int Changes { get; private set; }
+
         /// <summary>float4 [capacity], what the colliders add to the density of a particle: xyz its gradient, 1/d; w relative to rest.</summary>
         public GraphicsBuffer Boundary => boundary;
 
@@ -71,21 +75,25 @@ namespace Rill
             return changed || set.Moves;
         }
 
-        /// <summary>Records where the obstacles are in a substep.</summary>
+        /// <summary>Records where the obstacles are in a substep; little where all rest as they did.</summary>
         /// <exception cref="ArgumentException">The fields of the meshes do not fit a texture.</exception>
         public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, RestingRegions resting)
         {
             ColliderSet set = input.colliders;
-            fields.Hold(set);
-            Reserve((set.Count + WordBits - 1) / WordBits);
+            bool changed = fields.Hold(set) | Reserve((set.Count + WordBits - 1) / WordBits) | set.Count != recordedCount;
+            recordedCount = set.Count;
             int substeps = input.settings.substeps;
             float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)substeps);
             float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)substeps);
             for (int i = 0; i < set.Count; i++)
             {
                 FieldBrick brick = set.Items[i].field != null ? fields.Brick(set.Items[i].field) : default;
-                statesUpload[i] = ColliderState.For(set.Items[i], from, to, input.timeStep / substeps, brick);
+                ColliderState state = ColliderState.For(set.Items[i], from, to, input.timeStep / substeps, brick);
+                changed |= !state.Equals(statesUpload[i]);
+                statesUpload[i] = state;
             }
+            Changes += changed ? 1 : 0;
+            binned = changed;
             constantsUpload[0] = new ColliderConstants
             {
                 cells = (uint3)cells,
@@ -98,10 +106,13 @@ namespace Rill
             cmd.BeginSample(Marker);
             RecordReactions(cmd, set, input.timeStep / substeps);
             cmd.SetBufferData(constants, constantsUpload);
-            cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
-            BindShapes(cmd, shader, binColliders);
-            CoarseGrid.Dispatch(cmd, shader, binColliders, cells.x * cells.y * cells.z * words);
+            if (changed)
+            {
+                cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
+                cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
+                BindShapes(cmd, shader, binColliders);
+                CoarseGrid.Dispatch(cmd, shader, binColliders, cells.x * cells.y * cells.z * words);
+            }
             cmd.EndSample(Marker);
         }
 
@@ -186,7 +197,8 @@ namespace Rill
                 return description;
             int substeps = input.settings.substeps;
             string variant = colliders.reactions != null ? "React" : "";
-            description.Kernel("Colliders", "BinColliders", substeps);
+            if (colliders.binned)
+                description.Kernel("Colliders", "BinColliders", substeps);
             description.Kernel("Colliders", (deep ? "CollidePathsDeep" : "CollidePaths") + variant, substeps);
             description.Kernel("Colliders", "FindBoundary", substeps);
             if (input.settings.iterations > 1)
@@ -243,13 +255,14 @@ namespace Rill
 
         int[] Kernels(string name) => new[] { shader.FindKernel(name), shader.FindKernel(name + "React") };
 
-        void Reserve(int wantedWords)
+        bool Reserve(int wantedWords)
         {
             if (masks != null && wantedWords == words)
-                return;
+                return false;
             GpuBuffer.Release(ref masks);
             words = wantedWords;
             masks = GpuBuffer.Structured<uint>("Rill.Colliders.Masks", (long)cells.x * cells.y * cells.z * words);
+            return true;
         }
 
         static float Cells(float3 domainSize, float size)

@@ -42,11 +42,12 @@ namespace Rill
         public RenderTexture Texture { get; private set; }
 
         /// <summary>Makes the atlas hold the fields of a set, and only those. Copies only when one came, went or changed.</summary>
+        /// <returns>Whether it did.</returns>
         /// <exception cref="ArgumentException">They are more than a texture holds; the message says what to do.</exception>
-        public void Hold(ColliderSet colliders)
+        public bool Hold(ColliderSet colliders)
         {
             if (Holds(colliders))
-                return;
+                return false;
             fields.Clear();
             versions.Clear();
             firsts.Clear();
@@ -64,6 +65,7 @@ namespace Rill
                     RecordCopy(cmd, fields[i], firsts[i]);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
+            return true;
         }
 
         /// <param name="field">One that the atlas holds.</param>

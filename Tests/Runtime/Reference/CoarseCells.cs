@@ -146,12 +146,20 @@ namespace Rill.Tests.Reference
                     double outward = up ? 1.0 : -1.0;
                     if (beyond >= 0)
                         sum -= outward * (potential[beyond] - potential[cell]) / size[axis] * FaceWeight(cell, beyond);
-                    else if (flow != null && outward * flow[cell][axis] > 0.0)
-                        sum -= flow[cell][axis];
+                    else if (flow != null)
+                        sum -= outward * IntoWall(cell, Beside(cell, axis, !up), axis, outward, flow);
                 }
                 result[axis] = 0.5 * sum;
             }
             return result;
+        }
+
+        // Outward flow at a wall: on the line through the cell's flow and that of the cell before it, at most the cell's own.
+        double IntoWall(int cell, int before, int axis, double outward, double3[] flow)
+        {
+            double own = outward * flow[cell][axis];
+            double slope = before >= 0 && active[before] ? own - outward * flow[before][axis] : 0.0;
+            return Math.Min(Math.Max(own + 0.5 * slope, 0.0), Math.Max(own, 0.0));
         }
 
         /// <summary>Displacements of all cells: active ones, and two layers around them as means of those before.</summary>
