@@ -1,3 +1,4 @@
+using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
@@ -78,6 +79,38 @@ namespace Rill.Tests
                 float share = (still - force) * fluid.Input.timeStep / (water * speed);
                 TestContext.Out.WriteLine($"{share:0.00} of the displaced water");
                 Assert.That(share, Is.InRange(0.45f, 0.75f));
+            }
+        }
+
+        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating.md of the documentation.
+        [TestCase(DeepWater.Off, 4f, 5.5f)]
+        [TestCase(DeepWater.On, 4f, 3.3f)]
+        [TestCase(DeepWater.On, 6f, 2.5f)]
+        public void Water_soon_moves_along_with_a_ball_that_is_set_moving(DeepWater deepWater, float radius, float most)
+        {
+            const float speed = 0.3f;
+            const int steps = 24;
+            using (TestFluid fluid = Box(deepWater))
+            {
+                fluid.Input.settings.iterations = 4;
+                ColliderMotion ball = ColliderTests.Still(ColliderShape.Sphere, radius, new float3(10f, 9f, 12f), quaternion.identity);
+                fluid.AddAround(ball, 0f, new float3(24f, 20f, 24f));
+                Use(fluid, ball);
+                fluid.Step(40);
+                Take(fluid, out _);
+                float still = Take(fluid.Step(10), out _).x;
+                float momentum = fluid.Input.material.density * 4f / 3f * math.PI * math.pow(radius * Spacing, 3) * speed;
+                var impulses = new float[steps];
+                for (int i = 0; i < steps; i++)
+                {
+                    ball.start = ball.end;
+                    ball.end.position.x += speed * fluid.Input.timeStep / Spacing;
+                    Use(fluid, ball);
+                    impulses[i] = (still - Take(fluid.Step(), out _).x) * fluid.Input.timeStep / momentum;
+                }
+                TestContext.Out.WriteLine($"impulses {string.Join(" ", impulses.Select(i => i.ToString("0.00")))}, in all {impulses.Sum():0.0} of the displaced water's mass times the velocity");
+                Assert.That(impulses[0], Is.InRange(0.4f, 0.9f));
+                Assert.That(impulses.Sum(), Is.InRange(0.5f, most));
             }
         }
 
