@@ -26,7 +26,7 @@ uint NeighborBase(uint i)
     return (i >> 5) * (_NeighborCapacity * 8) + (i & 31);
 }
 
-// Neighbors k to k + 3; k a multiple of 4. Those beyond the count are not neighbors.
+// Neighbors k to k + 3; k a multiple of 4. The rest of a particle's last block is the particle itself.
 uint4 NeighborBlock(uint i, uint base, uint k)
 {
 #ifdef RILL_TWO_LISTS
@@ -36,11 +36,11 @@ uint4 NeighborBlock(uint i, uint base, uint k)
     return _Neighbors[base + k * 8];
 }
 
-// From a neighbor to a particle; of what is no neighbor, out of every kernel's reach. So all four of a block are fetched
-// without a branch: the entries of a block that is not full are particles too.
-float3 DifferenceIf(bool isNeighbor, float3 p, float3 other)
+// How often a list names its own particle, to fill its last block: all four of a block are added without asking, and what the
+// particle added to itself is taken off the sums.
+uint OwnEntries(uint count)
 {
-    return isNeighbor ? p - other : kSupport;
+    return (0u - count) & 3u;
 }
 
 #ifdef RILL_BUILD_LIST
@@ -71,8 +71,9 @@ void AddNeighbor(uint i, uint base, inout uint4 block, uint count, uint neighbor
 // Stores a last block that is not full.
 void EndNeighbors(uint i, uint base, uint4 block, uint count)
 {
-    if ((count & 3) != 0 && count < _NeighborCapacity)
-        StoreBlock(i, base, count & ~3u, block);
+    uint last = count & 3;
+    if (last != 0 && count < _NeighborCapacity)
+        StoreBlock(i, base, count & ~3u, uint4(block.x, last > 1 ? block.y : i, last > 2 ? block.z : i, i));
 }
 #endif
 

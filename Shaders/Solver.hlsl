@@ -21,9 +21,9 @@ cbuffer RillSolver
     float _InverseTimeStep;     // 1/s
     uint3 _CellCounts;          // cells along x, y, z
     uint _CellTotal;            // their product
-    float _CellSize;            // d
-    float _InverseCellSize;     // 1/d
+    float3 _CellSize;           // d
     float _ListRadius;          // d, support times margin
+    float3 _InverseCellSize;    // 1/d
     float _ListRadiusSquared;
     uint _Capacity;             // particles
     uint _NeighborCapacity;     // entries of a particle's neighbor list

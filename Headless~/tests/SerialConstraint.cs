@@ -50,7 +50,7 @@ namespace Host.Tests
         }
 
         /// <summary>Of the colouring.</summary>
-        public static int3 Block(float3 p, SolverLayout layout) => (int3)(p / layout.CellSize) / GaussSeidel.BlockCells(layout);
+        public static int3 Block(float3 p, SolverLayout layout) => (int3)(p / layout.CellSize) / layout.CellsPerRadius;
 
         static int Colour(int3 block, int stride) => block.x % stride + stride * (block.y % stride + stride * (block.z % stride));
 

@@ -13,9 +13,9 @@ namespace Rill
         public float inverseTimeStep;
         public int3 cellCounts;
         public int cellTotal;
-        public float cellSize;
-        public float inverseCellSize;
+        public float3 cellSize;
         public float listRadius;
+        public float3 inverseCellSize;
         public float listRadiusSquared;
         public int capacity;
         public int neighborCapacity;
@@ -55,8 +55,8 @@ namespace Rill
                 cellCounts = layout.CellCounts,
                 cellTotal = layout.CellTotal,
                 cellSize = layout.CellSize,
-                inverseCellSize = 1f / layout.CellSize,
                 listRadius = layout.ListRadius,
+                inverseCellSize = 1f / layout.CellSize,
                 listRadiusSquared = layout.ListRadius * layout.ListRadius,
                 capacity = layout.Capacity,
                 neighborCapacity = layout.NeighborCapacity,

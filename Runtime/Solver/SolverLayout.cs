@@ -20,6 +20,10 @@ namespace Rill
 
         const int ParticlesPerListBlock = 32;
 
+        // Cells to the list radius. Along x a search is cut to its reach, cell by cell. Particles of a cell are neighbors in memory, so
+        // that wide ones in y keep more of what a thread group fetches near it. A domain with too many cells gets wide ones.
+        static readonly int3 TightCells = new int3(3, 1, 2), WideCells = 1;
+
         // What each particle and each grid cell takes besides the lists, in a scene without optional stages.
         const long BytesOfParticle = 92, BytesOfCell = 8;
 
@@ -68,8 +72,10 @@ namespace Rill
         public int AskedNeighborCapacity { get; }
         /// <summary>Radius within which a neighbor is listed, d.</summary>
         public float ListRadius { get; }
-        /// <summary>Side of a grid cell, d.</summary>
-        public float CellSize { get; private set; }
+        /// <summary>Grid cells to the list radius along each axis.</summary>
+        public int3 CellsPerRadius { get; private set; }
+        /// <summary>Sides of a grid cell, d.</summary>
+        public float3 CellSize { get; private set; }
         public int3 CellCounts { get; private set; }
         public int CellTotal { get; private set; }
         /// <summary>Particles whose neighbors lie in the first list buffer: all, or as many whole blocks as one buffer holds.</summary>
@@ -84,12 +90,12 @@ namespace Rill
         /// <summary>Bytes of the buffers of a solver with this layout, without its optional stages.</summary>
         public long EstimatedBytes => Capacity * BytesOfParticle + CellTotal * BytesOfCell + sizeof(uint) * (FirstListEntries + SecondListEntries);
 
-        // Half the list radius makes the tightest search; a domain with too many such cells gets whole ones.
         void ChooseCells()
         {
-            foreach (float perRadius in new[] { 2f, 1f })
+            foreach (int3 perRadius in new[] { TightCells, WideCells })
             {
-                CellSize = ListRadius / perRadius;
+                CellsPerRadius = perRadius;
+                CellSize = ListRadius / (float3)perRadius;
                 CellCounts = (int3)math.ceil(DomainSize / CellSize);
                 long total = (long)CellCounts.x * CellCounts.y * CellCounts.z;
                 if (total < MaxCells)

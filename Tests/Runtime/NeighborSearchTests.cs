@@ -72,7 +72,7 @@ namespace Rill.Tests
                 uint[] starts = CellStarts(stages);
                 float4[] predicted = stages.Predicted;
                 int3 counts = stages.Layout.CellCounts;
-                float size = stages.Layout.CellSize;
+                float3 size = stages.Layout.CellSize;
                 for (int cell = 0; cell < stages.Layout.CellTotal; cell++)
                 {
                     float3 low = new float3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y)) * size;
@@ -155,9 +155,10 @@ namespace Rill.Tests
         public void A_very_full_cell_keeps_all_its_particles_in_order()
         {
             var random = new Unity.Mathematics.Random(10u);
-            float3[] places = Enumerable.Range(0, 1500).Select(_ => random.NextFloat3(3.05f, 3.95f)).ToArray();
+            float3[] places = Enumerable.Range(0, 1500).Select(_ => random.NextFloat3(2.05f, 2.6f)).ToArray();
             using (var stages = new SolverStages(new ParticleState(8f, places), SolverStages.Still()).Sort())
             {
+                Assert.That(Cells(new ParticleState(8f, places), stages.Layout).Distinct().Count(), Is.EqualTo(1));
                 Compare.Same("ids", stages.SortedIds, Enumerable.Range(0, 1500).Select(i => (uint)i).ToArray());
             }
         }

@@ -12,6 +12,7 @@ namespace Rill.Tests
 {
     public class SolverConstantsTests
     {
+        const int Words = 36;
         static readonly FieldInfo[] Fields = typeof(SolverConstants).GetFields(BindingFlags.Public | BindingFlags.Instance);
 
         [Test]
@@ -22,7 +23,7 @@ namespace Rill.Tests
             int probe = shader.FindKernel("Probe");
             uint[] words;
             using (GraphicsBuffer buffer = GpuTest.UploadConstants(constants))
-            using (GraphicsBuffer output = GpuBuffer.Structured<uint>("Words", 32))
+            using (GraphicsBuffer output = GpuBuffer.Structured<uint>("Words", Words))
             {
                 GpuTest.FillWithGarbage(output);
                 GpuTest.Run(cmd =>
@@ -31,14 +32,14 @@ namespace Rill.Tests
                     cmd.SetComputeBufferParam(shader, probe, Shader.PropertyToID("_Words"), output);
                     cmd.DispatchCompute(shader, probe, 1, 1, 1);
                 });
-                words = GpuTest.Read<uint>(output, 32);
+                words = GpuTest.Read<uint>(output, Words);
             }
 
             int word = 0;
             foreach (FieldInfo field in Fields)
                 foreach (uint bits in expected[field.Name])
                     Assert.That(words[word++], Is.EqualTo(bits), $"word {word - 1}, {field.Name}");
-            Assert.That(word, Is.EqualTo(32));
+            Assert.That(word, Is.EqualTo(Words));
         }
 
         [Test]
@@ -115,7 +116,7 @@ namespace Rill.Tests
                 number += 3;
             }
             bits = collected;
-            Assert.That(collected.Values.SelectMany(words => words).Distinct().Count(), Is.EqualTo(32));
+            Assert.That(collected.Values.SelectMany(words => words).Distinct().Count(), Is.EqualTo(Words));
             return (SolverConstants)constants;
 
             void Set(FieldInfo field, object value, params uint[] words)

@@ -107,7 +107,7 @@ namespace Rill.Tests
         public void A_domain_with_too_many_fine_cells_gets_coarser_ones()
         {
             SolverLayout layout = Layout(new float3(450f, 450f, 450f), 1f, 1000);
-            Assert.That(layout.CellSize, Is.EqualTo(2f));
+            Assert.That(layout.CellSize, Is.EqualTo(new float3(2f)));
             Assert.That(layout.CellTotal, Is.EqualTo(225 * 225 * 225));
         }
 

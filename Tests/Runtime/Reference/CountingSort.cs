@@ -8,11 +8,11 @@ namespace Rill.Tests.Reference
     static class CountingSort
     {
         /// <summary>Cell of a position; those outside belong to the nearest cell.</summary>
-        public static int Cell(float3 position, float inverseCellSize, int3 counts)
+        public static int Cell(float3 position, float3 inverseCellSize, int3 counts)
         {
             int3 cell = default;
             for (int axis = 0; axis < 3; axis++)
-                cell[axis] = Math.Min((int)Math.Max(position[axis] * inverseCellSize, 0f), counts[axis] - 1);
+                cell[axis] = Math.Min((int)Math.Max(position[axis] * inverseCellSize[axis], 0f), counts[axis] - 1);
             return (cell.z * counts.y + cell.y) * counts.x + cell.x;
         }
 

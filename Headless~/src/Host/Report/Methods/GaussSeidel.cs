@@ -1,4 +1,3 @@
-using System;
 using Rill;
 using Unity.Mathematics;
 using UnityEngine;
@@ -32,11 +31,12 @@ namespace Host.Report.Methods
             cmd.SetComputeBufferParam(shader, sweep, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, sweep, Ids.CellStarts, solver.Search.CellStarts);
             cmd.SetComputeIntParam(shader, Ids.Stride, stride);
-            cmd.SetComputeIntParam(shader, Ids.BlockCells, BlockCells(solver.Layout));
+            int3 perBlock = solver.Layout.CellsPerRadius;       // a block is a list radius wide
+            cmd.SetComputeIntParams(shader, Ids.BlockCells, perBlock.x, perBlock.y, perBlock.z);
             if (solver.Coarse != null)
                 RecordPush(cmd, solver);
 
-            int3 blocks = (solver.Layout.CellCounts + BlockCells(solver.Layout) - 1) / BlockCells(solver.Layout);
+            int3 blocks = (solver.Layout.CellCounts + perBlock - 1) / perBlock;
             int3 ofColour = (blocks + stride - 1) / stride;
             for (int iteration = 0; iteration < input.settings.iterations; iteration++)
                 for (int colour = 0; colour < stride * stride * stride; colour++)
@@ -46,9 +46,6 @@ namespace Host.Report.Methods
                 }
             (particles.Current, particles.Predicted) = (particles.Predicted, particles.Current);
         }
-
-        /// <summary>Grid cells along a side of a block, so that it is at least a list radius wide.</summary>
-        public static int BlockCells(SolverLayout layout) => (int)Math.Ceiling(layout.ListRadius / layout.CellSize - 1e-4);
 
         void RecordPush(CommandBuffer cmd, StudySolver solver)
         {
