@@ -2,7 +2,7 @@
 #ifndef RILL_COLLIDER_CONTACTS_INCLUDED
 #define RILL_COLLIDER_CONTACTS_INCLUDED
 
-StructuredBuffer<uint> _ColliderMasks;      // [cells * words], see ColliderCell
+#include "ColliderMasks.hlsl"
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
 static const uint kSettleSteps = 8;
@@ -241,13 +241,10 @@ uint FirstHit(float3 a, float3 b, bool moving, out float share)
     share = 1.0;
     uint first = kNoCollider;
     float3 way = b - a;
-    uint places = uint(length(way) * _InverseColliderCellSize) + 2;
+    uint places = PlacesAlong(way);
     for (uint word = 0; word < _ColliderWords; word++)
     {
-        uint bits = 0;
-        for (uint place = 0; place < places; place++)
-            bits |= _ColliderMasks[ColliderCell(a + way * (place / (places - 1.0))) + word];
-        for (; bits != 0; bits &= bits - 1)
+        for (uint bits = NearWay(a, way, places, word); bits != 0; bits &= bits - 1)
         {
             uint index = word * 32 + firstbitlow(bits);
             Collider collider = _Colliders[index];
