@@ -33,7 +33,7 @@ namespace Host
         {
             ForeignProject project = settings.Project == null ? null : ForeignProject.Open(settings.Project, settings.Scene, settings.Strict, output);
             LocatedScene scene = project?.Scene ?? Session.Locate(settings.Scene);
-            folder = Path.GetFullPath(settings.Target ?? Path.Combine("out", Path.GetFileNameWithoutExtension(scene.File)));
+            folder = ResultsFolder.Of(settings.Target, Path.GetFileNameWithoutExtension(scene.File));
             Directory.CreateDirectory(folder);
             Player.ScreenWidth = settings.Width;
             Player.ScreenHeight = settings.Height;

@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Assets;
+using Host.Output;
 using Rill;
 using Rill.Editor;
 using UnityEngine;
@@ -21,11 +22,11 @@ namespace Host.Baking
         readonly float scale;
         readonly TextWriter output;
 
-        /// <param name="folder">For the results; null for out/name.</param>
+        /// <param name="folder">For the results; null for out~/name.</param>
         public BakeRun(string file, string folder, MeshSdfSettings settings, float scale, TextWriter output)
         {
             this.file = file;
-            this.folder = Path.GetFullPath(folder ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)));
+            this.folder = ResultsFolder.Of(folder, Path.GetFileNameWithoutExtension(file));
             this.settings = settings;
             this.scale = scale;
             this.output = output;
