@@ -146,7 +146,7 @@ namespace Host.Tests
         {
             var error = Assert.Throws<HostException>(() => Video.Encode(Path.Combine(folder, "no_%04d.png"), 30, Path.Combine(folder, "v.mp4")));
             Assert.That(error.Message, Does.Contain("ffmpeg failed").And.Contain("no_%04d.png"));
-            error = Assert.Throws<HostException>(() => Tool.Run("no-such-program", "its-package", Array.Empty<string>()));
+            error = Assert.Throws<HostException>(() => new Tool("no-such-program", "its-package").Run(Array.Empty<string>()));
             Assert.That(error.Message, Does.Contain("its-package"));
         }
     }

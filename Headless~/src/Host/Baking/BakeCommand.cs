@@ -41,6 +41,7 @@ namespace Host.Baking
                 settings.shellThickness = parsed.GetValue(shell);
                 settings.format = Choice<SdfFormat>(parsed.GetValue(format), "--format");
                 settings.memoryCap = parsed.GetValue(memory) is string bytes ? MebiBytes(bytes) : normal.memoryCap;
+                Tool.WarnOfMissing((Tool.Gnuplot, "picture of the slices"));
 
                 string what = parsed.GetValue(mesh);
                 if (IsScene(what))

@@ -126,9 +126,10 @@ namespace Host.Baking
             made[mesh] = guid;
             meshOf[path] = mesh;
             Baked++;
+            string where = field != null ? "in place, " + path : $"{path}, {Assign(collider, guid)}";
             string picture = Path.Combine(pictures, Path.GetFileNameWithoutExtension(path) + "-slices.png");
-            SlicePicture.Draw(SdfVolume.Of(bake), picture);
-            return $"{BakeTexts.Of(report)}; baked: {BakeTexts.Of(bake)}; {(field != null ? "in place, " + path : $"{path}, {Assign(collider, guid)}")}; {picture}";
+            bool isDrawn = SlicePicture.Draw(SdfVolume.Of(bake), picture);
+            return $"{BakeTexts.Of(report)}; baked: {BakeTexts.Of(bake)}; {where}{(isDrawn ? "; " + picture : "")}";
         }
 
         string GuidOf(SignedDistanceField field) => assets.TryIdentify(field, out _, out string guid, out _) ? guid : "";

@@ -43,6 +43,7 @@ namespace Host.Report
                 bool measure = !parsed.GetValue(writeOnly), write = !parsed.GetValue(measureOnly);
                 if (!measure && !write)
                     throw new HostException("--measure-only and --write-only together leave nothing to do; give one of them or none.");
+                write = write && CanWrite(measure);
                 ReportFolders folders = ReportFolders.Of(ResultsFolder.Of(parsed.GetValue(output), "report"), parsed.GetValue(page));
                 List<ReportSection> sections = Chosen(Sections, parsed.GetValue(names), measure, folders.Data);
                 if (measure)
@@ -55,6 +56,18 @@ namespace Host.Report
                 return 0;
             });
             return command;
+        }
+
+        /// <summary>Whether plots can be drawn. The tables of a measurement, which may take hours, need none; a page does.</summary>
+        /// <exception cref="HostException">They cannot, and nothing is measured either.</exception>
+        public static bool CanWrite(bool measure)
+        {
+            if (Tool.Gnuplot.IsInstalled)
+                return true;
+            if (!measure)
+                throw new HostException($"{Tool.Gnuplot.NotInstalled}, and the report's page consists of plots.");
+            Tool.WarnOfMissing((Tool.Gnuplot, "plots and no page; \"rill report --write-only\" makes them of the tables when it is"));
+            return false;
         }
 
         /// <summary>The sections named; without a name all but the long ones or, when none is measured now, all whose tables are there.</summary>
