@@ -14,7 +14,7 @@ struct Collider
     uint flags;
     float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides
     float sweep;            // furthest that a point of it moves in the substep, d
-    float3 fieldScale;      // from its own frame, d, to a share of the atlas
+    float3 fieldScale;      // from its own frame, d, to a share of the atlas of its shape
     float fieldUnit;        // d, of one stored unit of distance
     float3 fieldCenter;     // share of the atlas at its own frame's origin
     float voxel;            // side of a voxel, d
@@ -50,6 +50,7 @@ static const uint kNoCollider = 0xFFFFu;
 
 StructuredBuffer<Collider> _Colliders;
 Texture3D<float> _Fields;                   // the distances of all meshes, brick by brick; see FieldAtlas.cs
+Texture3D<float> _Heights;                  // the heights of all height fields, the same way
 SamplerState sampler_LinearClamp;
 
 // ---- frames
@@ -148,7 +149,7 @@ float4 MeshDistance(Collider collider, float3 p)
 
 float GroundHeight(Collider collider, float2 place)
 {
-    return FieldDistance(collider, float3(place.x, 0.0, place.y));
+    return _Heights.SampleLevel(sampler_LinearClamp, collider.fieldCenter + float3(place.x, 0.0, place.y) * collider.fieldScale, 0.0) * collider.fieldUnit;
 }
 
 // From the ground below p as if it were a plane; beyond its sides there is none.

@@ -1,5 +1,6 @@
 using System.Linq;
 using Host.Check;
+using Host.Output;
 using NUnit.Framework;
 
 namespace Host.Tests
@@ -19,6 +20,15 @@ namespace Host.Tests
 
         [Test]
         public void A_missing_meta_file_is_named() => copy.Catches(new MetaFilesRule(), () => copy.Delete("Runtime/Rill.asmdef.meta"), "Runtime/Rill.asmdef has no .meta file");
+
+        [Test]
+        public void Results_of_the_command_line_are_no_part_of_the_package()
+        {
+            copy[$"{ResultsFolder.Root}/DamBreak/aux.png"] = "";
+            foreach (Rule rule in new Rule[] { new MetaFilesRule(), new FileNamesRule(), new TarballRule() })
+                Assert.That(copy.Examine(rule).Faults, Is.Empty, rule.Name);
+            copy.Catches(new MetaFilesRule(), () => copy["results/aux.png"] = "", "results has no .meta file");
+        }
 
         [Test]
         public void A_meta_file_without_its_asset_is_named() => copy.Catches(new MetaFilesRule(), () => copy["Shaders/Gone.hlsl.meta"] = "fileFormatVersion: 2\nguid: 0123456789abcdef0123456789abcdef\n", "Shaders/Gone.hlsl.meta", "gone");

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Host.Assets;
 using Host.Commands;
 using Host.Output;
 using NUnit.Framework;
@@ -33,6 +34,14 @@ namespace Host.Tests
             statistics.WriteCsv(file);
             Assert.That(File.ReadAllText(file), Is.EqualTo("time_s,error\n0.5,\n1,0.1\n"));
             Assert.That(statistics.Known("error"), Is.EqualTo(new[] { 0.1 }));
+        }
+
+        [Test]
+        public void Results_go_where_the_user_says_or_where_Unity_does_not_look()
+        {
+            Assert.That(ResultsFolder.Of("a/b", "Scene"), Is.EqualTo(Path.GetFullPath("a/b")));
+            Assert.That(ResultsFolder.Of(null, "Scene"), Is.EqualTo(Path.Combine(Directory.GetCurrentDirectory(), ResultsFolder.Root, "Scene")));
+            Assert.That(ProjectIndex.IsHidden(ResultsFolder.Root), ResultsFolder.Root);
         }
 
         [Test]
@@ -137,7 +146,7 @@ namespace Host.Tests
         {
             var error = Assert.Throws<HostException>(() => Video.Encode(Path.Combine(folder, "no_%04d.png"), 30, Path.Combine(folder, "v.mp4")));
             Assert.That(error.Message, Does.Contain("ffmpeg failed").And.Contain("no_%04d.png"));
-            error = Assert.Throws<HostException>(() => Tool.Run("no-such-program", "its-package", Array.Empty<string>()));
+            error = Assert.Throws<HostException>(() => new Tool("no-such-program", "its-package").Run(Array.Empty<string>()));
             Assert.That(error.Message, Does.Contain("its-package"));
         }
     }

@@ -10,7 +10,7 @@ namespace Host.Check
     sealed class PackageTree
     {
         // Written by tools at the root of a checkout; no part of it.
-        static readonly string[] Generated = { "Library", "Temp", "Logs", "UserSettings", "out" };
+        static readonly string[] Generated = { "Library", "Temp", "Logs", "UserSettings", "out~" };
 
         /// <summary>Full path of the package's root.</summary>
         public readonly string Root;

@@ -21,6 +21,7 @@ namespace Host
         readonly TextWriter output;
         readonly Dictionary<string, double> stageTimes = new();
         string folder;
+        HostException toolFailure;
 
         public SceneRun(RunSettings settings, TextWriter output)
         {
@@ -33,7 +34,8 @@ namespace Host
         {
             ForeignProject project = settings.Project == null ? null : ForeignProject.Open(settings.Project, settings.Scene, settings.Strict, output);
             LocatedScene scene = project?.Scene ?? Session.Locate(settings.Scene);
-            folder = Path.GetFullPath(settings.Target ?? Path.Combine("out", Path.GetFileNameWithoutExtension(scene.File)));
+            folder = ResultsFolder.Of(settings.Target, Path.GetFileNameWithoutExtension(scene.File));
+            Tool.WarnOfMissing((Tool.Gnuplot, "plots"), (Tool.Ffmpeg, FfmpegProducts()));
             Directory.CreateDirectory(folder);
             Player.ScreenWidth = settings.Width;
             Player.ScreenHeight = settings.Height;
@@ -66,7 +68,9 @@ namespace Host
             if (settings.Hash)
                 output.WriteLine($"hash {(project == null ? StateHash.OfScene() : null) ?? BufferDump.Hash()}");
             int code = Close(session);
-            return project == null ? code : Math.Max(code, project.Summarize(session, output));
+            if (project != null)
+                code = Math.Max(code, project.Summarize(session, output));
+            return toolFailure == null ? code : throw toolFailure;
         }
 
         void Play(Session session, List<IRunProbe> probes, Statistics statistics, FrameWriter frames)
@@ -127,18 +131,14 @@ namespace Host
         void Report(StatisticsPage page, FrameWriter frames)
         {
             page.Statistics.WriteCsv(Path.Combine(folder, "statistics.csv"));
-            foreach (Plot plot in page.Plots)
-                plot.Draw(folder, page.Statistics, OwnColumns[0]);
+            page.Plots.RemoveAll(plot => !IsMade(Tool.Gnuplot, () => plot.Draw(folder, page.Statistics, OwnColumns[0])));
             if (frames != null)
             {
                 frames.Finish();
-                Video.ContactSheet(frames.Frames, Path.Combine(folder, "contact.png"));
-                page.HasContactSheet = true;
+                page.HasContactSheet = IsMade(Tool.Ffmpeg, () => Video.ContactSheet(frames.Frames, Path.Combine(folder, "contact.png")));
                 if (settings.Stills.Length > 0)
-                    Video.ContactSheet(Array.ConvertAll(settings.Stills, time => frames.Frames.MinBy(frame => Math.Abs(frame.Time - time))), Path.Combine(folder, "stills.png"), columns: settings.Stills.Length, rows: 1);
-                if (settings.Video)
-                    Video.Encode(frames.Pattern, settings.FramesPerSecond / settings.DrawEvery, Path.Combine(folder, "video.mp4"));
-                page.HasVideo = settings.Video;
+                    IsMade(Tool.Ffmpeg, () => Video.ContactSheet(Array.ConvertAll(settings.Stills, time => frames.Frames.MinBy(frame => Math.Abs(frame.Time - time))), Path.Combine(folder, "stills.png"), columns: settings.Stills.Length, rows: 1));
+                page.HasVideo = settings.Video && IsMade(Tool.Ffmpeg, () => Video.Encode(frames.Pattern, settings.FramesPerSecond / settings.DrawEvery, Path.Combine(folder, "video.mp4")));
             }
             page.Write(folder);
 
@@ -146,6 +146,25 @@ namespace Host
             output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{step.Length} steps, {step.Average():0.0} ms a step, {StatisticsPage.Percentile(step, 0.999):0.0} ms at the 99.9th percentile"));
             output.WriteLine($"results in {folder}");
         }
+
+        // What a tool would have made is left out where it is not there or fails; the rest is written before the failure is told.
+        bool IsMade(Tool tool, Action make)
+        {
+            if (!tool.IsInstalled)
+                return false;
+            try
+            {
+                make();
+                return true;
+            }
+            catch (HostException e)
+            {
+                toolFailure ??= e;
+                return false;
+            }
+        }
+
+        string FfmpegProducts() => !settings.Draw ? null : string.Join(", ", new[] { "contact sheet", settings.Stills.Length > 0 ? "stills" : null, settings.Video ? "film" : null }.Where(product => product != null));
 
         int Close(Session session)
         {

@@ -19,8 +19,9 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly int binColliders, findBoundary, findBoundaryAtRest;
         readonly int[] collidePaths, collide, collideLast;      // without and with reactions
-        readonly FieldAtlas fields;
         readonly NearColliders near;
+        readonly FieldAtlas meshes, heights;
+        readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
         readonly float cellSize;
         GraphicsBuffer constants, states, masks, boundary, insets;
@@ -44,7 +45,8 @@ namespace Rill
             while (Cells(layout.DomainSize, cellSize) > MostCells)
                 cellSize *= 1.25f;
             cells = (int3)math.ceil(layout.DomainSize / cellSize);
-            fields = new FieldAtlas(shader);
+            meshes = new FieldAtlas(shader, ColliderShape.Mesh, "Rill.Colliders.Fields", "signed distance fields");
+            heights = new FieldAtlas(shader, ColliderShape.HeightField, "Rill.Colliders.Heights", "height fields");
             constants = GpuBuffer.Constants<ColliderConstants>("Rill.Colliders.Constants");
             states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
             boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
@@ -77,19 +79,20 @@ namespace Rill
         }
 
         /// <summary>Records where the obstacles are in a substep; little where all rest as they did.</summary>
-        /// <exception cref="ArgumentException">The fields of the meshes do not fit a texture.</exception>
+        /// <exception cref="ArgumentException">The fields of the meshes, or the heights, do not fit a texture.</exception>
         public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, RestingRegions resting)
         {
             ColliderSet set = input.colliders;
-            bool changed = fields.Hold(set) | Reserve((set.Count + WordBits - 1) / WordBits) | set.Count != recordedCount;
+            bool changed = meshes.Hold(set) | heights.Hold(set) | Reserve((set.Count + WordBits - 1) / WordBits) | set.Count != recordedCount;
             recordedCount = set.Count;
             int substeps = input.settings.substeps;
             float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)substeps);
             float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)substeps);
             for (int i = 0; i < set.Count; i++)
             {
-                FieldBrick brick = set.Items[i].field != null ? fields.Brick(set.Items[i].field) : default;
-                ColliderState state = ColliderState.For(set.Items[i], from, to, input.timeStep / substeps, brick);
+                ref readonly ColliderMotion motion = ref set.Items[i];
+                FieldBrick brick = (motion.shape == ColliderShape.HeightField ? heights : meshes).Brick(motion);
+                ColliderState state = ColliderState.For(motion, from, to, input.timeStep / substeps, brick);
                 changed |= !state.Equals(statesUpload[i]);
                 statesUpload[i] = state;
             }
@@ -177,8 +180,10 @@ namespace Rill
 
         public void Dispose()
         {
-            fields.Dispose();
             near.Dispose();
+            meshes.Dispose();
+            heights.Dispose();
+            UnityEngine.Object.DestroyImmediate(noField);       // nobody else can hold it
             reactions?.Dispose();
             GpuBuffer.Release(ref constants);
             GpuBuffer.Release(ref states);
@@ -213,7 +218,9 @@ namespace Rill
             description.Buffer("Rill.Colliders.Masks", colliders.masks);
             description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
             description.Buffer("Rill.Colliders.Insets", colliders.insets);
-            description.Buffers.Add(("Rill.Colliders.Fields", colliders.fields.Bytes));
+            description.Buffers.Add(("Rill.Colliders.NoField", FieldAtlas.BytesOfVoxel));
+            colliders.meshes.Describe(description);
+            colliders.heights.Describe(description);
             return description;
         }
 
@@ -240,8 +247,12 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(reader, Ids.Constants, constants, 0, constants.stride);
             cmd.SetComputeBufferParam(reader, kernel, Ids.Colliders, states);
             cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderMasks, masks);
-            cmd.SetComputeTextureParam(reader, kernel, Ids.Fields, fields.Texture);
+            BindField(cmd, reader, kernel, Ids.Fields, meshes);
+            BindField(cmd, reader, kernel, Ids.Heights, heights);
         }
+
+        void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
+            cmd.SetComputeTextureParam(reader, kernel, id, atlas.Texture != null ? (Texture)atlas.Texture : noField);
 
         // Sums are there while a collider wants them, and begin anew when the colliders get other numbers.
         void RecordReactions(CommandBuffer cmd, ColliderSet set, float timeStep)
@@ -286,6 +297,7 @@ namespace Rill
             public static readonly int Colliders = Shader.PropertyToID("_Colliders");
             public static readonly int ColliderMasks = Shader.PropertyToID("_ColliderMasks");
             public static readonly int Fields = Shader.PropertyToID("_Fields");
+            public static readonly int Heights = Shader.PropertyToID("_Heights");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Predicted = Shader.PropertyToID("_Predicted");

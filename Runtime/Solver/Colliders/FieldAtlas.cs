@@ -17,48 +17,58 @@ namespace Rill
     }
 
     /// <summary>
-    /// The signed distances of all mesh colliders, and the heights of height fields, in one texture, since a kernel cannot choose among textures: each field
-    /// once, one above the other. Half floats: a distance is off by at most 1/2048 of itself.
+    /// The fields of all colliders of one shape, distances of meshes or heights, in one texture, since a kernel cannot choose among
+    /// textures: each field once, one behind the other. Half floats: a distance is off by at most 1/2048 of itself.
     /// </summary>
     sealed class FieldAtlas : IDisposable
     {
+        public const long BytesOfVoxel = 2;
         const int CopyGroup = 4;            // threads of CopyField along an axis
 
         readonly ComputeShader shader;
         readonly int copyField;
+        readonly ColliderShape shape;
+        readonly string name, contents;
         readonly List<Texture3D> fields = new List<Texture3D>();
         readonly List<uint> versions = new List<uint>();
         readonly List<int> firsts = new List<int>();
-        int3 size = 1;
+        int3 size;
 
-        public FieldAtlas(ComputeShader shader)
+        /// <param name="shape">Of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields and deep ones in one would waste most of it.</param>
+        /// <param name="name">Of the texture.</param>
+        /// <param name="contents">What the fields are, for messages.</param>
+        public FieldAtlas(ComputeShader shader, ColliderShape shape, string name, string contents)
         {
             this.shader = shader;
+            this.shape = shape;
+            this.name = name;
+            this.contents = contents;
             copyField = shader.FindKernel("CopyField");
-            Texture = Create(1);
         }
 
-        /// <summary>Distances in the units of their fields, R16; 1 x 1 x 1 while there is no mesh.</summary>
+        /// <summary>In the units of the fields, R16; null while there is none.</summary>
         public RenderTexture Texture { get; private set; }
 
-        /// <summary>Makes the atlas hold the fields of a set, and only those. Copies only when one came, went or changed.</summary>
+        /// <summary>Makes the atlas hold the fields of its shape in a set, and only those. Copies only when one came, went or changed.</summary>
         /// <returns>Whether it did.</returns>
         /// <exception cref="ArgumentException">They are more than a texture holds; the message says what to do.</exception>
         public bool Hold(ColliderSet colliders)
         {
             if (Holds(colliders))
                 return false;
-            fields.Clear();
-            versions.Clear();
-            firsts.Clear();
-            size = 0;
-            for (int i = 0; i < colliders.Count; i++)
-                Append(colliders.Items[i].field);
-            size = math.max(size, 1);
-            if (math.cmax(size) > SystemInfo.maxTexture3DSize)
-                throw new ArgumentException($"the signed distance fields and height fields of the colliders need a texture of {size.x} x {size.y} x {size.z} voxels, more than the {SystemInfo.maxTexture3DSize} a side of this device. Give them fewer voxels or heights, or use fewer different ones.");
             Release();
-            Texture = Create(size);
+            for (int i = 0; i < colliders.Count; i++)
+                if (IsFor(colliders.Items[i]))
+                    Append(colliders.Items[i].field);
+            if (fields.Count == 0)
+                return true;
+            int3 needed = size;
+            if (math.cmax(needed) > SystemInfo.maxTexture3DSize)
+            {
+                Release();
+                throw new ArgumentException($"the {contents} of the colliders need a texture of {needed.x} x {needed.y} x {needed.z}, more than the {SystemInfo.maxTexture3DSize} a side of this device. Use smaller ones, or fewer that differ.");
+            }
+            Texture = Create(name, size);
             using (var cmd = new CommandBuffer { name = "Rill.FieldAtlas" })
             {
                 for (int i = 0; i < fields.Count; i++)
@@ -68,40 +78,50 @@ namespace Rill
             return true;
         }
 
-        /// <param name="field">One that the atlas holds.</param>
-        public FieldBrick Brick(Texture3D field)
+        /// <param name="collider">Of the set that the atlas holds.</param>
+        /// <returns>Of its field; default where it has none here.</returns>
+        public FieldBrick Brick(in ColliderMotion collider)
         {
-            float3 own = Size(field);
+            if (!IsFor(collider))
+                return default;
+            float3 own = Size(collider.field);
             return new FieldBrick
             {
-                Center = (0.5f * own + new float3(0f, 0f, firsts[fields.IndexOf(field)])) / size,
+                Center = (0.5f * own + new float3(0f, 0f, firsts[fields.IndexOf(collider.field)])) / size,
                 VoxelShare = 1f / (float3)size,
             };
         }
 
-        public long Bytes => 2L * size.x * size.y * size.z;
+        /// <summary>The texture, while there is one.</summary>
+        public void Describe(StageDescription description)
+        {
+            if (Texture != null)
+                description.Buffers.Add((name, BytesOfVoxel * size.x * size.y * size.z));
+        }
 
         public void Dispose() => Release();
 
+        bool IsFor(in ColliderMotion collider) => collider.shape == shape && collider.field != null;
+
         bool Holds(ColliderSet colliders)
         {
-            int different = 0;
+            int seen = 0;       // the first so many fields, in the order in which they were appended
             for (int i = 0; i < colliders.Count; i++)
             {
-                Texture3D field = colliders.Items[i].field;
-                if (field == null)
+                if (!IsFor(colliders.Items[i]))
                     continue;
+                Texture3D field = colliders.Items[i].field;
                 int index = fields.IndexOf(field);
-                if (index < 0 || versions[index] != field.updateCount)
+                if (index < 0 || index > seen || versions[index] != field.updateCount)
                     return false;
-                different = math.max(different, index + 1);
+                seen = math.max(seen, index + 1);
             }
-            return different == fields.Count;
+            return seen == fields.Count;
         }
 
         void Append(Texture3D field)
         {
-            if (field == null || fields.Contains(field))
+            if (fields.Contains(field))
                 return;
             fields.Add(field);
             versions.Add(field.updateCount);
@@ -123,11 +143,11 @@ namespace Rill
 
         static int3 Size(Texture3D field) => new int3(field.width, field.height, field.depth);
 
-        static RenderTexture Create(int3 size)
+        static RenderTexture Create(string name, int3 size)
         {
             var texture = new RenderTexture(size.x, size.y, GraphicsFormat.R16_SFloat, GraphicsFormat.None)
             {
-                name = "Rill.Colliders.Fields",
+                name = name,
                 dimension = TextureDimension.Tex3D,
                 volumeDepth = size.z,
                 enableRandomWrite = true,
@@ -141,6 +161,10 @@ namespace Rill
 
         void Release()
         {
+            fields.Clear();
+            versions.Clear();
+            firsts.Clear();
+            size = 0;
             if (Texture == null)
                 return;
             Texture.Release();

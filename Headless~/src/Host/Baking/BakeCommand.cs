@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Assets;
+using Host.Output;
 using Rill;
 
 namespace Host.Baking
@@ -15,7 +16,7 @@ namespace Host.Baking
         {
             MeshSdfSettings normal = MeshSdfSettings.Default;
             var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file; or a scene, a .unity file or its name, whose mesh colliders without a usable field are baked." };
-            var target = new Option<string>("--out") { Description = "Folder for <name>.asset and <name>-slices.png; out/<name> by default. Of a scene only for the pictures: new fields lie beside it." };
+            var target = new Option<string>("--out") { Description = $"Folder for <name>.asset and <name>-slices.png; {ResultsFolder.Root}/<name> by default. Of a scene only for the pictures: new fields lie beside it." };
             var voxel = new Option<float?>("--voxel") { Description = "Edge of a voxel, m, instead of --resolution." };
             var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.LeastResolution} to {MeshSdfSettings.MostResolution}; {normal.resolution} by default." };
             var padding = new Option<int>("--padding") { Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MostPadding}.", DefaultValueFactory = _ => normal.padding };
@@ -40,6 +41,7 @@ namespace Host.Baking
                 settings.shellThickness = parsed.GetValue(shell);
                 settings.format = Choice<SdfFormat>(parsed.GetValue(format), "--format");
                 settings.memoryCap = parsed.GetValue(memory) is string bytes ? MebiBytes(bytes) : normal.memoryCap;
+                Tool.WarnOfMissing((Tool.Gnuplot, "picture of the slices"));
 
                 string what = parsed.GetValue(mesh);
                 if (IsScene(what))

@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Assets;
+using Host.Output;
 using Rill;
 using Rill.Editor;
 using UnityEngine;
@@ -21,11 +22,11 @@ namespace Host.Baking
         readonly float scale;
         readonly TextWriter output;
 
-        /// <param name="folder">For the results; null for out/name.</param>
+        /// <param name="folder">For the results; null for out~/name.</param>
         public BakeRun(string file, string folder, MeshSdfSettings settings, float scale, TextWriter output)
         {
             this.file = file;
-            this.folder = Path.GetFullPath(folder ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)));
+            this.folder = ResultsFolder.Of(folder, Path.GetFileNameWithoutExtension(file));
             this.settings = settings;
             this.scale = scale;
             this.output = output;
@@ -81,14 +82,14 @@ namespace Host.Baking
                 Object.DestroyImmediate(field.Texture);
                 Object.DestroyImmediate(field);
             }
-            SlicePicture.Draw(SdfVolume.Of(bake), SlicesFile);
 
             float inside = bake.Distances.Count(distance => distance < 0f) / (float)bake.Distances.Length;
             Say($"baked on {device}: {gpu:N1} ms on the GPU, {seconds:N2} s in all");
             Say($"  {Text(bake.Resolution)} voxels of {bake.VoxelSize:G6} m, from {Text(bake.Bounds.min)} to {Text(bake.Bounds.max)} m, {100 * inside:0.0} % of them inside");
             Say($"  sign by {(bake.Sign == MeshSdfSign.OpenShell ? $"open shell, {bake.ShellThickness:G4} m thick" : "winding number")}; {(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most {bake.StorageError:G3} m ({bake.StorageError / bake.VoxelSize:G3} voxel)");
             output.WriteLine($"{AssetFile} (GUID {guid})");
-            output.WriteLine(SlicesFile);
+            if (SlicePicture.Draw(SdfVolume.Of(bake), SlicesFile))
+                output.WriteLine(SlicesFile);
         }
 
         SdfBake Measured(out double gpu, out double seconds)

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Host.Assets;
+using Host.Output;
 using Rill;
 using Rill.Editor;
 using UnityEngine;
@@ -29,14 +30,14 @@ namespace Host.Baking
 
         /// <param name="settings">Of new fields; one that is there is baked with its own.</param>
         /// <param name="again">Bakes those too that are up to date.</param>
-        /// <param name="pictures">Folder for the slices; null for out/name.</param>
+        /// <param name="pictures">Folder for the slices; null for out~/name.</param>
         public SceneBakeRun(LocatedScene scene, ProjectAssets assets, MeshSdfSettings settings, bool again, string pictures, TextWriter output)
         {
             this.scene = scene;
             this.assets = assets;
             this.settings = settings;
             this.again = again;
-            this.pictures = Path.GetFullPath(pictures ?? Path.Combine("out", Path.GetFileNameWithoutExtension(scene.File)));
+            this.pictures = ResultsFolder.Of(pictures, Path.GetFileNameWithoutExtension(scene.File));
             this.output = output;
         }
 
@@ -125,9 +126,10 @@ namespace Host.Baking
             made[mesh] = guid;
             meshOf[path] = mesh;
             Baked++;
+            string where = field != null ? "in place, " + path : $"{path}, {Assign(collider, guid)}";
             string picture = Path.Combine(pictures, Path.GetFileNameWithoutExtension(path) + "-slices.png");
-            SlicePicture.Draw(SdfVolume.Of(bake), picture);
-            return $"{BakeTexts.Of(report)}; baked: {BakeTexts.Of(bake)}; {(field != null ? "in place, " + path : $"{path}, {Assign(collider, guid)}")}; {picture}";
+            bool isDrawn = SlicePicture.Draw(SdfVolume.Of(bake), picture);
+            return $"{BakeTexts.Of(report)}; baked: {BakeTexts.Of(bake)}; {where}{(isDrawn ? "; " + picture : "")}";
         }
 
         string GuidOf(SignedDistanceField field) => assets.TryIdentify(field, out _, out string guid, out _) ? guid : "";

@@ -16,8 +16,11 @@ namespace Host.Baking
         static readonly SdfSlice[] Views = { SdfSlice.Across(0), SdfSlice.Across(1), SdfSlice.Across(2) };
         static readonly string[] Axes = { "x", "y", "z" };
 
-        public static void Draw(SdfVolume volume, string file)
+        /// <returns>Whether it could: not without gnuplot.</returns>
+        public static bool Draw(SdfVolume volume, string file)
         {
+            if (!Tool.Gnuplot.IsInstalled)
+                return false;
             float most = Views.Max(view => view.Largest(volume, Middle(volume, view)));
 
             var script = new StringBuilder();
@@ -47,7 +50,8 @@ namespace Host.Baking
             }
             Line($"unset multiplot");
             Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(file)));
-            Tool.Run("gnuplot", "gnuplot-nox", Array.Empty<string>(), script.ToString());
+            Tool.Gnuplot.Run(Array.Empty<string>(), script.ToString());
+            return true;
         }
 
         static void Data(StringBuilder script, int index, float[,] slice, float x0, float y0, float voxel)

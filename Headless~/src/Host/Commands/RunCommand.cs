@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Host.Output;
 
 namespace Host.Commands
 {
@@ -18,7 +19,7 @@ namespace Host.Commands
             var fps = new Option<double>("--fps") { Description = "Frames per second of the player; frame time is its inverse.", DefaultValueFactory = _ => 60 };
             var every = new Option<int>("--every") { Description = "Draw each Nth frame.", DefaultValueFactory = _ => 2 };
             var size = new Option<string>("--size") { Description = "Pixels of a frame.", DefaultValueFactory = _ => "1280x720" };
-            var target = new Option<string>("--out") { Description = "Folder for the results; out/<scene> by default." };
+            var target = new Option<string>("--out") { Description = $"Folder for the results; {ResultsFolder.Root}/<scene> by default." };
             var noVideo = new Option<bool>("--no-video") { Description = "No video.mp4." };
             var noFrames = new Option<bool>("--no-frames") { Description = "Draw nothing: no frames, contact sheet and film." };
             var stills = new Option<string>("--stills") { Description = "Also put the frames nearest to these seconds side by side in stills.png: 0,0.5,1,2,5." };

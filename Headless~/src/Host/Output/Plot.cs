@@ -38,7 +38,7 @@ namespace Host.Output
             else
                 script.AppendLine("plot " + string.Join(", ", drawn.Select((column, i) =>
                     $"{Quote(csv)} using {time}:{statistics.IndexOf(column) + 1} every ::1 with lines lw 1.5 lc rgb '{Colors[i % Colors.Length]}' title {Quote(column)}")));
-            Tool.Run("gnuplot", "gnuplot-nox", Array.Empty<string>(), script.ToString());
+            Tool.Gnuplot.Run(Array.Empty<string>(), script.ToString());
         }
 
         static readonly string[] Colors = { "#1f6fb4", "#d1602b", "#3a9a4b", "#8a55a3", "#5c5c5c", "#c2a52a" };

@@ -9,7 +9,7 @@ namespace Host.Output
     /// <summary>What ffmpeg makes of the frames: a film and a contact sheet.</summary>
     static class Video
     {
-        public static void Encode(string framePattern, double framesPerSecond, string target) => Tool.Run("ffmpeg", "ffmpeg", new[]
+        public static void Encode(string framePattern, double framesPerSecond, string target) => Tool.Ffmpeg.Run(new[]
         {
             "-y", "-loglevel", "error", "-framerate", framesPerSecond.ToString(CultureInfo.InvariantCulture), "-i", framePattern,
             // H.264 in its usual layout halves the chroma, so both sides must be even.
@@ -35,7 +35,7 @@ namespace Host.Output
             filter.Append(string.Concat(Enumerable.Range(0, chosen.Length).Select(i => $"[v{i}]")));
             filter.Append($"concat=n={chosen.Length}:v=1:a=0,tile={columns}x{rows}:padding=4:color=0x202020");
             arguments.AddRange(new[] { "-filter_complex", filter.ToString(), "-frames:v", "1", target });
-            Tool.Run("ffmpeg", "ffmpeg", arguments);
+            Tool.Ffmpeg.Run(arguments);
         }
 
         /// <summary>At most 'wanted' of 'count' indices, evenly spread, ends included.</summary>

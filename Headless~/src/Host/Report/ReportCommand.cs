@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Host.Output;
 using Host.Report.Budget;
 using Host.Report.ErrorTime;
 using Host.Report.Extremes;
@@ -32,7 +33,7 @@ namespace Host.Report
         {
             var names = new Argument<string[]>("sections") { Description = $"Those to do: {string.Join(", ", Sections.Select(section => section.Name))}. All but the long ones if none is named; with --write-only all that were measured.", DefaultValueFactory = _ => Array.Empty<string>() };
             var quick = new Option<bool>("--quick") { Description = "Small scenes that a CPU can do; shows that all works, not how fast." };
-            var output = new Option<string>("--out") { Description = "Folder for tables, plots and page.", DefaultValueFactory = _ => Path.Combine("out", "report") };
+            var output = new Option<string>("--out") { Description = $"Folder for tables, plots and page; {ResultsFolder.Root}/report by default." };
             var page = new Option<string>("--page") { Description = "Write the page to this file instead, its plots to images/report and copies of its tables to data, both beside it." };
             var measureOnly = new Option<bool>("--measure-only") { Description = "Only tables: needs no gnuplot." };
             var writeOnly = new Option<bool>("--write-only") { Description = "Only plots and page, from tables that are there." };
@@ -42,7 +43,8 @@ namespace Host.Report
                 bool measure = !parsed.GetValue(writeOnly), write = !parsed.GetValue(measureOnly);
                 if (!measure && !write)
                     throw new HostException("--measure-only and --write-only together leave nothing to do; give one of them or none.");
-                ReportFolders folders = ReportFolders.Of(Path.GetFullPath(parsed.GetValue(output)), parsed.GetValue(page));
+                write = write && CanWrite(measure);
+                ReportFolders folders = ReportFolders.Of(ResultsFolder.Of(parsed.GetValue(output), "report"), parsed.GetValue(page));
                 List<ReportSection> sections = Chosen(Sections, parsed.GetValue(names), measure, folders.Data);
                 if (measure)
                     Measure(sections, parsed.GetValue(quick), folders.Data);
@@ -54,6 +56,18 @@ namespace Host.Report
                 return 0;
             });
             return command;
+        }
+
+        /// <summary>Whether plots can be drawn. The tables of a measurement, which may take hours, need none; a page does.</summary>
+        /// <exception cref="HostException">They cannot, and nothing is measured either.</exception>
+        public static bool CanWrite(bool measure)
+        {
+            if (Tool.Gnuplot.IsInstalled)
+                return true;
+            if (!measure)
+                throw new HostException($"{Tool.Gnuplot.NotInstalled}, and the report's page consists of plots.");
+            Tool.WarnOfMissing((Tool.Gnuplot, "plots and no page; \"rill report --write-only\" makes them of the tables when it is"));
+            return false;
         }
 
         /// <summary>The sections named; without a name all but the long ones or, when none is measured now, all whose tables are there.</summary>

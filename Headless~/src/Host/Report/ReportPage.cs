@@ -77,7 +77,7 @@ namespace Host.Report
             for (int i = 0; i < colors.Length; i++)
                 all.AppendLine($"set style line {i + 1} lc rgb '{colors[i]}' lw 1.6 pt {new[] { 7, 5, 9, 11, 13, 4, 6, 8 }[i]} ps 0.9");
             all.Append(script);
-            Tool.Run("gnuplot", "gnuplot-nox", Enumerable.Empty<string>(), all.ToString());
+            Tool.Gnuplot.Run(Enumerable.Empty<string>(), all.ToString());
             Line($"![{alt}]({imageLink}/{file})");
             Line();
         }

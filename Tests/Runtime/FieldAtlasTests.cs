@@ -1,0 +1,141 @@
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill.Tests
+{
+    /// <summary>The textures in which the fields of colliders lie. A box of 24 x 20 x 24 d, d = 5 cm, over ground that leans, with a ball in it.</summary>
+    public class FieldAtlasTests
+    {
+        const float Spacing = 0.05f, Radius = 4f, Voxel = 0.2f, Slope = 0.25f;
+        const int Side = 64, GroundSide = 513;
+        const long HalfFloat = 2;
+        static readonly float3 Box = new float3(24f, 20f, 24f), Middle = new float3(12f, 14f, 12f);
+
+        readonly List<Object> made = new List<Object>();
+        HeightField ground;
+
+        [TearDown]
+        public void DestroyFields()
+        {
+            made.ForEach(Object.DestroyImmediate);
+            made.Clear();
+            ground?.Dispose();
+            ground = null;
+        }
+
+        [Test]
+        public void Ground_and_a_mesh_take_the_bytes_of_each_and_keep_their_distances()
+        {
+            using (TestFluid fluid = Fluid())
+            {
+                ColliderTests.Use(fluid, Ball(Side), Ground());
+                var random = new Unity.Mathematics.Random(3u);
+                fluid.Add(Enumerable.Range(0, 2000).Select(_ => random.NextFloat3(0.6f, Box - 0.6f) * Spacing).ToArray());
+                fluid.Step();
+                GpuTest.Run(cmd => fluid.Solver.RecordStatistics(cmd, fluid.Input));
+
+                long mesh = HalfFloat * Side * Side * Side, heights = HalfFloat * GroundSide * GroundSide;
+                Assert.That(Bytes(fluid, "Fields"), Is.EqualTo(mesh));
+                Assert.That(Bytes(fluid, "Heights"), Is.EqualTo(heights));
+                Assert.That(BytesAlive("Fields") + BytesAlive("Heights"), Is.EqualTo(mesh + heights), "what is said is what is there");
+
+                ParticleState state = fluid.Read();
+                float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                int nearBall = 0, nearGround = 0;
+                for (int i = 0; i < state.Count; i++)
+                {
+                    float3 p = state.positions[i].xyz;
+                    float toBall = math.distance(p, Middle) - Radius, toGround = (p.y - Height(p.xz)) * math.rsqrt(1f + Slope * Slope);
+                    float wanted = math.min(math.min(toBall, toGround), 2f);
+                    if (wanted < -1f)
+                        continue;
+                    // Between voxels a ball's distance is off by its curvature: Voxel * Voxel / Radius = 0.01 d.
+                    Assert.That(distances[i], Is.EqualTo(wanted).Within(0.03f), $"at {p}");
+                    nearBall += toBall < 1.9f && toBall < toGround ? 1 : 0;
+                    nearGround += toGround < 1.9f && toGround < toBall ? 1 : 0;
+                }
+                Assert.That(new[] { nearBall, nearGround }, Is.All.GreaterThan(50));
+            }
+        }
+
+        [Test]
+        public void There_is_an_atlas_only_while_a_field_of_its_kind_is_in_the_box()
+        {
+            using (TestFluid fluid = Fluid())
+            {
+                var pose = new RigidPose(Middle, quaternion.identity);
+                var sphere = new ColliderMotion { shape = ColliderShape.Sphere, size = Radius, start = pose, end = pose, carriesDensity = true };
+                ColliderMotion ball = Ball(16), other = Ball(8), field = Ground();
+                void Holds(int voxels, int heights, params ColliderMotion[] colliders)
+                {
+                    ColliderTests.Use(fluid, colliders);
+                    fluid.Step();
+                    Assert.That((Bytes(fluid, "Fields"), Bytes(fluid, "Heights")), Is.EqualTo((HalfFloat * voxels, HalfFloat * heights)));
+                    Assert.That((BytesAlive("Fields"), BytesAlive("Heights")), Is.EqualTo((HalfFloat * voxels, HalfFloat * heights)));
+                }
+
+                const int Heights = GroundSide * GroundSide;
+                Holds(0, 0, sphere);
+                Holds(0, Heights, field);
+                Holds(16 * 16 * 16, Heights, field, ball);
+                Holds(16 * 16 * (16 + 8), 0, ball, other, sphere, ball);
+                Holds(8 * 8 * 8, 0, other);
+                Holds(0, 0, sphere);
+            }
+        }
+
+        static TestFluid Fluid()
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.Off;
+            var fluid = new TestFluid(Box * Spacing, Spacing, 4000, settings);
+            fluid.Input.gravity = 0f;
+            return fluid;
+        }
+
+        static long Bytes(TestFluid fluid, string atlas) =>
+            Colliders.Describe(fluid.Solver.Colliders, fluid.Input, false).Buffers.Where(buffer => buffer.name == "Rill.Colliders." + atlas).Sum(buffer => buffer.bytes);
+
+        static long BytesAlive(string atlas) => Resources.FindObjectsOfTypeAll<RenderTexture>()
+            .Where(texture => texture.name == "Rill.Colliders." + atlas && texture.IsCreated()).Sum(texture => HalfFloat * texture.width * texture.height * texture.volumeDepth);
+
+        static float Height(float2 place) => 2f + Slope * place.x;
+
+        ColliderMotion Ground()
+        {
+            var heights = new float[GroundSide, GroundSide];
+            for (int z = 0; z < GroundSide; z++)
+                for (int x = 0; x < GroundSide; x++)
+                    heights[z, x] = Spacing * Height(Box.xz * new float2(x, z) / (GroundSide - 1));
+            ground = new HeightField(heights, Box.x * Spacing, Box.z * Spacing);
+            var pose = new RigidPose(ground.Center / Spacing, quaternion.identity);
+            return new ColliderMotion
+            {
+                shape = ColliderShape.HeightField, size = ground.Extents / Spacing, start = pose, end = pose, carriesDensity = true,
+                field = ground.Texture, fieldUnit = 1f / Spacing, leastShare = ground.LeastShare,
+            };
+        }
+
+        // Distances in d, as a bake would have them.
+        ColliderMotion Ball(int side)
+        {
+            float voxel = Voxel * Side / side;
+            var field = new Texture3D(side, side, side, TextureFormat.RFloat, false) { name = "Ball" };
+            made.Add(field);
+            NativeArray<float> texels = field.GetPixelData<float>(0);
+            for (int i = 0; i < texels.Length; i++)
+                texels[i] = voxel * math.length(new float3(i % side, i / side % side, i / (side * side)) + 0.5f - 0.5f * side) - Radius;
+            field.Apply(false, true);
+            var pose = new RigidPose(Middle, quaternion.identity);
+            return new ColliderMotion
+            {
+                shape = ColliderShape.Mesh, size = 0.5f * side * voxel, start = pose, end = pose, carriesDensity = true,
+                field = field, fieldUnit = 1f, voxel = voxel,
+            };
+        }
+    }
+}
