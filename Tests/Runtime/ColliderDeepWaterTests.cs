@@ -45,6 +45,36 @@ namespace Rill.Tests
             }
         }
 
+        // Kernels are shared by all fluids of a scene, and what rests is not recorded anew.
+        [Test]
+        public void Two_fluids_with_obstacles_at_rest_do_not_disturb_each_other([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
+        {
+            ParticleState alone, otherAlone;
+            using (TestFluid fluid = Fluid(0.05f, 24f))
+                alone = fluid.Step(10).Read();
+            using (TestFluid other = Fluid(0.1f, 16f))
+                otherAlone = other.Step(10).Read();
+            using (TestFluid fluid = Fluid(0.05f, 24f), other = Fluid(0.1f, 16f))
+            {
+                for (int i = 0; i < 10; i++)
+                {
+                    fluid.Step();
+                    other.Step();
+                }
+                TestFluid.AssertSame(fluid.Read(), alone);
+                TestFluid.AssertSame(other.Read(), otherAlone);
+            }
+
+            TestFluid Fluid(float spacing, float side)
+            {
+                SolverSettings settings = Deep;
+                settings.deepWater = deepWater;
+                var fluid = new TestFluid(side * spacing, spacing, 5000, settings);
+                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Box, 3f, new float3(0.5f * side, 4f, 0.5f * side), quaternion.RotateY(0.3f)));
+                return fluid.AddBlock(new float3(0f, 9f, 0f) * spacing, new float3(side, 4f, side) * spacing, new float3(0f, -3f, 0f));
+            }
+        }
+
         // A film of three layers slides over a floor that lies within cells of the coarse grid, along the grid or across it. Where the closed
         // share of a face stops what flows past it, half of the speed is gone in a step.
         [Test]
