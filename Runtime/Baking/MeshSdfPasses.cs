@@ -1,5 +1,6 @@
 using System;
 using Unity.Mathematics;
+using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -16,6 +17,15 @@ namespace Rill
         {
             public float4 centerRadius, areaVectorArea;
         }
+
+        // Of each kind of dispatch, for GPU times in profilers.
+        static readonly ProfilerMarker ClearMarker = GpuMarker.Create("Rill.Bake.Clear");
+        static readonly ProfilerMarker DistancesMarker = GpuMarker.Create("Rill.Bake.SplatDistances");
+        static readonly ProfilerMarker NearestMarker = GpuMarker.Create("Rill.Bake.SplatNearest");
+        static readonly ProfilerMarker FloodMarker = GpuMarker.Create("Rill.Bake.Flood");
+        static readonly ProfilerMarker ClustersMarker = GpuMarker.Create("Rill.Bake.Clusters");
+        static readonly ProfilerMarker SidesMarker = GpuMarker.Create("Rill.Bake.Sides");
+        static readonly ProfilerMarker ResolveMarker = GpuMarker.Create("Rill.Bake.Resolve");
 
         readonly ComputeShader shader = StageShader.LoadCompute("MeshSdf");
         readonly int clear, splatDistances, splatNearest, flood, buildLeaves, buildParents, findSides, resolveSolid, resolveShell;
@@ -66,18 +76,18 @@ namespace Rill
             Begin(0, (int)grid.VoxelCount);
             Bind(clear, Ids.Distances, distances);
             Bind(clear, Ids.Nearest, nearest);
-            Run(clear, GroupsFor(grid.VoxelCount));
+            Run(clear, GroupsFor(grid.VoxelCount), ClearMarker);
         }
 
-        public void SplatDistances(in BakeGeometry.Slice slice) => Splat(splatDistances, slice);
+        public void SplatDistances(in BakeGeometry.Slice slice) => Splat(splatDistances, slice, DistancesMarker);
 
         public void SplatNearest(in BakeGeometry.Slice slice)
         {
             Bind(splatNearest, Ids.Nearest, nearest);
-            Splat(splatNearest, slice);
+            Splat(splatNearest, slice, NearestMarker);
         }
 
-        void Splat(int kernel, in BakeGeometry.Slice slice)
+        void Splat(int kernel, in BakeGeometry.Slice slice, ProfilerMarker marker)
         {
             Begin(unchecked((int)slice.First), slice.Count);
             cmd.SetComputeIntParam(shader, Ids.LowTriangle, slice.LowTriangle);
@@ -85,7 +95,7 @@ namespace Rill
             Bind(kernel, Ids.Triangles, triangles);
             Bind(kernel, Ids.FirstPairs, firstPairs);
             Bind(kernel, Ids.Distances, distances);
-            Run(kernel, slice.Count);
+            Run(kernel, slice.Count, marker);
         }
 
         /// <summary>One part of a flood pass; <see cref="Swap"/> comes after the last of its parts.</summary>
@@ -96,7 +106,7 @@ namespace Rill
             Bind(flood, Ids.Triangles, triangles);
             Bind(flood, Ids.NearestBefore, nearest);
             Bind(flood, Ids.Nearest, distances);
-            Run(flood, GroupsFor(count));
+            Run(flood, GroupsFor(count), FloodMarker);
         }
 
         /// <summary>What a flood pass wrote is what the next pass reads.</summary>
@@ -112,7 +122,7 @@ namespace Rill
                 Bind(kernel, Ids.Triangles, triangles);
             Bind(kernel, Ids.Levels, levelTable);
             Bind(kernel, Ids.Clusters, clusters);
-            Run(kernel, GroupsFor(levels[level].y));
+            Run(kernel, GroupsFor(levels[level].y), ClustersMarker);
         }
 
         /// <summary>Of bricks that lie on one side of the surface as a whole; once the flood is over.</summary>
@@ -122,7 +132,7 @@ namespace Rill
             BindTree(findSides);
             Bind(findSides, Ids.NearestBefore, nearest);
             Bind(findSides, Ids.Sides, sides);
-            Run(findSides, GroupsFor(count));
+            Run(findSides, GroupsFor(count), SidesMarker);
         }
 
         /// <summary>Bricks of a solid.</summary>
@@ -133,7 +143,7 @@ namespace Rill
             Bind(resolveSolid, Ids.NearestBefore, nearest);
             Bind(resolveSolid, Ids.SidesRead, sides);
             Bind(resolveSolid, Ids.Distances, distances);
-            Run(resolveSolid, count);
+            Run(resolveSolid, count, ResolveMarker);
         }
 
         /// <summary>Voxels of a shell.</summary>
@@ -144,7 +154,7 @@ namespace Rill
             Bind(resolveShell, Ids.Triangles, triangles);
             Bind(resolveShell, Ids.NearestBefore, nearest);
             Bind(resolveShell, Ids.Distances, distances);
-            Run(resolveShell, GroupsFor(count));
+            Run(resolveShell, GroupsFor(count), ResolveMarker);
         }
 
         void BindTree(int kernel)
@@ -179,9 +189,11 @@ namespace Rill
         void Bind(int kernel, int id, GraphicsBuffer buffer) => cmd.SetComputeBufferParam(shader, kernel, id, buffer);
 
         // Executed at once and not with others: a driver can then stop a device's watchdog between any two of them.
-        void Run(int kernel, long groups)
+        void Run(int kernel, long groups, ProfilerMarker marker)
         {
+            cmd.BeginSample(marker);
             cmd.DispatchCompute(shader, kernel, (int)math.min(groups, MostGroups), (int)((groups + MostGroups - 1) / MostGroups), 1);
+            cmd.EndSample(marker);
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();
         }

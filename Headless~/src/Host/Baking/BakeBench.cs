@@ -86,6 +86,60 @@ namespace Host.Baking
             }
         }
 
+        /// <summary>Milliseconds of one bake's parts, in order: what the CPU prepares, and each kind of dispatch on the GPU.</summary>
+        public static List<(string Part, double Milliseconds)> Parts(TriangleMesh mesh, in MeshSdfSettings settings)
+        {
+            var parts = new List<(string, double)>();
+            var clock = new Stopwatch();
+            T Timed<T>(string part, Func<T> work)
+            {
+                clock.Restart();
+                T result = work();
+                parts.Add(("CPU " + part, clock.Elapsed.TotalMilliseconds));
+                return result;
+            }
+            MeshSdfSettings asked = settings;
+            bool isShell = false;
+            BakedTriangles triangles = Timed("areas", () => new BakedTriangles(mesh));
+            MeshEdges edges = Timed("edges", () => new MeshEdges(triangles));
+            isShell = asked.sign == MeshSdfSign.OpenShell || asked.sign == MeshSdfSign.Automatic && MeshReport.SignOf(edges) == MeshSdfSign.OpenShell;
+            var grid = new SdfGrid(triangles.Bounds, asked, isShell);
+            BakeGeometry geometry = Timed("order", () => new BakeGeometry(triangles, edges.Turned, grid, edges.SignedVolume < 0));
+            Timed("hash", mesh.Hash);
+            using (Timed("buffers", () => new MeshSdfPasses(geometry, grid))) { }
+
+            IGraphicsDevice device = Player.Device;
+            bool timed = device.Timing;
+            device.WaitIdle();
+            device.CollectSamples();
+            device.Timing = true;
+            try
+            {
+                SdfBake bake = MeshSdfBaker.Bake(mesh, settings);
+                Timed("format", () => new SdfBake(mesh.Name, grid, bake.Distances, asked, bake.Sign, bake.TriangleCount));
+                foreach (IGrouping<string, DeviceSample> kind in device.CollectSamples().GroupBy(sample => sample.Name))
+                    parts.Add(($"GPU {kind.Key} ({kind.Count()} dispatches)", kind.Sum(sample => sample.Milliseconds)));
+                return parts;
+            }
+            finally
+            {
+                device.Timing = timed;
+            }
+        }
+
+        /// <summary>A line for each part of a bake, medians of so many.</summary>
+        public static void PrintParts(TriangleMesh mesh, in MeshSdfSettings settings, int repeats, TextWriter output)
+        {
+            var runs = new List<List<(string Part, double Milliseconds)>>();
+            for (int i = 0; i < repeats; i++)
+                runs.Add(Parts(mesh, settings));
+            for (int part = 0; part < runs[0].Count; part++)
+            {
+                double median = runs.Select(run => run[part].Milliseconds).OrderBy(value => value).ElementAt(repeats / 2);
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{median,20:0.00}  {runs[0][part].Part}"));
+            }
+        }
+
         /// <summary>A line for a mesh: medians of so many bakes after one that warms up.</summary>
         public static void Print(TriangleMesh mesh, in MeshSdfSettings settings, int repeats, TextWriter output)
         {

@@ -19,8 +19,9 @@ namespace Host.Baking
             var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.LeastResolution} to {MeshSdfSettings.MostResolution}." };
             var sign = new Option<string>("--sign") { Description = "How inside is told from outside: automatic, winding-number or open-shell.", DefaultValueFactory = _ => "automatic" };
             var repeats = new Option<int>("--repeats") { Description = "Bakes of each mesh, after one that warms up.", DefaultValueFactory = _ => 5 };
+            var stages = new Option<bool>("--stages") { Description = "Also the parts of a bake: what the CPU prepares, and each kind of dispatch on the GPU." };
 
-            var command = new Command("bake", "Measures milliseconds of bakes, on the CPU and on the GPU.") { mesh, triangles, resolution, sign, repeats };
+            var command = new Command("bake", "Measures milliseconds of bakes, on the CPU and on the GPU.") { mesh, triangles, resolution, sign, repeats, stages };
             command.SetAction(parsed =>
             {
                 string file = parsed.GetValue(mesh);
@@ -54,7 +55,10 @@ namespace Host.Baking
                 foreach ((Func<TriangleMesh> make, int voxels) in meshes)
                 {
                     settings.resolution = voxels;
-                    BakeBench.Print(make(), settings, count, Console.Out);
+                    TriangleMesh made = make();
+                    BakeBench.Print(made, settings, count, Console.Out);
+                    if (parsed.GetValue(stages))
+                        BakeBench.PrintParts(made, settings, count, Console.Out);
                 }
                 return session.ErrorsLogged == 0 ? 0 : 1;
             });
