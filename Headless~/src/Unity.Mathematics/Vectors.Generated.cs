@@ -2,6 +2,7 @@
 #pragma warning disable CS8981
 using System;
 using System.Globalization;
+using System.Runtime.CompilerServices;
 
 namespace Unity.Mathematics
 {
@@ -13,65 +14,65 @@ namespace Unity.Mathematics
 
         public static readonly float2 zero;
 
-        public float2(float x, float y) { this.x = x; this.y = y; }
-        public float2(float2 xy) { this.x = xy.x; this.y = xy.y; }
-        public float2(float v) { this.x = v; this.y = v; }
-        public float2(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; }
-        public float2(bool2 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; }
-        public float2(int v) { this.x = (float)v; this.y = (float)v; }
-        public float2(int2 v) { this.x = (float)v.x; this.y = (float)v.y; }
-        public float2(uint v) { this.x = (float)v; this.y = (float)v; }
-        public float2(uint2 v) { this.x = (float)v.x; this.y = (float)v.y; }
-        public float2(double v) { this.x = (float)v; this.y = (float)v; }
-        public float2(double2 v) { this.x = (float)v.x; this.y = (float)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(float x, float y) { this.x = x; this.y = y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(float2 xy) { this.x = xy.x; this.y = xy.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(float v) { this.x = v; this.y = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(bool2 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(int v) { this.x = (float)v; this.y = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(int2 v) { this.x = (float)v.x; this.y = (float)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(uint v) { this.x = (float)v; this.y = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(uint2 v) { this.x = (float)v.x; this.y = (float)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(double v) { this.x = (float)v; this.y = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float2(double2 v) { this.x = (float)v.x; this.y = (float)v.y; }
 
-        public static implicit operator float2(float v) => new float2(v);
-        public static explicit operator float2(bool v) => new float2(v);
-        public static explicit operator float2(bool2 v) => new float2(v);
-        public static implicit operator float2(int v) => new float2(v);
-        public static implicit operator float2(int2 v) => new float2(v);
-        public static implicit operator float2(uint v) => new float2(v);
-        public static implicit operator float2(uint2 v) => new float2(v);
-        public static explicit operator float2(double v) => new float2(v);
-        public static explicit operator float2(double2 v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float2(float v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float2(bool v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float2(bool2 v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float2(int v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float2(int2 v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float2(uint v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float2(uint2 v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float2(double v) => new float2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float2(double2 v) => new float2(v);
 
-        public static float2 operator +(float2 lhs, float2 rhs) => new float2(lhs.x + rhs.x, lhs.y + rhs.y);
-        public static float2 operator +(float2 lhs, float rhs) => new float2(lhs.x + rhs, lhs.y + rhs);
-        public static float2 operator +(float lhs, float2 rhs) => new float2(lhs + rhs.x, lhs + rhs.y);
-        public static float2 operator -(float2 lhs, float2 rhs) => new float2(lhs.x - rhs.x, lhs.y - rhs.y);
-        public static float2 operator -(float2 lhs, float rhs) => new float2(lhs.x - rhs, lhs.y - rhs);
-        public static float2 operator -(float lhs, float2 rhs) => new float2(lhs - rhs.x, lhs - rhs.y);
-        public static float2 operator *(float2 lhs, float2 rhs) => new float2(lhs.x * rhs.x, lhs.y * rhs.y);
-        public static float2 operator *(float2 lhs, float rhs) => new float2(lhs.x * rhs, lhs.y * rhs);
-        public static float2 operator *(float lhs, float2 rhs) => new float2(lhs * rhs.x, lhs * rhs.y);
-        public static float2 operator /(float2 lhs, float2 rhs) => new float2(lhs.x / rhs.x, lhs.y / rhs.y);
-        public static float2 operator /(float2 lhs, float rhs) => new float2(lhs.x / rhs, lhs.y / rhs);
-        public static float2 operator /(float lhs, float2 rhs) => new float2(lhs / rhs.x, lhs / rhs.y);
-        public static float2 operator %(float2 lhs, float2 rhs) => new float2(lhs.x % rhs.x, lhs.y % rhs.y);
-        public static float2 operator %(float2 lhs, float rhs) => new float2(lhs.x % rhs, lhs.y % rhs);
-        public static float2 operator %(float lhs, float2 rhs) => new float2(lhs % rhs.x, lhs % rhs.y);
-        public static bool2 operator <(float2 lhs, float2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
-        public static bool2 operator <(float2 lhs, float rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
-        public static bool2 operator <(float lhs, float2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
-        public static bool2 operator <=(float2 lhs, float2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
-        public static bool2 operator <=(float2 lhs, float rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
-        public static bool2 operator <=(float lhs, float2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
-        public static bool2 operator >(float2 lhs, float2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
-        public static bool2 operator >(float2 lhs, float rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
-        public static bool2 operator >(float lhs, float2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
-        public static bool2 operator >=(float2 lhs, float2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
-        public static bool2 operator >=(float2 lhs, float rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
-        public static bool2 operator >=(float lhs, float2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
-        public static float2 operator +(float2 val) => val;
-        public static float2 operator -(float2 val) => new float2(-val.x, -val.y);
-        public static float2 operator ++(float2 val) => new float2(val.x + 1, val.y + 1);
-        public static float2 operator --(float2 val) => new float2(val.x - 1, val.y - 1);
-        public static bool2 operator ==(float2 lhs, float2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
-        public static bool2 operator ==(float2 lhs, float rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
-        public static bool2 operator ==(float lhs, float2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
-        public static bool2 operator !=(float2 lhs, float2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
-        public static bool2 operator !=(float2 lhs, float rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
-        public static bool2 operator !=(float lhs, float2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator +(float2 lhs, float2 rhs) => new float2(lhs.x + rhs.x, lhs.y + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator +(float2 lhs, float rhs) => new float2(lhs.x + rhs, lhs.y + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator +(float lhs, float2 rhs) => new float2(lhs + rhs.x, lhs + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator -(float2 lhs, float2 rhs) => new float2(lhs.x - rhs.x, lhs.y - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator -(float2 lhs, float rhs) => new float2(lhs.x - rhs, lhs.y - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator -(float lhs, float2 rhs) => new float2(lhs - rhs.x, lhs - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator *(float2 lhs, float2 rhs) => new float2(lhs.x * rhs.x, lhs.y * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator *(float2 lhs, float rhs) => new float2(lhs.x * rhs, lhs.y * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator *(float lhs, float2 rhs) => new float2(lhs * rhs.x, lhs * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator /(float2 lhs, float2 rhs) => new float2(lhs.x / rhs.x, lhs.y / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator /(float2 lhs, float rhs) => new float2(lhs.x / rhs, lhs.y / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator /(float lhs, float2 rhs) => new float2(lhs / rhs.x, lhs / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator %(float2 lhs, float2 rhs) => new float2(lhs.x % rhs.x, lhs.y % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator %(float2 lhs, float rhs) => new float2(lhs.x % rhs, lhs.y % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator %(float lhs, float2 rhs) => new float2(lhs % rhs.x, lhs % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(float2 lhs, float2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(float2 lhs, float rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(float lhs, float2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(float2 lhs, float2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(float2 lhs, float rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(float lhs, float2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(float2 lhs, float2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(float2 lhs, float rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(float lhs, float2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(float2 lhs, float2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(float2 lhs, float rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(float lhs, float2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator +(float2 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator -(float2 val) => new float2(-val.x, -val.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator ++(float2 val) => new float2(val.x + 1, val.y + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float2 operator --(float2 val) => new float2(val.x - 1, val.y - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(float2 lhs, float2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(float2 lhs, float rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(float lhs, float2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(float2 lhs, float2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(float2 lhs, float rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(float lhs, float2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
 
         public float this[int index]
         {
@@ -125,67 +126,67 @@ namespace Unity.Mathematics
 
         public static readonly float3 zero;
 
-        public float3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
-        public float3(float x, float2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
-        public float3(float2 xy, float z) { this.x = xy.x; this.y = xy.y; this.z = z; }
-        public float3(float3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
-        public float3(float v) { this.x = v; this.y = v; this.z = v; }
-        public float3(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; this.z = v ? 1f : 0f; }
-        public float3(bool3 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; this.z = v.z ? 1f : 0f; }
-        public float3(int v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
-        public float3(int3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
-        public float3(uint v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
-        public float3(uint3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
-        public float3(double v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
-        public float3(double3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(float x, float2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(float2 xy, float z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(float3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(float v) { this.x = v; this.y = v; this.z = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; this.z = v ? 1f : 0f; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(bool3 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; this.z = v.z ? 1f : 0f; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(int v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(int3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(uint v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(uint3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(double v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float3(double3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
 
-        public static implicit operator float3(float v) => new float3(v);
-        public static explicit operator float3(bool v) => new float3(v);
-        public static explicit operator float3(bool3 v) => new float3(v);
-        public static implicit operator float3(int v) => new float3(v);
-        public static implicit operator float3(int3 v) => new float3(v);
-        public static implicit operator float3(uint v) => new float3(v);
-        public static implicit operator float3(uint3 v) => new float3(v);
-        public static explicit operator float3(double v) => new float3(v);
-        public static explicit operator float3(double3 v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float3(float v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float3(bool v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float3(bool3 v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float3(int v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float3(int3 v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float3(uint v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float3(uint3 v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float3(double v) => new float3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float3(double3 v) => new float3(v);
 
-        public static float3 operator +(float3 lhs, float3 rhs) => new float3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        public static float3 operator +(float3 lhs, float rhs) => new float3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        public static float3 operator +(float lhs, float3 rhs) => new float3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        public static float3 operator -(float3 lhs, float3 rhs) => new float3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-        public static float3 operator -(float3 lhs, float rhs) => new float3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        public static float3 operator -(float lhs, float3 rhs) => new float3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        public static float3 operator *(float3 lhs, float3 rhs) => new float3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        public static float3 operator *(float3 lhs, float rhs) => new float3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        public static float3 operator *(float lhs, float3 rhs) => new float3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        public static float3 operator /(float3 lhs, float3 rhs) => new float3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        public static float3 operator /(float3 lhs, float rhs) => new float3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        public static float3 operator /(float lhs, float3 rhs) => new float3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        public static float3 operator %(float3 lhs, float3 rhs) => new float3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
-        public static float3 operator %(float3 lhs, float rhs) => new float3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
-        public static float3 operator %(float lhs, float3 rhs) => new float3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
-        public static bool3 operator <(float3 lhs, float3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-        public static bool3 operator <(float3 lhs, float rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        public static bool3 operator <(float lhs, float3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-        public static bool3 operator <=(float3 lhs, float3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-        public static bool3 operator <=(float3 lhs, float rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        public static bool3 operator <=(float lhs, float3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-        public static bool3 operator >(float3 lhs, float3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-        public static bool3 operator >(float3 lhs, float rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        public static bool3 operator >(float lhs, float3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-        public static bool3 operator >=(float3 lhs, float3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-        public static bool3 operator >=(float3 lhs, float rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        public static bool3 operator >=(float lhs, float3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-        public static float3 operator +(float3 val) => val;
-        public static float3 operator -(float3 val) => new float3(-val.x, -val.y, -val.z);
-        public static float3 operator ++(float3 val) => new float3(val.x + 1, val.y + 1, val.z + 1);
-        public static float3 operator --(float3 val) => new float3(val.x - 1, val.y - 1, val.z - 1);
-        public static bool3 operator ==(float3 lhs, float3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        public static bool3 operator ==(float3 lhs, float rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        public static bool3 operator ==(float lhs, float3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        public static bool3 operator !=(float3 lhs, float3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        public static bool3 operator !=(float3 lhs, float rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        public static bool3 operator !=(float lhs, float3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator +(float3 lhs, float3 rhs) => new float3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator +(float3 lhs, float rhs) => new float3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator +(float lhs, float3 rhs) => new float3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator -(float3 lhs, float3 rhs) => new float3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator -(float3 lhs, float rhs) => new float3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator -(float lhs, float3 rhs) => new float3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator *(float3 lhs, float3 rhs) => new float3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator *(float3 lhs, float rhs) => new float3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator *(float lhs, float3 rhs) => new float3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator /(float3 lhs, float3 rhs) => new float3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator /(float3 lhs, float rhs) => new float3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator /(float lhs, float3 rhs) => new float3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator %(float3 lhs, float3 rhs) => new float3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator %(float3 lhs, float rhs) => new float3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator %(float lhs, float3 rhs) => new float3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(float3 lhs, float3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(float3 lhs, float rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(float lhs, float3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(float3 lhs, float3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(float3 lhs, float rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(float lhs, float3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(float3 lhs, float3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(float3 lhs, float rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(float lhs, float3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(float3 lhs, float3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(float3 lhs, float rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(float lhs, float3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator +(float3 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator -(float3 val) => new float3(-val.x, -val.y, -val.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator ++(float3 val) => new float3(val.x + 1, val.y + 1, val.z + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float3 operator --(float3 val) => new float3(val.x - 1, val.y - 1, val.z - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(float3 lhs, float3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(float3 lhs, float rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(float lhs, float3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(float3 lhs, float3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(float3 lhs, float rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(float lhs, float3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
 
         public float this[int index]
         {
@@ -329,71 +330,71 @@ namespace Unity.Mathematics
 
         public static readonly float4 zero;
 
-        public float4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
-        public float4(float x, float y, float2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
-        public float4(float x, float2 yz, float w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
-        public float4(float x, float3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
-        public float4(float2 xy, float z, float w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
-        public float4(float2 xy, float2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
-        public float4(float3 xyz, float w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
-        public float4(float4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
-        public float4(float v) { this.x = v; this.y = v; this.z = v; this.w = v; }
-        public float4(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; this.z = v ? 1f : 0f; this.w = v ? 1f : 0f; }
-        public float4(bool4 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; this.z = v.z ? 1f : 0f; this.w = v.w ? 1f : 0f; }
-        public float4(int v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
-        public float4(int4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
-        public float4(uint v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
-        public float4(uint4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
-        public float4(double v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
-        public float4(double4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float x, float y, float2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float x, float2 yz, float w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float x, float3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float2 xy, float z, float w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float2 xy, float2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float3 xyz, float w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(float v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; this.z = v ? 1f : 0f; this.w = v ? 1f : 0f; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(bool4 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; this.z = v.z ? 1f : 0f; this.w = v.w ? 1f : 0f; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(int v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(int4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(uint v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(uint4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(double v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public float4(double4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
 
-        public static implicit operator float4(float v) => new float4(v);
-        public static explicit operator float4(bool v) => new float4(v);
-        public static explicit operator float4(bool4 v) => new float4(v);
-        public static implicit operator float4(int v) => new float4(v);
-        public static implicit operator float4(int4 v) => new float4(v);
-        public static implicit operator float4(uint v) => new float4(v);
-        public static implicit operator float4(uint4 v) => new float4(v);
-        public static explicit operator float4(double v) => new float4(v);
-        public static explicit operator float4(double4 v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float4(float v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float4(bool v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float4(bool4 v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float4(int v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float4(int4 v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float4(uint v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float4(uint4 v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float4(double v) => new float4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator float4(double4 v) => new float4(v);
 
-        public static float4 operator +(float4 lhs, float4 rhs) => new float4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
-        public static float4 operator +(float4 lhs, float rhs) => new float4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
-        public static float4 operator +(float lhs, float4 rhs) => new float4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
-        public static float4 operator -(float4 lhs, float4 rhs) => new float4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
-        public static float4 operator -(float4 lhs, float rhs) => new float4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
-        public static float4 operator -(float lhs, float4 rhs) => new float4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
-        public static float4 operator *(float4 lhs, float4 rhs) => new float4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
-        public static float4 operator *(float4 lhs, float rhs) => new float4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
-        public static float4 operator *(float lhs, float4 rhs) => new float4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
-        public static float4 operator /(float4 lhs, float4 rhs) => new float4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
-        public static float4 operator /(float4 lhs, float rhs) => new float4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
-        public static float4 operator /(float lhs, float4 rhs) => new float4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
-        public static float4 operator %(float4 lhs, float4 rhs) => new float4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
-        public static float4 operator %(float4 lhs, float rhs) => new float4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
-        public static float4 operator %(float lhs, float4 rhs) => new float4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
-        public static bool4 operator <(float4 lhs, float4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
-        public static bool4 operator <(float4 lhs, float rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
-        public static bool4 operator <(float lhs, float4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
-        public static bool4 operator <=(float4 lhs, float4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
-        public static bool4 operator <=(float4 lhs, float rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
-        public static bool4 operator <=(float lhs, float4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
-        public static bool4 operator >(float4 lhs, float4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
-        public static bool4 operator >(float4 lhs, float rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
-        public static bool4 operator >(float lhs, float4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
-        public static bool4 operator >=(float4 lhs, float4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
-        public static bool4 operator >=(float4 lhs, float rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
-        public static bool4 operator >=(float lhs, float4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
-        public static float4 operator +(float4 val) => val;
-        public static float4 operator -(float4 val) => new float4(-val.x, -val.y, -val.z, -val.w);
-        public static float4 operator ++(float4 val) => new float4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
-        public static float4 operator --(float4 val) => new float4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
-        public static bool4 operator ==(float4 lhs, float4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-        public static bool4 operator ==(float4 lhs, float rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
-        public static bool4 operator ==(float lhs, float4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
-        public static bool4 operator !=(float4 lhs, float4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
-        public static bool4 operator !=(float4 lhs, float rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
-        public static bool4 operator !=(float lhs, float4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator +(float4 lhs, float4 rhs) => new float4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator +(float4 lhs, float rhs) => new float4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator +(float lhs, float4 rhs) => new float4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator -(float4 lhs, float4 rhs) => new float4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator -(float4 lhs, float rhs) => new float4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator -(float lhs, float4 rhs) => new float4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator *(float4 lhs, float4 rhs) => new float4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator *(float4 lhs, float rhs) => new float4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator *(float lhs, float4 rhs) => new float4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator /(float4 lhs, float4 rhs) => new float4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator /(float4 lhs, float rhs) => new float4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator /(float lhs, float4 rhs) => new float4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator %(float4 lhs, float4 rhs) => new float4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator %(float4 lhs, float rhs) => new float4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator %(float lhs, float4 rhs) => new float4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(float4 lhs, float4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(float4 lhs, float rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(float lhs, float4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(float4 lhs, float4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(float4 lhs, float rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(float lhs, float4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(float4 lhs, float4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(float4 lhs, float rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(float lhs, float4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(float4 lhs, float4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(float4 lhs, float rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(float lhs, float4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator +(float4 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator -(float4 val) => new float4(-val.x, -val.y, -val.z, -val.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator ++(float4 val) => new float4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static float4 operator --(float4 val) => new float4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(float4 lhs, float4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(float4 lhs, float rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(float lhs, float4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(float4 lhs, float4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(float4 lhs, float rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(float lhs, float4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
 
         public float this[int index]
         {
@@ -754,77 +755,77 @@ namespace Unity.Mathematics
 
         public static readonly int2 zero;
 
-        public int2(int x, int y) { this.x = x; this.y = y; }
-        public int2(int2 xy) { this.x = xy.x; this.y = xy.y; }
-        public int2(int v) { this.x = v; this.y = v; }
-        public int2(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; }
-        public int2(bool2 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; }
-        public int2(uint v) { this.x = (int)v; this.y = (int)v; }
-        public int2(uint2 v) { this.x = (int)v.x; this.y = (int)v.y; }
-        public int2(float v) { this.x = (int)v; this.y = (int)v; }
-        public int2(float2 v) { this.x = (int)v.x; this.y = (int)v.y; }
-        public int2(double v) { this.x = (int)v; this.y = (int)v; }
-        public int2(double2 v) { this.x = (int)v.x; this.y = (int)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(int x, int y) { this.x = x; this.y = y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(int2 xy) { this.x = xy.x; this.y = xy.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(int v) { this.x = v; this.y = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(bool2 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(uint v) { this.x = (int)v; this.y = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(uint2 v) { this.x = (int)v.x; this.y = (int)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(float v) { this.x = (int)v; this.y = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(float2 v) { this.x = (int)v.x; this.y = (int)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(double v) { this.x = (int)v; this.y = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int2(double2 v) { this.x = (int)v.x; this.y = (int)v.y; }
 
-        public static implicit operator int2(int v) => new int2(v);
-        public static explicit operator int2(bool v) => new int2(v);
-        public static explicit operator int2(bool2 v) => new int2(v);
-        public static explicit operator int2(uint v) => new int2(v);
-        public static explicit operator int2(uint2 v) => new int2(v);
-        public static explicit operator int2(float v) => new int2(v);
-        public static explicit operator int2(float2 v) => new int2(v);
-        public static explicit operator int2(double v) => new int2(v);
-        public static explicit operator int2(double2 v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator int2(int v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(bool v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(bool2 v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(uint v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(uint2 v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(float v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(float2 v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(double v) => new int2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int2(double2 v) => new int2(v);
 
-        public static int2 operator +(int2 lhs, int2 rhs) => new int2(lhs.x + rhs.x, lhs.y + rhs.y);
-        public static int2 operator +(int2 lhs, int rhs) => new int2(lhs.x + rhs, lhs.y + rhs);
-        public static int2 operator +(int lhs, int2 rhs) => new int2(lhs + rhs.x, lhs + rhs.y);
-        public static int2 operator -(int2 lhs, int2 rhs) => new int2(lhs.x - rhs.x, lhs.y - rhs.y);
-        public static int2 operator -(int2 lhs, int rhs) => new int2(lhs.x - rhs, lhs.y - rhs);
-        public static int2 operator -(int lhs, int2 rhs) => new int2(lhs - rhs.x, lhs - rhs.y);
-        public static int2 operator *(int2 lhs, int2 rhs) => new int2(lhs.x * rhs.x, lhs.y * rhs.y);
-        public static int2 operator *(int2 lhs, int rhs) => new int2(lhs.x * rhs, lhs.y * rhs);
-        public static int2 operator *(int lhs, int2 rhs) => new int2(lhs * rhs.x, lhs * rhs.y);
-        public static int2 operator /(int2 lhs, int2 rhs) => new int2(lhs.x / rhs.x, lhs.y / rhs.y);
-        public static int2 operator /(int2 lhs, int rhs) => new int2(lhs.x / rhs, lhs.y / rhs);
-        public static int2 operator /(int lhs, int2 rhs) => new int2(lhs / rhs.x, lhs / rhs.y);
-        public static int2 operator %(int2 lhs, int2 rhs) => new int2(lhs.x % rhs.x, lhs.y % rhs.y);
-        public static int2 operator %(int2 lhs, int rhs) => new int2(lhs.x % rhs, lhs.y % rhs);
-        public static int2 operator %(int lhs, int2 rhs) => new int2(lhs % rhs.x, lhs % rhs.y);
-        public static bool2 operator <(int2 lhs, int2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
-        public static bool2 operator <(int2 lhs, int rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
-        public static bool2 operator <(int lhs, int2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
-        public static bool2 operator <=(int2 lhs, int2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
-        public static bool2 operator <=(int2 lhs, int rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
-        public static bool2 operator <=(int lhs, int2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
-        public static bool2 operator >(int2 lhs, int2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
-        public static bool2 operator >(int2 lhs, int rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
-        public static bool2 operator >(int lhs, int2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
-        public static bool2 operator >=(int2 lhs, int2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
-        public static bool2 operator >=(int2 lhs, int rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
-        public static bool2 operator >=(int lhs, int2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
-        public static int2 operator +(int2 val) => val;
-        public static int2 operator -(int2 val) => new int2(-val.x, -val.y);
-        public static int2 operator ++(int2 val) => new int2(val.x + 1, val.y + 1);
-        public static int2 operator --(int2 val) => new int2(val.x - 1, val.y - 1);
-        public static int2 operator &(int2 lhs, int2 rhs) => new int2(lhs.x & rhs.x, lhs.y & rhs.y);
-        public static int2 operator &(int2 lhs, int rhs) => new int2(lhs.x & rhs, lhs.y & rhs);
-        public static int2 operator &(int lhs, int2 rhs) => new int2(lhs & rhs.x, lhs & rhs.y);
-        public static int2 operator |(int2 lhs, int2 rhs) => new int2(lhs.x | rhs.x, lhs.y | rhs.y);
-        public static int2 operator |(int2 lhs, int rhs) => new int2(lhs.x | rhs, lhs.y | rhs);
-        public static int2 operator |(int lhs, int2 rhs) => new int2(lhs | rhs.x, lhs | rhs.y);
-        public static int2 operator ^(int2 lhs, int2 rhs) => new int2(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
-        public static int2 operator ^(int2 lhs, int rhs) => new int2(lhs.x ^ rhs, lhs.y ^ rhs);
-        public static int2 operator ^(int lhs, int2 rhs) => new int2(lhs ^ rhs.x, lhs ^ rhs.y);
-        public static int2 operator ~(int2 val) => new int2(~val.x, ~val.y);
-        public static int2 operator <<(int2 x, int n) => new int2(x.x << n, x.y << n);
-        public static int2 operator >>(int2 x, int n) => new int2(x.x >> n, x.y >> n);
-        public static bool2 operator ==(int2 lhs, int2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
-        public static bool2 operator ==(int2 lhs, int rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
-        public static bool2 operator ==(int lhs, int2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
-        public static bool2 operator !=(int2 lhs, int2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
-        public static bool2 operator !=(int2 lhs, int rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
-        public static bool2 operator !=(int lhs, int2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator +(int2 lhs, int2 rhs) => new int2(lhs.x + rhs.x, lhs.y + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator +(int2 lhs, int rhs) => new int2(lhs.x + rhs, lhs.y + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator +(int lhs, int2 rhs) => new int2(lhs + rhs.x, lhs + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator -(int2 lhs, int2 rhs) => new int2(lhs.x - rhs.x, lhs.y - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator -(int2 lhs, int rhs) => new int2(lhs.x - rhs, lhs.y - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator -(int lhs, int2 rhs) => new int2(lhs - rhs.x, lhs - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator *(int2 lhs, int2 rhs) => new int2(lhs.x * rhs.x, lhs.y * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator *(int2 lhs, int rhs) => new int2(lhs.x * rhs, lhs.y * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator *(int lhs, int2 rhs) => new int2(lhs * rhs.x, lhs * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator /(int2 lhs, int2 rhs) => new int2(lhs.x / rhs.x, lhs.y / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator /(int2 lhs, int rhs) => new int2(lhs.x / rhs, lhs.y / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator /(int lhs, int2 rhs) => new int2(lhs / rhs.x, lhs / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator %(int2 lhs, int2 rhs) => new int2(lhs.x % rhs.x, lhs.y % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator %(int2 lhs, int rhs) => new int2(lhs.x % rhs, lhs.y % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator %(int lhs, int2 rhs) => new int2(lhs % rhs.x, lhs % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(int2 lhs, int2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(int2 lhs, int rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(int lhs, int2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(int2 lhs, int2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(int2 lhs, int rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(int lhs, int2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(int2 lhs, int2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(int2 lhs, int rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(int lhs, int2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(int2 lhs, int2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(int2 lhs, int rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(int lhs, int2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator +(int2 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator -(int2 val) => new int2(-val.x, -val.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator ++(int2 val) => new int2(val.x + 1, val.y + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator --(int2 val) => new int2(val.x - 1, val.y - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator &(int2 lhs, int2 rhs) => new int2(lhs.x & rhs.x, lhs.y & rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator &(int2 lhs, int rhs) => new int2(lhs.x & rhs, lhs.y & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator &(int lhs, int2 rhs) => new int2(lhs & rhs.x, lhs & rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator |(int2 lhs, int2 rhs) => new int2(lhs.x | rhs.x, lhs.y | rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator |(int2 lhs, int rhs) => new int2(lhs.x | rhs, lhs.y | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator |(int lhs, int2 rhs) => new int2(lhs | rhs.x, lhs | rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator ^(int2 lhs, int2 rhs) => new int2(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator ^(int2 lhs, int rhs) => new int2(lhs.x ^ rhs, lhs.y ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator ^(int lhs, int2 rhs) => new int2(lhs ^ rhs.x, lhs ^ rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator ~(int2 val) => new int2(~val.x, ~val.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator <<(int2 x, int n) => new int2(x.x << n, x.y << n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int2 operator >>(int2 x, int n) => new int2(x.x >> n, x.y >> n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(int2 lhs, int2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(int2 lhs, int rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(int lhs, int2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(int2 lhs, int2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(int2 lhs, int rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(int lhs, int2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
 
         public int this[int index]
         {
@@ -878,79 +879,79 @@ namespace Unity.Mathematics
 
         public static readonly int3 zero;
 
-        public int3(int x, int y, int z) { this.x = x; this.y = y; this.z = z; }
-        public int3(int x, int2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
-        public int3(int2 xy, int z) { this.x = xy.x; this.y = xy.y; this.z = z; }
-        public int3(int3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
-        public int3(int v) { this.x = v; this.y = v; this.z = v; }
-        public int3(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; this.z = v ? 1 : 0; }
-        public int3(bool3 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; this.z = v.z ? 1 : 0; }
-        public int3(uint v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; }
-        public int3(uint3 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; }
-        public int3(float v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; }
-        public int3(float3 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; }
-        public int3(double v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; }
-        public int3(double3 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(int x, int y, int z) { this.x = x; this.y = y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(int x, int2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(int2 xy, int z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(int3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(int v) { this.x = v; this.y = v; this.z = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; this.z = v ? 1 : 0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(bool3 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; this.z = v.z ? 1 : 0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(uint v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(uint3 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(float v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(float3 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(double v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int3(double3 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; }
 
-        public static implicit operator int3(int v) => new int3(v);
-        public static explicit operator int3(bool v) => new int3(v);
-        public static explicit operator int3(bool3 v) => new int3(v);
-        public static explicit operator int3(uint v) => new int3(v);
-        public static explicit operator int3(uint3 v) => new int3(v);
-        public static explicit operator int3(float v) => new int3(v);
-        public static explicit operator int3(float3 v) => new int3(v);
-        public static explicit operator int3(double v) => new int3(v);
-        public static explicit operator int3(double3 v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator int3(int v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(bool v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(bool3 v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(uint v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(uint3 v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(float v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(float3 v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(double v) => new int3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int3(double3 v) => new int3(v);
 
-        public static int3 operator +(int3 lhs, int3 rhs) => new int3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        public static int3 operator +(int3 lhs, int rhs) => new int3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        public static int3 operator +(int lhs, int3 rhs) => new int3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        public static int3 operator -(int3 lhs, int3 rhs) => new int3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-        public static int3 operator -(int3 lhs, int rhs) => new int3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        public static int3 operator -(int lhs, int3 rhs) => new int3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        public static int3 operator *(int3 lhs, int3 rhs) => new int3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        public static int3 operator *(int3 lhs, int rhs) => new int3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        public static int3 operator *(int lhs, int3 rhs) => new int3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        public static int3 operator /(int3 lhs, int3 rhs) => new int3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        public static int3 operator /(int3 lhs, int rhs) => new int3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        public static int3 operator /(int lhs, int3 rhs) => new int3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        public static int3 operator %(int3 lhs, int3 rhs) => new int3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
-        public static int3 operator %(int3 lhs, int rhs) => new int3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
-        public static int3 operator %(int lhs, int3 rhs) => new int3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
-        public static bool3 operator <(int3 lhs, int3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-        public static bool3 operator <(int3 lhs, int rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        public static bool3 operator <(int lhs, int3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-        public static bool3 operator <=(int3 lhs, int3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-        public static bool3 operator <=(int3 lhs, int rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        public static bool3 operator <=(int lhs, int3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-        public static bool3 operator >(int3 lhs, int3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-        public static bool3 operator >(int3 lhs, int rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        public static bool3 operator >(int lhs, int3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-        public static bool3 operator >=(int3 lhs, int3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-        public static bool3 operator >=(int3 lhs, int rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        public static bool3 operator >=(int lhs, int3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-        public static int3 operator +(int3 val) => val;
-        public static int3 operator -(int3 val) => new int3(-val.x, -val.y, -val.z);
-        public static int3 operator ++(int3 val) => new int3(val.x + 1, val.y + 1, val.z + 1);
-        public static int3 operator --(int3 val) => new int3(val.x - 1, val.y - 1, val.z - 1);
-        public static int3 operator &(int3 lhs, int3 rhs) => new int3(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z);
-        public static int3 operator &(int3 lhs, int rhs) => new int3(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs);
-        public static int3 operator &(int lhs, int3 rhs) => new int3(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z);
-        public static int3 operator |(int3 lhs, int3 rhs) => new int3(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z);
-        public static int3 operator |(int3 lhs, int rhs) => new int3(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs);
-        public static int3 operator |(int lhs, int3 rhs) => new int3(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z);
-        public static int3 operator ^(int3 lhs, int3 rhs) => new int3(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z);
-        public static int3 operator ^(int3 lhs, int rhs) => new int3(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs);
-        public static int3 operator ^(int lhs, int3 rhs) => new int3(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z);
-        public static int3 operator ~(int3 val) => new int3(~val.x, ~val.y, ~val.z);
-        public static int3 operator <<(int3 x, int n) => new int3(x.x << n, x.y << n, x.z << n);
-        public static int3 operator >>(int3 x, int n) => new int3(x.x >> n, x.y >> n, x.z >> n);
-        public static bool3 operator ==(int3 lhs, int3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        public static bool3 operator ==(int3 lhs, int rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        public static bool3 operator ==(int lhs, int3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        public static bool3 operator !=(int3 lhs, int3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        public static bool3 operator !=(int3 lhs, int rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        public static bool3 operator !=(int lhs, int3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator +(int3 lhs, int3 rhs) => new int3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator +(int3 lhs, int rhs) => new int3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator +(int lhs, int3 rhs) => new int3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator -(int3 lhs, int3 rhs) => new int3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator -(int3 lhs, int rhs) => new int3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator -(int lhs, int3 rhs) => new int3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator *(int3 lhs, int3 rhs) => new int3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator *(int3 lhs, int rhs) => new int3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator *(int lhs, int3 rhs) => new int3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator /(int3 lhs, int3 rhs) => new int3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator /(int3 lhs, int rhs) => new int3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator /(int lhs, int3 rhs) => new int3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator %(int3 lhs, int3 rhs) => new int3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator %(int3 lhs, int rhs) => new int3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator %(int lhs, int3 rhs) => new int3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(int3 lhs, int3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(int3 lhs, int rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(int lhs, int3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(int3 lhs, int3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(int3 lhs, int rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(int lhs, int3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(int3 lhs, int3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(int3 lhs, int rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(int lhs, int3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(int3 lhs, int3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(int3 lhs, int rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(int lhs, int3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator +(int3 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator -(int3 val) => new int3(-val.x, -val.y, -val.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator ++(int3 val) => new int3(val.x + 1, val.y + 1, val.z + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator --(int3 val) => new int3(val.x - 1, val.y - 1, val.z - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator &(int3 lhs, int3 rhs) => new int3(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator &(int3 lhs, int rhs) => new int3(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator &(int lhs, int3 rhs) => new int3(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator |(int3 lhs, int3 rhs) => new int3(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator |(int3 lhs, int rhs) => new int3(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator |(int lhs, int3 rhs) => new int3(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator ^(int3 lhs, int3 rhs) => new int3(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator ^(int3 lhs, int rhs) => new int3(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator ^(int lhs, int3 rhs) => new int3(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator ~(int3 val) => new int3(~val.x, ~val.y, ~val.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator <<(int3 x, int n) => new int3(x.x << n, x.y << n, x.z << n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int3 operator >>(int3 x, int n) => new int3(x.x >> n, x.y >> n, x.z >> n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(int3 lhs, int3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(int3 lhs, int rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(int lhs, int3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(int3 lhs, int3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(int3 lhs, int rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(int lhs, int3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
 
         public int this[int index]
         {
@@ -1094,83 +1095,83 @@ namespace Unity.Mathematics
 
         public static readonly int4 zero;
 
-        public int4(int x, int y, int z, int w) { this.x = x; this.y = y; this.z = z; this.w = w; }
-        public int4(int x, int y, int2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
-        public int4(int x, int2 yz, int w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
-        public int4(int x, int3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
-        public int4(int2 xy, int z, int w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
-        public int4(int2 xy, int2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
-        public int4(int3 xyz, int w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
-        public int4(int4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
-        public int4(int v) { this.x = v; this.y = v; this.z = v; this.w = v; }
-        public int4(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; this.z = v ? 1 : 0; this.w = v ? 1 : 0; }
-        public int4(bool4 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; this.z = v.z ? 1 : 0; this.w = v.w ? 1 : 0; }
-        public int4(uint v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
-        public int4(uint4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
-        public int4(float v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
-        public int4(float4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
-        public int4(double v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
-        public int4(double4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int x, int y, int z, int w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int x, int y, int2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int x, int2 yz, int w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int x, int3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int2 xy, int z, int w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int2 xy, int2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int3 xyz, int w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(int v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; this.z = v ? 1 : 0; this.w = v ? 1 : 0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(bool4 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; this.z = v.z ? 1 : 0; this.w = v.w ? 1 : 0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(uint v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(uint4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(float v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(float4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(double v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public int4(double4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
 
-        public static implicit operator int4(int v) => new int4(v);
-        public static explicit operator int4(bool v) => new int4(v);
-        public static explicit operator int4(bool4 v) => new int4(v);
-        public static explicit operator int4(uint v) => new int4(v);
-        public static explicit operator int4(uint4 v) => new int4(v);
-        public static explicit operator int4(float v) => new int4(v);
-        public static explicit operator int4(float4 v) => new int4(v);
-        public static explicit operator int4(double v) => new int4(v);
-        public static explicit operator int4(double4 v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator int4(int v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(bool v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(bool4 v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(uint v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(uint4 v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(float v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(float4 v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(double v) => new int4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator int4(double4 v) => new int4(v);
 
-        public static int4 operator +(int4 lhs, int4 rhs) => new int4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
-        public static int4 operator +(int4 lhs, int rhs) => new int4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
-        public static int4 operator +(int lhs, int4 rhs) => new int4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
-        public static int4 operator -(int4 lhs, int4 rhs) => new int4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
-        public static int4 operator -(int4 lhs, int rhs) => new int4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
-        public static int4 operator -(int lhs, int4 rhs) => new int4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
-        public static int4 operator *(int4 lhs, int4 rhs) => new int4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
-        public static int4 operator *(int4 lhs, int rhs) => new int4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
-        public static int4 operator *(int lhs, int4 rhs) => new int4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
-        public static int4 operator /(int4 lhs, int4 rhs) => new int4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
-        public static int4 operator /(int4 lhs, int rhs) => new int4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
-        public static int4 operator /(int lhs, int4 rhs) => new int4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
-        public static int4 operator %(int4 lhs, int4 rhs) => new int4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
-        public static int4 operator %(int4 lhs, int rhs) => new int4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
-        public static int4 operator %(int lhs, int4 rhs) => new int4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
-        public static bool4 operator <(int4 lhs, int4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
-        public static bool4 operator <(int4 lhs, int rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
-        public static bool4 operator <(int lhs, int4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
-        public static bool4 operator <=(int4 lhs, int4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
-        public static bool4 operator <=(int4 lhs, int rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
-        public static bool4 operator <=(int lhs, int4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
-        public static bool4 operator >(int4 lhs, int4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
-        public static bool4 operator >(int4 lhs, int rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
-        public static bool4 operator >(int lhs, int4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
-        public static bool4 operator >=(int4 lhs, int4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
-        public static bool4 operator >=(int4 lhs, int rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
-        public static bool4 operator >=(int lhs, int4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
-        public static int4 operator +(int4 val) => val;
-        public static int4 operator -(int4 val) => new int4(-val.x, -val.y, -val.z, -val.w);
-        public static int4 operator ++(int4 val) => new int4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
-        public static int4 operator --(int4 val) => new int4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
-        public static int4 operator &(int4 lhs, int4 rhs) => new int4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
-        public static int4 operator &(int4 lhs, int rhs) => new int4(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs, lhs.w & rhs);
-        public static int4 operator &(int lhs, int4 rhs) => new int4(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z, lhs & rhs.w);
-        public static int4 operator |(int4 lhs, int4 rhs) => new int4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
-        public static int4 operator |(int4 lhs, int rhs) => new int4(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs, lhs.w | rhs);
-        public static int4 operator |(int lhs, int4 rhs) => new int4(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z, lhs | rhs.w);
-        public static int4 operator ^(int4 lhs, int4 rhs) => new int4(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z, lhs.w ^ rhs.w);
-        public static int4 operator ^(int4 lhs, int rhs) => new int4(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs, lhs.w ^ rhs);
-        public static int4 operator ^(int lhs, int4 rhs) => new int4(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z, lhs ^ rhs.w);
-        public static int4 operator ~(int4 val) => new int4(~val.x, ~val.y, ~val.z, ~val.w);
-        public static int4 operator <<(int4 x, int n) => new int4(x.x << n, x.y << n, x.z << n, x.w << n);
-        public static int4 operator >>(int4 x, int n) => new int4(x.x >> n, x.y >> n, x.z >> n, x.w >> n);
-        public static bool4 operator ==(int4 lhs, int4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-        public static bool4 operator ==(int4 lhs, int rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
-        public static bool4 operator ==(int lhs, int4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
-        public static bool4 operator !=(int4 lhs, int4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
-        public static bool4 operator !=(int4 lhs, int rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
-        public static bool4 operator !=(int lhs, int4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator +(int4 lhs, int4 rhs) => new int4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator +(int4 lhs, int rhs) => new int4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator +(int lhs, int4 rhs) => new int4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator -(int4 lhs, int4 rhs) => new int4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator -(int4 lhs, int rhs) => new int4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator -(int lhs, int4 rhs) => new int4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator *(int4 lhs, int4 rhs) => new int4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator *(int4 lhs, int rhs) => new int4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator *(int lhs, int4 rhs) => new int4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator /(int4 lhs, int4 rhs) => new int4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator /(int4 lhs, int rhs) => new int4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator /(int lhs, int4 rhs) => new int4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator %(int4 lhs, int4 rhs) => new int4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator %(int4 lhs, int rhs) => new int4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator %(int lhs, int4 rhs) => new int4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(int4 lhs, int4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(int4 lhs, int rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(int lhs, int4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(int4 lhs, int4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(int4 lhs, int rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(int lhs, int4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(int4 lhs, int4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(int4 lhs, int rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(int lhs, int4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(int4 lhs, int4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(int4 lhs, int rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(int lhs, int4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator +(int4 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator -(int4 val) => new int4(-val.x, -val.y, -val.z, -val.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator ++(int4 val) => new int4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator --(int4 val) => new int4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator &(int4 lhs, int4 rhs) => new int4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator &(int4 lhs, int rhs) => new int4(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs, lhs.w & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator &(int lhs, int4 rhs) => new int4(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z, lhs & rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator |(int4 lhs, int4 rhs) => new int4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator |(int4 lhs, int rhs) => new int4(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs, lhs.w | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator |(int lhs, int4 rhs) => new int4(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z, lhs | rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator ^(int4 lhs, int4 rhs) => new int4(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z, lhs.w ^ rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator ^(int4 lhs, int rhs) => new int4(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs, lhs.w ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator ^(int lhs, int4 rhs) => new int4(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z, lhs ^ rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator ~(int4 val) => new int4(~val.x, ~val.y, ~val.z, ~val.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator <<(int4 x, int n) => new int4(x.x << n, x.y << n, x.z << n, x.w << n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static int4 operator >>(int4 x, int n) => new int4(x.x >> n, x.y >> n, x.z >> n, x.w >> n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(int4 lhs, int4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(int4 lhs, int rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(int lhs, int4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(int4 lhs, int4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(int4 lhs, int rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(int lhs, int4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
 
         public int this[int index]
         {
@@ -1531,77 +1532,77 @@ namespace Unity.Mathematics
 
         public static readonly uint2 zero;
 
-        public uint2(uint x, uint y) { this.x = x; this.y = y; }
-        public uint2(uint2 xy) { this.x = xy.x; this.y = xy.y; }
-        public uint2(uint v) { this.x = v; this.y = v; }
-        public uint2(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; }
-        public uint2(bool2 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; }
-        public uint2(int v) { this.x = (uint)v; this.y = (uint)v; }
-        public uint2(int2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
-        public uint2(float v) { this.x = (uint)v; this.y = (uint)v; }
-        public uint2(float2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
-        public uint2(double v) { this.x = (uint)v; this.y = (uint)v; }
-        public uint2(double2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(uint x, uint y) { this.x = x; this.y = y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(uint2 xy) { this.x = xy.x; this.y = xy.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(uint v) { this.x = v; this.y = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(bool2 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(int v) { this.x = (uint)v; this.y = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(int2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(float v) { this.x = (uint)v; this.y = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(float2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(double v) { this.x = (uint)v; this.y = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint2(double2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
 
-        public static implicit operator uint2(uint v) => new uint2(v);
-        public static explicit operator uint2(bool v) => new uint2(v);
-        public static explicit operator uint2(bool2 v) => new uint2(v);
-        public static explicit operator uint2(int v) => new uint2(v);
-        public static explicit operator uint2(int2 v) => new uint2(v);
-        public static explicit operator uint2(float v) => new uint2(v);
-        public static explicit operator uint2(float2 v) => new uint2(v);
-        public static explicit operator uint2(double v) => new uint2(v);
-        public static explicit operator uint2(double2 v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator uint2(uint v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(bool v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(bool2 v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(int v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(int2 v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(float v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(float2 v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(double v) => new uint2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint2(double2 v) => new uint2(v);
 
-        public static uint2 operator +(uint2 lhs, uint2 rhs) => new uint2(lhs.x + rhs.x, lhs.y + rhs.y);
-        public static uint2 operator +(uint2 lhs, uint rhs) => new uint2(lhs.x + rhs, lhs.y + rhs);
-        public static uint2 operator +(uint lhs, uint2 rhs) => new uint2(lhs + rhs.x, lhs + rhs.y);
-        public static uint2 operator -(uint2 lhs, uint2 rhs) => new uint2(lhs.x - rhs.x, lhs.y - rhs.y);
-        public static uint2 operator -(uint2 lhs, uint rhs) => new uint2(lhs.x - rhs, lhs.y - rhs);
-        public static uint2 operator -(uint lhs, uint2 rhs) => new uint2(lhs - rhs.x, lhs - rhs.y);
-        public static uint2 operator *(uint2 lhs, uint2 rhs) => new uint2(lhs.x * rhs.x, lhs.y * rhs.y);
-        public static uint2 operator *(uint2 lhs, uint rhs) => new uint2(lhs.x * rhs, lhs.y * rhs);
-        public static uint2 operator *(uint lhs, uint2 rhs) => new uint2(lhs * rhs.x, lhs * rhs.y);
-        public static uint2 operator /(uint2 lhs, uint2 rhs) => new uint2(lhs.x / rhs.x, lhs.y / rhs.y);
-        public static uint2 operator /(uint2 lhs, uint rhs) => new uint2(lhs.x / rhs, lhs.y / rhs);
-        public static uint2 operator /(uint lhs, uint2 rhs) => new uint2(lhs / rhs.x, lhs / rhs.y);
-        public static uint2 operator %(uint2 lhs, uint2 rhs) => new uint2(lhs.x % rhs.x, lhs.y % rhs.y);
-        public static uint2 operator %(uint2 lhs, uint rhs) => new uint2(lhs.x % rhs, lhs.y % rhs);
-        public static uint2 operator %(uint lhs, uint2 rhs) => new uint2(lhs % rhs.x, lhs % rhs.y);
-        public static bool2 operator <(uint2 lhs, uint2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
-        public static bool2 operator <(uint2 lhs, uint rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
-        public static bool2 operator <(uint lhs, uint2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
-        public static bool2 operator <=(uint2 lhs, uint2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
-        public static bool2 operator <=(uint2 lhs, uint rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
-        public static bool2 operator <=(uint lhs, uint2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
-        public static bool2 operator >(uint2 lhs, uint2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
-        public static bool2 operator >(uint2 lhs, uint rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
-        public static bool2 operator >(uint lhs, uint2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
-        public static bool2 operator >=(uint2 lhs, uint2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
-        public static bool2 operator >=(uint2 lhs, uint rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
-        public static bool2 operator >=(uint lhs, uint2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
-        public static uint2 operator +(uint2 val) => val;
-        public static uint2 operator -(uint2 val) => new uint2((uint)(-val.x), (uint)(-val.y));
-        public static uint2 operator ++(uint2 val) => new uint2(val.x + 1, val.y + 1);
-        public static uint2 operator --(uint2 val) => new uint2(val.x - 1, val.y - 1);
-        public static uint2 operator &(uint2 lhs, uint2 rhs) => new uint2(lhs.x & rhs.x, lhs.y & rhs.y);
-        public static uint2 operator &(uint2 lhs, uint rhs) => new uint2(lhs.x & rhs, lhs.y & rhs);
-        public static uint2 operator &(uint lhs, uint2 rhs) => new uint2(lhs & rhs.x, lhs & rhs.y);
-        public static uint2 operator |(uint2 lhs, uint2 rhs) => new uint2(lhs.x | rhs.x, lhs.y | rhs.y);
-        public static uint2 operator |(uint2 lhs, uint rhs) => new uint2(lhs.x | rhs, lhs.y | rhs);
-        public static uint2 operator |(uint lhs, uint2 rhs) => new uint2(lhs | rhs.x, lhs | rhs.y);
-        public static uint2 operator ^(uint2 lhs, uint2 rhs) => new uint2(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
-        public static uint2 operator ^(uint2 lhs, uint rhs) => new uint2(lhs.x ^ rhs, lhs.y ^ rhs);
-        public static uint2 operator ^(uint lhs, uint2 rhs) => new uint2(lhs ^ rhs.x, lhs ^ rhs.y);
-        public static uint2 operator ~(uint2 val) => new uint2(~val.x, ~val.y);
-        public static uint2 operator <<(uint2 x, int n) => new uint2(x.x << n, x.y << n);
-        public static uint2 operator >>(uint2 x, int n) => new uint2(x.x >> n, x.y >> n);
-        public static bool2 operator ==(uint2 lhs, uint2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
-        public static bool2 operator ==(uint2 lhs, uint rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
-        public static bool2 operator ==(uint lhs, uint2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
-        public static bool2 operator !=(uint2 lhs, uint2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
-        public static bool2 operator !=(uint2 lhs, uint rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
-        public static bool2 operator !=(uint lhs, uint2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator +(uint2 lhs, uint2 rhs) => new uint2(lhs.x + rhs.x, lhs.y + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator +(uint2 lhs, uint rhs) => new uint2(lhs.x + rhs, lhs.y + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator +(uint lhs, uint2 rhs) => new uint2(lhs + rhs.x, lhs + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator -(uint2 lhs, uint2 rhs) => new uint2(lhs.x - rhs.x, lhs.y - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator -(uint2 lhs, uint rhs) => new uint2(lhs.x - rhs, lhs.y - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator -(uint lhs, uint2 rhs) => new uint2(lhs - rhs.x, lhs - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator *(uint2 lhs, uint2 rhs) => new uint2(lhs.x * rhs.x, lhs.y * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator *(uint2 lhs, uint rhs) => new uint2(lhs.x * rhs, lhs.y * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator *(uint lhs, uint2 rhs) => new uint2(lhs * rhs.x, lhs * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator /(uint2 lhs, uint2 rhs) => new uint2(lhs.x / rhs.x, lhs.y / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator /(uint2 lhs, uint rhs) => new uint2(lhs.x / rhs, lhs.y / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator /(uint lhs, uint2 rhs) => new uint2(lhs / rhs.x, lhs / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator %(uint2 lhs, uint2 rhs) => new uint2(lhs.x % rhs.x, lhs.y % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator %(uint2 lhs, uint rhs) => new uint2(lhs.x % rhs, lhs.y % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator %(uint lhs, uint2 rhs) => new uint2(lhs % rhs.x, lhs % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(uint2 lhs, uint2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(uint2 lhs, uint rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(uint lhs, uint2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(uint2 lhs, uint2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(uint2 lhs, uint rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(uint lhs, uint2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(uint2 lhs, uint2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(uint2 lhs, uint rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(uint lhs, uint2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(uint2 lhs, uint2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(uint2 lhs, uint rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(uint lhs, uint2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator +(uint2 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator -(uint2 val) => new uint2((uint)(-val.x), (uint)(-val.y));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator ++(uint2 val) => new uint2(val.x + 1, val.y + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator --(uint2 val) => new uint2(val.x - 1, val.y - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator &(uint2 lhs, uint2 rhs) => new uint2(lhs.x & rhs.x, lhs.y & rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator &(uint2 lhs, uint rhs) => new uint2(lhs.x & rhs, lhs.y & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator &(uint lhs, uint2 rhs) => new uint2(lhs & rhs.x, lhs & rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator |(uint2 lhs, uint2 rhs) => new uint2(lhs.x | rhs.x, lhs.y | rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator |(uint2 lhs, uint rhs) => new uint2(lhs.x | rhs, lhs.y | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator |(uint lhs, uint2 rhs) => new uint2(lhs | rhs.x, lhs | rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator ^(uint2 lhs, uint2 rhs) => new uint2(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator ^(uint2 lhs, uint rhs) => new uint2(lhs.x ^ rhs, lhs.y ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator ^(uint lhs, uint2 rhs) => new uint2(lhs ^ rhs.x, lhs ^ rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator ~(uint2 val) => new uint2(~val.x, ~val.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator <<(uint2 x, int n) => new uint2(x.x << n, x.y << n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint2 operator >>(uint2 x, int n) => new uint2(x.x >> n, x.y >> n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(uint2 lhs, uint2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(uint2 lhs, uint rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(uint lhs, uint2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(uint2 lhs, uint2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(uint2 lhs, uint rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(uint lhs, uint2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
 
         public uint this[int index]
         {
@@ -1655,79 +1656,79 @@ namespace Unity.Mathematics
 
         public static readonly uint3 zero;
 
-        public uint3(uint x, uint y, uint z) { this.x = x; this.y = y; this.z = z; }
-        public uint3(uint x, uint2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
-        public uint3(uint2 xy, uint z) { this.x = xy.x; this.y = xy.y; this.z = z; }
-        public uint3(uint3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
-        public uint3(uint v) { this.x = v; this.y = v; this.z = v; }
-        public uint3(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; this.z = v ? 1u : 0u; }
-        public uint3(bool3 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; this.z = v.z ? 1u : 0u; }
-        public uint3(int v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
-        public uint3(int3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
-        public uint3(float v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
-        public uint3(float3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
-        public uint3(double v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
-        public uint3(double3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(uint x, uint y, uint z) { this.x = x; this.y = y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(uint x, uint2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(uint2 xy, uint z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(uint3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(uint v) { this.x = v; this.y = v; this.z = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; this.z = v ? 1u : 0u; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(bool3 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; this.z = v.z ? 1u : 0u; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(int v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(int3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(float v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(float3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(double v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint3(double3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
 
-        public static implicit operator uint3(uint v) => new uint3(v);
-        public static explicit operator uint3(bool v) => new uint3(v);
-        public static explicit operator uint3(bool3 v) => new uint3(v);
-        public static explicit operator uint3(int v) => new uint3(v);
-        public static explicit operator uint3(int3 v) => new uint3(v);
-        public static explicit operator uint3(float v) => new uint3(v);
-        public static explicit operator uint3(float3 v) => new uint3(v);
-        public static explicit operator uint3(double v) => new uint3(v);
-        public static explicit operator uint3(double3 v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator uint3(uint v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(bool v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(bool3 v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(int v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(int3 v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(float v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(float3 v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(double v) => new uint3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint3(double3 v) => new uint3(v);
 
-        public static uint3 operator +(uint3 lhs, uint3 rhs) => new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        public static uint3 operator +(uint3 lhs, uint rhs) => new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        public static uint3 operator +(uint lhs, uint3 rhs) => new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        public static uint3 operator -(uint3 lhs, uint3 rhs) => new uint3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-        public static uint3 operator -(uint3 lhs, uint rhs) => new uint3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        public static uint3 operator -(uint lhs, uint3 rhs) => new uint3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        public static uint3 operator *(uint3 lhs, uint3 rhs) => new uint3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        public static uint3 operator *(uint3 lhs, uint rhs) => new uint3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        public static uint3 operator *(uint lhs, uint3 rhs) => new uint3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        public static uint3 operator /(uint3 lhs, uint3 rhs) => new uint3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        public static uint3 operator /(uint3 lhs, uint rhs) => new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        public static uint3 operator /(uint lhs, uint3 rhs) => new uint3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        public static uint3 operator %(uint3 lhs, uint3 rhs) => new uint3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
-        public static uint3 operator %(uint3 lhs, uint rhs) => new uint3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
-        public static uint3 operator %(uint lhs, uint3 rhs) => new uint3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
-        public static bool3 operator <(uint3 lhs, uint3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-        public static bool3 operator <(uint3 lhs, uint rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        public static bool3 operator <(uint lhs, uint3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-        public static bool3 operator <=(uint3 lhs, uint3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-        public static bool3 operator <=(uint3 lhs, uint rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        public static bool3 operator <=(uint lhs, uint3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-        public static bool3 operator >(uint3 lhs, uint3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-        public static bool3 operator >(uint3 lhs, uint rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        public static bool3 operator >(uint lhs, uint3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-        public static bool3 operator >=(uint3 lhs, uint3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-        public static bool3 operator >=(uint3 lhs, uint rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        public static bool3 operator >=(uint lhs, uint3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-        public static uint3 operator +(uint3 val) => val;
-        public static uint3 operator -(uint3 val) => new uint3((uint)(-val.x), (uint)(-val.y), (uint)(-val.z));
-        public static uint3 operator ++(uint3 val) => new uint3(val.x + 1, val.y + 1, val.z + 1);
-        public static uint3 operator --(uint3 val) => new uint3(val.x - 1, val.y - 1, val.z - 1);
-        public static uint3 operator &(uint3 lhs, uint3 rhs) => new uint3(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z);
-        public static uint3 operator &(uint3 lhs, uint rhs) => new uint3(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs);
-        public static uint3 operator &(uint lhs, uint3 rhs) => new uint3(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z);
-        public static uint3 operator |(uint3 lhs, uint3 rhs) => new uint3(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z);
-        public static uint3 operator |(uint3 lhs, uint rhs) => new uint3(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs);
-        public static uint3 operator |(uint lhs, uint3 rhs) => new uint3(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z);
-        public static uint3 operator ^(uint3 lhs, uint3 rhs) => new uint3(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z);
-        public static uint3 operator ^(uint3 lhs, uint rhs) => new uint3(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs);
-        public static uint3 operator ^(uint lhs, uint3 rhs) => new uint3(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z);
-        public static uint3 operator ~(uint3 val) => new uint3(~val.x, ~val.y, ~val.z);
-        public static uint3 operator <<(uint3 x, int n) => new uint3(x.x << n, x.y << n, x.z << n);
-        public static uint3 operator >>(uint3 x, int n) => new uint3(x.x >> n, x.y >> n, x.z >> n);
-        public static bool3 operator ==(uint3 lhs, uint3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        public static bool3 operator ==(uint3 lhs, uint rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        public static bool3 operator ==(uint lhs, uint3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        public static bool3 operator !=(uint3 lhs, uint3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        public static bool3 operator !=(uint3 lhs, uint rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        public static bool3 operator !=(uint lhs, uint3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator +(uint3 lhs, uint3 rhs) => new uint3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator +(uint3 lhs, uint rhs) => new uint3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator +(uint lhs, uint3 rhs) => new uint3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator -(uint3 lhs, uint3 rhs) => new uint3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator -(uint3 lhs, uint rhs) => new uint3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator -(uint lhs, uint3 rhs) => new uint3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator *(uint3 lhs, uint3 rhs) => new uint3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator *(uint3 lhs, uint rhs) => new uint3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator *(uint lhs, uint3 rhs) => new uint3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator /(uint3 lhs, uint3 rhs) => new uint3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator /(uint3 lhs, uint rhs) => new uint3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator /(uint lhs, uint3 rhs) => new uint3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator %(uint3 lhs, uint3 rhs) => new uint3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator %(uint3 lhs, uint rhs) => new uint3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator %(uint lhs, uint3 rhs) => new uint3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(uint3 lhs, uint3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(uint3 lhs, uint rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(uint lhs, uint3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(uint3 lhs, uint3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(uint3 lhs, uint rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(uint lhs, uint3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(uint3 lhs, uint3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(uint3 lhs, uint rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(uint lhs, uint3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(uint3 lhs, uint3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(uint3 lhs, uint rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(uint lhs, uint3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator +(uint3 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator -(uint3 val) => new uint3((uint)(-val.x), (uint)(-val.y), (uint)(-val.z));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator ++(uint3 val) => new uint3(val.x + 1, val.y + 1, val.z + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator --(uint3 val) => new uint3(val.x - 1, val.y - 1, val.z - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator &(uint3 lhs, uint3 rhs) => new uint3(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator &(uint3 lhs, uint rhs) => new uint3(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator &(uint lhs, uint3 rhs) => new uint3(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator |(uint3 lhs, uint3 rhs) => new uint3(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator |(uint3 lhs, uint rhs) => new uint3(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator |(uint lhs, uint3 rhs) => new uint3(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator ^(uint3 lhs, uint3 rhs) => new uint3(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator ^(uint3 lhs, uint rhs) => new uint3(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator ^(uint lhs, uint3 rhs) => new uint3(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator ~(uint3 val) => new uint3(~val.x, ~val.y, ~val.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator <<(uint3 x, int n) => new uint3(x.x << n, x.y << n, x.z << n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint3 operator >>(uint3 x, int n) => new uint3(x.x >> n, x.y >> n, x.z >> n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(uint3 lhs, uint3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(uint3 lhs, uint rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(uint lhs, uint3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(uint3 lhs, uint3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(uint3 lhs, uint rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(uint lhs, uint3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
 
         public uint this[int index]
         {
@@ -1871,83 +1872,83 @@ namespace Unity.Mathematics
 
         public static readonly uint4 zero;
 
-        public uint4(uint x, uint y, uint z, uint w) { this.x = x; this.y = y; this.z = z; this.w = w; }
-        public uint4(uint x, uint y, uint2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
-        public uint4(uint x, uint2 yz, uint w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
-        public uint4(uint x, uint3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
-        public uint4(uint2 xy, uint z, uint w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
-        public uint4(uint2 xy, uint2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
-        public uint4(uint3 xyz, uint w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
-        public uint4(uint4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
-        public uint4(uint v) { this.x = v; this.y = v; this.z = v; this.w = v; }
-        public uint4(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; this.z = v ? 1u : 0u; this.w = v ? 1u : 0u; }
-        public uint4(bool4 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; this.z = v.z ? 1u : 0u; this.w = v.w ? 1u : 0u; }
-        public uint4(int v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
-        public uint4(int4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
-        public uint4(float v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
-        public uint4(float4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
-        public uint4(double v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
-        public uint4(double4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint x, uint y, uint z, uint w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint x, uint y, uint2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint x, uint2 yz, uint w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint x, uint3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint2 xy, uint z, uint w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint2 xy, uint2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint3 xyz, uint w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(uint v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; this.z = v ? 1u : 0u; this.w = v ? 1u : 0u; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(bool4 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; this.z = v.z ? 1u : 0u; this.w = v.w ? 1u : 0u; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(int v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(int4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(float v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(float4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(double v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public uint4(double4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
 
-        public static implicit operator uint4(uint v) => new uint4(v);
-        public static explicit operator uint4(bool v) => new uint4(v);
-        public static explicit operator uint4(bool4 v) => new uint4(v);
-        public static explicit operator uint4(int v) => new uint4(v);
-        public static explicit operator uint4(int4 v) => new uint4(v);
-        public static explicit operator uint4(float v) => new uint4(v);
-        public static explicit operator uint4(float4 v) => new uint4(v);
-        public static explicit operator uint4(double v) => new uint4(v);
-        public static explicit operator uint4(double4 v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator uint4(uint v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(bool v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(bool4 v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(int v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(int4 v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(float v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(float4 v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(double v) => new uint4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator uint4(double4 v) => new uint4(v);
 
-        public static uint4 operator +(uint4 lhs, uint4 rhs) => new uint4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
-        public static uint4 operator +(uint4 lhs, uint rhs) => new uint4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
-        public static uint4 operator +(uint lhs, uint4 rhs) => new uint4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
-        public static uint4 operator -(uint4 lhs, uint4 rhs) => new uint4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
-        public static uint4 operator -(uint4 lhs, uint rhs) => new uint4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
-        public static uint4 operator -(uint lhs, uint4 rhs) => new uint4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
-        public static uint4 operator *(uint4 lhs, uint4 rhs) => new uint4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
-        public static uint4 operator *(uint4 lhs, uint rhs) => new uint4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
-        public static uint4 operator *(uint lhs, uint4 rhs) => new uint4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
-        public static uint4 operator /(uint4 lhs, uint4 rhs) => new uint4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
-        public static uint4 operator /(uint4 lhs, uint rhs) => new uint4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
-        public static uint4 operator /(uint lhs, uint4 rhs) => new uint4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
-        public static uint4 operator %(uint4 lhs, uint4 rhs) => new uint4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
-        public static uint4 operator %(uint4 lhs, uint rhs) => new uint4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
-        public static uint4 operator %(uint lhs, uint4 rhs) => new uint4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
-        public static bool4 operator <(uint4 lhs, uint4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
-        public static bool4 operator <(uint4 lhs, uint rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
-        public static bool4 operator <(uint lhs, uint4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
-        public static bool4 operator <=(uint4 lhs, uint4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
-        public static bool4 operator <=(uint4 lhs, uint rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
-        public static bool4 operator <=(uint lhs, uint4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
-        public static bool4 operator >(uint4 lhs, uint4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
-        public static bool4 operator >(uint4 lhs, uint rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
-        public static bool4 operator >(uint lhs, uint4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
-        public static bool4 operator >=(uint4 lhs, uint4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
-        public static bool4 operator >=(uint4 lhs, uint rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
-        public static bool4 operator >=(uint lhs, uint4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
-        public static uint4 operator +(uint4 val) => val;
-        public static uint4 operator -(uint4 val) => new uint4((uint)(-val.x), (uint)(-val.y), (uint)(-val.z), (uint)(-val.w));
-        public static uint4 operator ++(uint4 val) => new uint4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
-        public static uint4 operator --(uint4 val) => new uint4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
-        public static uint4 operator &(uint4 lhs, uint4 rhs) => new uint4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
-        public static uint4 operator &(uint4 lhs, uint rhs) => new uint4(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs, lhs.w & rhs);
-        public static uint4 operator &(uint lhs, uint4 rhs) => new uint4(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z, lhs & rhs.w);
-        public static uint4 operator |(uint4 lhs, uint4 rhs) => new uint4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
-        public static uint4 operator |(uint4 lhs, uint rhs) => new uint4(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs, lhs.w | rhs);
-        public static uint4 operator |(uint lhs, uint4 rhs) => new uint4(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z, lhs | rhs.w);
-        public static uint4 operator ^(uint4 lhs, uint4 rhs) => new uint4(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z, lhs.w ^ rhs.w);
-        public static uint4 operator ^(uint4 lhs, uint rhs) => new uint4(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs, lhs.w ^ rhs);
-        public static uint4 operator ^(uint lhs, uint4 rhs) => new uint4(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z, lhs ^ rhs.w);
-        public static uint4 operator ~(uint4 val) => new uint4(~val.x, ~val.y, ~val.z, ~val.w);
-        public static uint4 operator <<(uint4 x, int n) => new uint4(x.x << n, x.y << n, x.z << n, x.w << n);
-        public static uint4 operator >>(uint4 x, int n) => new uint4(x.x >> n, x.y >> n, x.z >> n, x.w >> n);
-        public static bool4 operator ==(uint4 lhs, uint4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-        public static bool4 operator ==(uint4 lhs, uint rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
-        public static bool4 operator ==(uint lhs, uint4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
-        public static bool4 operator !=(uint4 lhs, uint4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
-        public static bool4 operator !=(uint4 lhs, uint rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
-        public static bool4 operator !=(uint lhs, uint4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator +(uint4 lhs, uint4 rhs) => new uint4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator +(uint4 lhs, uint rhs) => new uint4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator +(uint lhs, uint4 rhs) => new uint4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator -(uint4 lhs, uint4 rhs) => new uint4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator -(uint4 lhs, uint rhs) => new uint4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator -(uint lhs, uint4 rhs) => new uint4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator *(uint4 lhs, uint4 rhs) => new uint4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator *(uint4 lhs, uint rhs) => new uint4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator *(uint lhs, uint4 rhs) => new uint4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator /(uint4 lhs, uint4 rhs) => new uint4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator /(uint4 lhs, uint rhs) => new uint4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator /(uint lhs, uint4 rhs) => new uint4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator %(uint4 lhs, uint4 rhs) => new uint4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator %(uint4 lhs, uint rhs) => new uint4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator %(uint lhs, uint4 rhs) => new uint4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(uint4 lhs, uint4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(uint4 lhs, uint rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(uint lhs, uint4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(uint4 lhs, uint4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(uint4 lhs, uint rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(uint lhs, uint4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(uint4 lhs, uint4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(uint4 lhs, uint rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(uint lhs, uint4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(uint4 lhs, uint4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(uint4 lhs, uint rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(uint lhs, uint4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator +(uint4 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator -(uint4 val) => new uint4((uint)(-val.x), (uint)(-val.y), (uint)(-val.z), (uint)(-val.w));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator ++(uint4 val) => new uint4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator --(uint4 val) => new uint4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator &(uint4 lhs, uint4 rhs) => new uint4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator &(uint4 lhs, uint rhs) => new uint4(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs, lhs.w & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator &(uint lhs, uint4 rhs) => new uint4(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z, lhs & rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator |(uint4 lhs, uint4 rhs) => new uint4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator |(uint4 lhs, uint rhs) => new uint4(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs, lhs.w | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator |(uint lhs, uint4 rhs) => new uint4(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z, lhs | rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator ^(uint4 lhs, uint4 rhs) => new uint4(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z, lhs.w ^ rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator ^(uint4 lhs, uint rhs) => new uint4(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs, lhs.w ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator ^(uint lhs, uint4 rhs) => new uint4(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z, lhs ^ rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator ~(uint4 val) => new uint4(~val.x, ~val.y, ~val.z, ~val.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator <<(uint4 x, int n) => new uint4(x.x << n, x.y << n, x.z << n, x.w << n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static uint4 operator >>(uint4 x, int n) => new uint4(x.x >> n, x.y >> n, x.z >> n, x.w >> n);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(uint4 lhs, uint4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(uint4 lhs, uint rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(uint lhs, uint4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(uint4 lhs, uint4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(uint4 lhs, uint rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(uint lhs, uint4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
 
         public uint this[int index]
         {
@@ -2308,65 +2309,65 @@ namespace Unity.Mathematics
 
         public static readonly double2 zero;
 
-        public double2(double x, double y) { this.x = x; this.y = y; }
-        public double2(double2 xy) { this.x = xy.x; this.y = xy.y; }
-        public double2(double v) { this.x = v; this.y = v; }
-        public double2(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; }
-        public double2(bool2 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; }
-        public double2(int v) { this.x = (double)v; this.y = (double)v; }
-        public double2(int2 v) { this.x = (double)v.x; this.y = (double)v.y; }
-        public double2(uint v) { this.x = (double)v; this.y = (double)v; }
-        public double2(uint2 v) { this.x = (double)v.x; this.y = (double)v.y; }
-        public double2(float v) { this.x = (double)v; this.y = (double)v; }
-        public double2(float2 v) { this.x = (double)v.x; this.y = (double)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(double x, double y) { this.x = x; this.y = y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(double2 xy) { this.x = xy.x; this.y = xy.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(double v) { this.x = v; this.y = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(bool2 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(int v) { this.x = (double)v; this.y = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(int2 v) { this.x = (double)v.x; this.y = (double)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(uint v) { this.x = (double)v; this.y = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(uint2 v) { this.x = (double)v.x; this.y = (double)v.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(float v) { this.x = (double)v; this.y = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double2(float2 v) { this.x = (double)v.x; this.y = (double)v.y; }
 
-        public static implicit operator double2(double v) => new double2(v);
-        public static explicit operator double2(bool v) => new double2(v);
-        public static explicit operator double2(bool2 v) => new double2(v);
-        public static implicit operator double2(int v) => new double2(v);
-        public static implicit operator double2(int2 v) => new double2(v);
-        public static implicit operator double2(uint v) => new double2(v);
-        public static implicit operator double2(uint2 v) => new double2(v);
-        public static implicit operator double2(float v) => new double2(v);
-        public static implicit operator double2(float2 v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(double v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator double2(bool v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator double2(bool2 v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(int v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(int2 v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(uint v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(uint2 v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(float v) => new double2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double2(float2 v) => new double2(v);
 
-        public static double2 operator +(double2 lhs, double2 rhs) => new double2(lhs.x + rhs.x, lhs.y + rhs.y);
-        public static double2 operator +(double2 lhs, double rhs) => new double2(lhs.x + rhs, lhs.y + rhs);
-        public static double2 operator +(double lhs, double2 rhs) => new double2(lhs + rhs.x, lhs + rhs.y);
-        public static double2 operator -(double2 lhs, double2 rhs) => new double2(lhs.x - rhs.x, lhs.y - rhs.y);
-        public static double2 operator -(double2 lhs, double rhs) => new double2(lhs.x - rhs, lhs.y - rhs);
-        public static double2 operator -(double lhs, double2 rhs) => new double2(lhs - rhs.x, lhs - rhs.y);
-        public static double2 operator *(double2 lhs, double2 rhs) => new double2(lhs.x * rhs.x, lhs.y * rhs.y);
-        public static double2 operator *(double2 lhs, double rhs) => new double2(lhs.x * rhs, lhs.y * rhs);
-        public static double2 operator *(double lhs, double2 rhs) => new double2(lhs * rhs.x, lhs * rhs.y);
-        public static double2 operator /(double2 lhs, double2 rhs) => new double2(lhs.x / rhs.x, lhs.y / rhs.y);
-        public static double2 operator /(double2 lhs, double rhs) => new double2(lhs.x / rhs, lhs.y / rhs);
-        public static double2 operator /(double lhs, double2 rhs) => new double2(lhs / rhs.x, lhs / rhs.y);
-        public static double2 operator %(double2 lhs, double2 rhs) => new double2(lhs.x % rhs.x, lhs.y % rhs.y);
-        public static double2 operator %(double2 lhs, double rhs) => new double2(lhs.x % rhs, lhs.y % rhs);
-        public static double2 operator %(double lhs, double2 rhs) => new double2(lhs % rhs.x, lhs % rhs.y);
-        public static bool2 operator <(double2 lhs, double2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
-        public static bool2 operator <(double2 lhs, double rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
-        public static bool2 operator <(double lhs, double2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
-        public static bool2 operator <=(double2 lhs, double2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
-        public static bool2 operator <=(double2 lhs, double rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
-        public static bool2 operator <=(double lhs, double2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
-        public static bool2 operator >(double2 lhs, double2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
-        public static bool2 operator >(double2 lhs, double rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
-        public static bool2 operator >(double lhs, double2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
-        public static bool2 operator >=(double2 lhs, double2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
-        public static bool2 operator >=(double2 lhs, double rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
-        public static bool2 operator >=(double lhs, double2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
-        public static double2 operator +(double2 val) => val;
-        public static double2 operator -(double2 val) => new double2(-val.x, -val.y);
-        public static double2 operator ++(double2 val) => new double2(val.x + 1, val.y + 1);
-        public static double2 operator --(double2 val) => new double2(val.x - 1, val.y - 1);
-        public static bool2 operator ==(double2 lhs, double2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
-        public static bool2 operator ==(double2 lhs, double rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
-        public static bool2 operator ==(double lhs, double2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
-        public static bool2 operator !=(double2 lhs, double2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
-        public static bool2 operator !=(double2 lhs, double rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
-        public static bool2 operator !=(double lhs, double2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator +(double2 lhs, double2 rhs) => new double2(lhs.x + rhs.x, lhs.y + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator +(double2 lhs, double rhs) => new double2(lhs.x + rhs, lhs.y + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator +(double lhs, double2 rhs) => new double2(lhs + rhs.x, lhs + rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator -(double2 lhs, double2 rhs) => new double2(lhs.x - rhs.x, lhs.y - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator -(double2 lhs, double rhs) => new double2(lhs.x - rhs, lhs.y - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator -(double lhs, double2 rhs) => new double2(lhs - rhs.x, lhs - rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator *(double2 lhs, double2 rhs) => new double2(lhs.x * rhs.x, lhs.y * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator *(double2 lhs, double rhs) => new double2(lhs.x * rhs, lhs.y * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator *(double lhs, double2 rhs) => new double2(lhs * rhs.x, lhs * rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator /(double2 lhs, double2 rhs) => new double2(lhs.x / rhs.x, lhs.y / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator /(double2 lhs, double rhs) => new double2(lhs.x / rhs, lhs.y / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator /(double lhs, double2 rhs) => new double2(lhs / rhs.x, lhs / rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator %(double2 lhs, double2 rhs) => new double2(lhs.x % rhs.x, lhs.y % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator %(double2 lhs, double rhs) => new double2(lhs.x % rhs, lhs.y % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator %(double lhs, double2 rhs) => new double2(lhs % rhs.x, lhs % rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(double2 lhs, double2 rhs) => new bool2(lhs.x < rhs.x, lhs.y < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(double2 lhs, double rhs) => new bool2(lhs.x < rhs, lhs.y < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <(double lhs, double2 rhs) => new bool2(lhs < rhs.x, lhs < rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(double2 lhs, double2 rhs) => new bool2(lhs.x <= rhs.x, lhs.y <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(double2 lhs, double rhs) => new bool2(lhs.x <= rhs, lhs.y <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator <=(double lhs, double2 rhs) => new bool2(lhs <= rhs.x, lhs <= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(double2 lhs, double2 rhs) => new bool2(lhs.x > rhs.x, lhs.y > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(double2 lhs, double rhs) => new bool2(lhs.x > rhs, lhs.y > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >(double lhs, double2 rhs) => new bool2(lhs > rhs.x, lhs > rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(double2 lhs, double2 rhs) => new bool2(lhs.x >= rhs.x, lhs.y >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(double2 lhs, double rhs) => new bool2(lhs.x >= rhs, lhs.y >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator >=(double lhs, double2 rhs) => new bool2(lhs >= rhs.x, lhs >= rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator +(double2 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator -(double2 val) => new double2(-val.x, -val.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator ++(double2 val) => new double2(val.x + 1, val.y + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double2 operator --(double2 val) => new double2(val.x - 1, val.y - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(double2 lhs, double2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(double2 lhs, double rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(double lhs, double2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(double2 lhs, double2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(double2 lhs, double rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(double lhs, double2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
 
         public double this[int index]
         {
@@ -2420,67 +2421,67 @@ namespace Unity.Mathematics
 
         public static readonly double3 zero;
 
-        public double3(double x, double y, double z) { this.x = x; this.y = y; this.z = z; }
-        public double3(double x, double2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
-        public double3(double2 xy, double z) { this.x = xy.x; this.y = xy.y; this.z = z; }
-        public double3(double3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
-        public double3(double v) { this.x = v; this.y = v; this.z = v; }
-        public double3(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; this.z = v ? 1.0 : 0.0; }
-        public double3(bool3 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; this.z = v.z ? 1.0 : 0.0; }
-        public double3(int v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; }
-        public double3(int3 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; }
-        public double3(uint v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; }
-        public double3(uint3 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; }
-        public double3(float v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; }
-        public double3(float3 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(double x, double y, double z) { this.x = x; this.y = y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(double x, double2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(double2 xy, double z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(double3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(double v) { this.x = v; this.y = v; this.z = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; this.z = v ? 1.0 : 0.0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(bool3 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; this.z = v.z ? 1.0 : 0.0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(int v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(int3 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(uint v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(uint3 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(float v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double3(float3 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; }
 
-        public static implicit operator double3(double v) => new double3(v);
-        public static explicit operator double3(bool v) => new double3(v);
-        public static explicit operator double3(bool3 v) => new double3(v);
-        public static implicit operator double3(int v) => new double3(v);
-        public static implicit operator double3(int3 v) => new double3(v);
-        public static implicit operator double3(uint v) => new double3(v);
-        public static implicit operator double3(uint3 v) => new double3(v);
-        public static implicit operator double3(float v) => new double3(v);
-        public static implicit operator double3(float3 v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(double v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator double3(bool v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator double3(bool3 v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(int v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(int3 v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(uint v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(uint3 v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(float v) => new double3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double3(float3 v) => new double3(v);
 
-        public static double3 operator +(double3 lhs, double3 rhs) => new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
-        public static double3 operator +(double3 lhs, double rhs) => new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
-        public static double3 operator +(double lhs, double3 rhs) => new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
-        public static double3 operator -(double3 lhs, double3 rhs) => new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
-        public static double3 operator -(double3 lhs, double rhs) => new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
-        public static double3 operator -(double lhs, double3 rhs) => new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
-        public static double3 operator *(double3 lhs, double3 rhs) => new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
-        public static double3 operator *(double3 lhs, double rhs) => new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
-        public static double3 operator *(double lhs, double3 rhs) => new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
-        public static double3 operator /(double3 lhs, double3 rhs) => new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
-        public static double3 operator /(double3 lhs, double rhs) => new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
-        public static double3 operator /(double lhs, double3 rhs) => new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
-        public static double3 operator %(double3 lhs, double3 rhs) => new double3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
-        public static double3 operator %(double3 lhs, double rhs) => new double3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
-        public static double3 operator %(double lhs, double3 rhs) => new double3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
-        public static bool3 operator <(double3 lhs, double3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
-        public static bool3 operator <(double3 lhs, double rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
-        public static bool3 operator <(double lhs, double3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
-        public static bool3 operator <=(double3 lhs, double3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
-        public static bool3 operator <=(double3 lhs, double rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
-        public static bool3 operator <=(double lhs, double3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
-        public static bool3 operator >(double3 lhs, double3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
-        public static bool3 operator >(double3 lhs, double rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
-        public static bool3 operator >(double lhs, double3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
-        public static bool3 operator >=(double3 lhs, double3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
-        public static bool3 operator >=(double3 lhs, double rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
-        public static bool3 operator >=(double lhs, double3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
-        public static double3 operator +(double3 val) => val;
-        public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
-        public static double3 operator ++(double3 val) => new double3(val.x + 1, val.y + 1, val.z + 1);
-        public static double3 operator --(double3 val) => new double3(val.x - 1, val.y - 1, val.z - 1);
-        public static bool3 operator ==(double3 lhs, double3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        public static bool3 operator ==(double3 lhs, double rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        public static bool3 operator ==(double lhs, double3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        public static bool3 operator !=(double3 lhs, double3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        public static bool3 operator !=(double3 lhs, double rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        public static bool3 operator !=(double lhs, double3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator +(double3 lhs, double3 rhs) => new double3(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator +(double3 lhs, double rhs) => new double3(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator +(double lhs, double3 rhs) => new double3(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator -(double3 lhs, double3 rhs) => new double3(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator -(double3 lhs, double rhs) => new double3(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator -(double lhs, double3 rhs) => new double3(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator *(double3 lhs, double3 rhs) => new double3(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator *(double3 lhs, double rhs) => new double3(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator *(double lhs, double3 rhs) => new double3(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator /(double3 lhs, double3 rhs) => new double3(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator /(double3 lhs, double rhs) => new double3(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator /(double lhs, double3 rhs) => new double3(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator %(double3 lhs, double3 rhs) => new double3(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator %(double3 lhs, double rhs) => new double3(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator %(double lhs, double3 rhs) => new double3(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(double3 lhs, double3 rhs) => new bool3(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(double3 lhs, double rhs) => new bool3(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <(double lhs, double3 rhs) => new bool3(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(double3 lhs, double3 rhs) => new bool3(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(double3 lhs, double rhs) => new bool3(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator <=(double lhs, double3 rhs) => new bool3(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(double3 lhs, double3 rhs) => new bool3(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(double3 lhs, double rhs) => new bool3(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >(double lhs, double3 rhs) => new bool3(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(double3 lhs, double3 rhs) => new bool3(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(double3 lhs, double rhs) => new bool3(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator >=(double lhs, double3 rhs) => new bool3(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator +(double3 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator -(double3 val) => new double3(-val.x, -val.y, -val.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator ++(double3 val) => new double3(val.x + 1, val.y + 1, val.z + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double3 operator --(double3 val) => new double3(val.x - 1, val.y - 1, val.z - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(double3 lhs, double3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(double3 lhs, double rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(double lhs, double3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(double3 lhs, double3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(double3 lhs, double rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(double lhs, double3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
 
         public double this[int index]
         {
@@ -2624,71 +2625,71 @@ namespace Unity.Mathematics
 
         public static readonly double4 zero;
 
-        public double4(double x, double y, double z, double w) { this.x = x; this.y = y; this.z = z; this.w = w; }
-        public double4(double x, double y, double2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
-        public double4(double x, double2 yz, double w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
-        public double4(double x, double3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
-        public double4(double2 xy, double z, double w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
-        public double4(double2 xy, double2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
-        public double4(double3 xyz, double w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
-        public double4(double4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
-        public double4(double v) { this.x = v; this.y = v; this.z = v; this.w = v; }
-        public double4(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; this.z = v ? 1.0 : 0.0; this.w = v ? 1.0 : 0.0; }
-        public double4(bool4 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; this.z = v.z ? 1.0 : 0.0; this.w = v.w ? 1.0 : 0.0; }
-        public double4(int v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; this.w = (double)v; }
-        public double4(int4 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; this.w = (double)v.w; }
-        public double4(uint v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; this.w = (double)v; }
-        public double4(uint4 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; this.w = (double)v.w; }
-        public double4(float v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; this.w = (double)v; }
-        public double4(float4 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; this.w = (double)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double x, double y, double z, double w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double x, double y, double2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double x, double2 yz, double w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double x, double3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double2 xy, double z, double w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double2 xy, double2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double3 xyz, double w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(double v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; this.z = v ? 1.0 : 0.0; this.w = v ? 1.0 : 0.0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(bool4 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; this.z = v.z ? 1.0 : 0.0; this.w = v.w ? 1.0 : 0.0; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(int v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; this.w = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(int4 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; this.w = (double)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(uint v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; this.w = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(uint4 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; this.w = (double)v.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(float v) { this.x = (double)v; this.y = (double)v; this.z = (double)v; this.w = (double)v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public double4(float4 v) { this.x = (double)v.x; this.y = (double)v.y; this.z = (double)v.z; this.w = (double)v.w; }
 
-        public static implicit operator double4(double v) => new double4(v);
-        public static explicit operator double4(bool v) => new double4(v);
-        public static explicit operator double4(bool4 v) => new double4(v);
-        public static implicit operator double4(int v) => new double4(v);
-        public static implicit operator double4(int4 v) => new double4(v);
-        public static implicit operator double4(uint v) => new double4(v);
-        public static implicit operator double4(uint4 v) => new double4(v);
-        public static implicit operator double4(float v) => new double4(v);
-        public static implicit operator double4(float4 v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(double v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator double4(bool v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static explicit operator double4(bool4 v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(int v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(int4 v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(uint v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(uint4 v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(float v) => new double4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator double4(float4 v) => new double4(v);
 
-        public static double4 operator +(double4 lhs, double4 rhs) => new double4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
-        public static double4 operator +(double4 lhs, double rhs) => new double4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
-        public static double4 operator +(double lhs, double4 rhs) => new double4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
-        public static double4 operator -(double4 lhs, double4 rhs) => new double4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
-        public static double4 operator -(double4 lhs, double rhs) => new double4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
-        public static double4 operator -(double lhs, double4 rhs) => new double4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
-        public static double4 operator *(double4 lhs, double4 rhs) => new double4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
-        public static double4 operator *(double4 lhs, double rhs) => new double4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
-        public static double4 operator *(double lhs, double4 rhs) => new double4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
-        public static double4 operator /(double4 lhs, double4 rhs) => new double4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
-        public static double4 operator /(double4 lhs, double rhs) => new double4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
-        public static double4 operator /(double lhs, double4 rhs) => new double4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
-        public static double4 operator %(double4 lhs, double4 rhs) => new double4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
-        public static double4 operator %(double4 lhs, double rhs) => new double4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
-        public static double4 operator %(double lhs, double4 rhs) => new double4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
-        public static bool4 operator <(double4 lhs, double4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
-        public static bool4 operator <(double4 lhs, double rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
-        public static bool4 operator <(double lhs, double4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
-        public static bool4 operator <=(double4 lhs, double4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
-        public static bool4 operator <=(double4 lhs, double rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
-        public static bool4 operator <=(double lhs, double4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
-        public static bool4 operator >(double4 lhs, double4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
-        public static bool4 operator >(double4 lhs, double rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
-        public static bool4 operator >(double lhs, double4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
-        public static bool4 operator >=(double4 lhs, double4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
-        public static bool4 operator >=(double4 lhs, double rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
-        public static bool4 operator >=(double lhs, double4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
-        public static double4 operator +(double4 val) => val;
-        public static double4 operator -(double4 val) => new double4(-val.x, -val.y, -val.z, -val.w);
-        public static double4 operator ++(double4 val) => new double4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
-        public static double4 operator --(double4 val) => new double4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
-        public static bool4 operator ==(double4 lhs, double4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-        public static bool4 operator ==(double4 lhs, double rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
-        public static bool4 operator ==(double lhs, double4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
-        public static bool4 operator !=(double4 lhs, double4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
-        public static bool4 operator !=(double4 lhs, double rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
-        public static bool4 operator !=(double lhs, double4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator +(double4 lhs, double4 rhs) => new double4(lhs.x + rhs.x, lhs.y + rhs.y, lhs.z + rhs.z, lhs.w + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator +(double4 lhs, double rhs) => new double4(lhs.x + rhs, lhs.y + rhs, lhs.z + rhs, lhs.w + rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator +(double lhs, double4 rhs) => new double4(lhs + rhs.x, lhs + rhs.y, lhs + rhs.z, lhs + rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator -(double4 lhs, double4 rhs) => new double4(lhs.x - rhs.x, lhs.y - rhs.y, lhs.z - rhs.z, lhs.w - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator -(double4 lhs, double rhs) => new double4(lhs.x - rhs, lhs.y - rhs, lhs.z - rhs, lhs.w - rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator -(double lhs, double4 rhs) => new double4(lhs - rhs.x, lhs - rhs.y, lhs - rhs.z, lhs - rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator *(double4 lhs, double4 rhs) => new double4(lhs.x * rhs.x, lhs.y * rhs.y, lhs.z * rhs.z, lhs.w * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator *(double4 lhs, double rhs) => new double4(lhs.x * rhs, lhs.y * rhs, lhs.z * rhs, lhs.w * rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator *(double lhs, double4 rhs) => new double4(lhs * rhs.x, lhs * rhs.y, lhs * rhs.z, lhs * rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator /(double4 lhs, double4 rhs) => new double4(lhs.x / rhs.x, lhs.y / rhs.y, lhs.z / rhs.z, lhs.w / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator /(double4 lhs, double rhs) => new double4(lhs.x / rhs, lhs.y / rhs, lhs.z / rhs, lhs.w / rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator /(double lhs, double4 rhs) => new double4(lhs / rhs.x, lhs / rhs.y, lhs / rhs.z, lhs / rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator %(double4 lhs, double4 rhs) => new double4(lhs.x % rhs.x, lhs.y % rhs.y, lhs.z % rhs.z, lhs.w % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator %(double4 lhs, double rhs) => new double4(lhs.x % rhs, lhs.y % rhs, lhs.z % rhs, lhs.w % rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator %(double lhs, double4 rhs) => new double4(lhs % rhs.x, lhs % rhs.y, lhs % rhs.z, lhs % rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(double4 lhs, double4 rhs) => new bool4(lhs.x < rhs.x, lhs.y < rhs.y, lhs.z < rhs.z, lhs.w < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(double4 lhs, double rhs) => new bool4(lhs.x < rhs, lhs.y < rhs, lhs.z < rhs, lhs.w < rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <(double lhs, double4 rhs) => new bool4(lhs < rhs.x, lhs < rhs.y, lhs < rhs.z, lhs < rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(double4 lhs, double4 rhs) => new bool4(lhs.x <= rhs.x, lhs.y <= rhs.y, lhs.z <= rhs.z, lhs.w <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(double4 lhs, double rhs) => new bool4(lhs.x <= rhs, lhs.y <= rhs, lhs.z <= rhs, lhs.w <= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator <=(double lhs, double4 rhs) => new bool4(lhs <= rhs.x, lhs <= rhs.y, lhs <= rhs.z, lhs <= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(double4 lhs, double4 rhs) => new bool4(lhs.x > rhs.x, lhs.y > rhs.y, lhs.z > rhs.z, lhs.w > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(double4 lhs, double rhs) => new bool4(lhs.x > rhs, lhs.y > rhs, lhs.z > rhs, lhs.w > rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >(double lhs, double4 rhs) => new bool4(lhs > rhs.x, lhs > rhs.y, lhs > rhs.z, lhs > rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(double4 lhs, double4 rhs) => new bool4(lhs.x >= rhs.x, lhs.y >= rhs.y, lhs.z >= rhs.z, lhs.w >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(double4 lhs, double rhs) => new bool4(lhs.x >= rhs, lhs.y >= rhs, lhs.z >= rhs, lhs.w >= rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator >=(double lhs, double4 rhs) => new bool4(lhs >= rhs.x, lhs >= rhs.y, lhs >= rhs.z, lhs >= rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator +(double4 val) => val;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator -(double4 val) => new double4(-val.x, -val.y, -val.z, -val.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator ++(double4 val) => new double4(val.x + 1, val.y + 1, val.z + 1, val.w + 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static double4 operator --(double4 val) => new double4(val.x - 1, val.y - 1, val.z - 1, val.w - 1);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(double4 lhs, double4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(double4 lhs, double rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(double lhs, double4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(double4 lhs, double4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(double4 lhs, double rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(double lhs, double4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
 
         public double this[int index]
         {
@@ -3047,28 +3048,28 @@ namespace Unity.Mathematics
         public bool x;
         public bool y;
 
-        public bool2(bool x, bool y) { this.x = x; this.y = y; }
-        public bool2(bool2 xy) { this.x = xy.x; this.y = xy.y; }
-        public bool2(bool v) { this.x = v; this.y = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool2(bool x, bool y) { this.x = x; this.y = y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool2(bool2 xy) { this.x = xy.x; this.y = xy.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool2(bool v) { this.x = v; this.y = v; }
 
-        public static implicit operator bool2(bool v) => new bool2(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator bool2(bool v) => new bool2(v);
 
-        public static bool2 operator &(bool2 lhs, bool2 rhs) => new bool2(lhs.x & rhs.x, lhs.y & rhs.y);
-        public static bool2 operator &(bool2 lhs, bool rhs) => new bool2(lhs.x & rhs, lhs.y & rhs);
-        public static bool2 operator &(bool lhs, bool2 rhs) => new bool2(lhs & rhs.x, lhs & rhs.y);
-        public static bool2 operator |(bool2 lhs, bool2 rhs) => new bool2(lhs.x | rhs.x, lhs.y | rhs.y);
-        public static bool2 operator |(bool2 lhs, bool rhs) => new bool2(lhs.x | rhs, lhs.y | rhs);
-        public static bool2 operator |(bool lhs, bool2 rhs) => new bool2(lhs | rhs.x, lhs | rhs.y);
-        public static bool2 operator ^(bool2 lhs, bool2 rhs) => new bool2(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
-        public static bool2 operator ^(bool2 lhs, bool rhs) => new bool2(lhs.x ^ rhs, lhs.y ^ rhs);
-        public static bool2 operator ^(bool lhs, bool2 rhs) => new bool2(lhs ^ rhs.x, lhs ^ rhs.y);
-        public static bool2 operator !(bool2 val) => new bool2(!val.x, !val.y);
-        public static bool2 operator ==(bool2 lhs, bool2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
-        public static bool2 operator ==(bool2 lhs, bool rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
-        public static bool2 operator ==(bool lhs, bool2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
-        public static bool2 operator !=(bool2 lhs, bool2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
-        public static bool2 operator !=(bool2 lhs, bool rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
-        public static bool2 operator !=(bool lhs, bool2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator &(bool2 lhs, bool2 rhs) => new bool2(lhs.x & rhs.x, lhs.y & rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator &(bool2 lhs, bool rhs) => new bool2(lhs.x & rhs, lhs.y & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator &(bool lhs, bool2 rhs) => new bool2(lhs & rhs.x, lhs & rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator |(bool2 lhs, bool2 rhs) => new bool2(lhs.x | rhs.x, lhs.y | rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator |(bool2 lhs, bool rhs) => new bool2(lhs.x | rhs, lhs.y | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator |(bool lhs, bool2 rhs) => new bool2(lhs | rhs.x, lhs | rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ^(bool2 lhs, bool2 rhs) => new bool2(lhs.x ^ rhs.x, lhs.y ^ rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ^(bool2 lhs, bool rhs) => new bool2(lhs.x ^ rhs, lhs.y ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ^(bool lhs, bool2 rhs) => new bool2(lhs ^ rhs.x, lhs ^ rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !(bool2 val) => new bool2(!val.x, !val.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(bool2 lhs, bool2 rhs) => new bool2(lhs.x == rhs.x, lhs.y == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(bool2 lhs, bool rhs) => new bool2(lhs.x == rhs, lhs.y == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator ==(bool lhs, bool2 rhs) => new bool2(lhs == rhs.x, lhs == rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(bool2 lhs, bool2 rhs) => new bool2(lhs.x != rhs.x, lhs.y != rhs.y);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(bool2 lhs, bool rhs) => new bool2(lhs.x != rhs, lhs.y != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool2 operator !=(bool lhs, bool2 rhs) => new bool2(lhs != rhs.x, lhs != rhs.y);
 
         public bool this[int index]
         {
@@ -3118,30 +3119,30 @@ namespace Unity.Mathematics
         public bool y;
         public bool z;
 
-        public bool3(bool x, bool y, bool z) { this.x = x; this.y = y; this.z = z; }
-        public bool3(bool x, bool2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
-        public bool3(bool2 xy, bool z) { this.x = xy.x; this.y = xy.y; this.z = z; }
-        public bool3(bool3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
-        public bool3(bool v) { this.x = v; this.y = v; this.z = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool3(bool x, bool y, bool z) { this.x = x; this.y = y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool3(bool x, bool2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool3(bool2 xy, bool z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool3(bool3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool3(bool v) { this.x = v; this.y = v; this.z = v; }
 
-        public static implicit operator bool3(bool v) => new bool3(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator bool3(bool v) => new bool3(v);
 
-        public static bool3 operator &(bool3 lhs, bool3 rhs) => new bool3(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z);
-        public static bool3 operator &(bool3 lhs, bool rhs) => new bool3(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs);
-        public static bool3 operator &(bool lhs, bool3 rhs) => new bool3(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z);
-        public static bool3 operator |(bool3 lhs, bool3 rhs) => new bool3(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z);
-        public static bool3 operator |(bool3 lhs, bool rhs) => new bool3(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs);
-        public static bool3 operator |(bool lhs, bool3 rhs) => new bool3(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z);
-        public static bool3 operator ^(bool3 lhs, bool3 rhs) => new bool3(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z);
-        public static bool3 operator ^(bool3 lhs, bool rhs) => new bool3(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs);
-        public static bool3 operator ^(bool lhs, bool3 rhs) => new bool3(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z);
-        public static bool3 operator !(bool3 val) => new bool3(!val.x, !val.y, !val.z);
-        public static bool3 operator ==(bool3 lhs, bool3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
-        public static bool3 operator ==(bool3 lhs, bool rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
-        public static bool3 operator ==(bool lhs, bool3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
-        public static bool3 operator !=(bool3 lhs, bool3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
-        public static bool3 operator !=(bool3 lhs, bool rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
-        public static bool3 operator !=(bool lhs, bool3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator &(bool3 lhs, bool3 rhs) => new bool3(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator &(bool3 lhs, bool rhs) => new bool3(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator &(bool lhs, bool3 rhs) => new bool3(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator |(bool3 lhs, bool3 rhs) => new bool3(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator |(bool3 lhs, bool rhs) => new bool3(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator |(bool lhs, bool3 rhs) => new bool3(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ^(bool3 lhs, bool3 rhs) => new bool3(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ^(bool3 lhs, bool rhs) => new bool3(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ^(bool lhs, bool3 rhs) => new bool3(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !(bool3 val) => new bool3(!val.x, !val.y, !val.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(bool3 lhs, bool3 rhs) => new bool3(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(bool3 lhs, bool rhs) => new bool3(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator ==(bool lhs, bool3 rhs) => new bool3(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(bool3 lhs, bool3 rhs) => new bool3(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(bool3 lhs, bool rhs) => new bool3(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool3 operator !=(bool lhs, bool3 rhs) => new bool3(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z);
 
         public bool this[int index]
         {
@@ -3281,34 +3282,34 @@ namespace Unity.Mathematics
         public bool z;
         public bool w;
 
-        public bool4(bool x, bool y, bool z, bool w) { this.x = x; this.y = y; this.z = z; this.w = w; }
-        public bool4(bool x, bool y, bool2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
-        public bool4(bool x, bool2 yz, bool w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
-        public bool4(bool x, bool3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
-        public bool4(bool2 xy, bool z, bool w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
-        public bool4(bool2 xy, bool2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
-        public bool4(bool3 xyz, bool w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
-        public bool4(bool4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
-        public bool4(bool v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool x, bool y, bool z, bool w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool x, bool y, bool2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool x, bool2 yz, bool w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool x, bool3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool2 xy, bool z, bool w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool2 xy, bool2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool3 xyz, bool w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public bool4(bool v) { this.x = v; this.y = v; this.z = v; this.w = v; }
 
-        public static implicit operator bool4(bool v) => new bool4(v);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator bool4(bool v) => new bool4(v);
 
-        public static bool4 operator &(bool4 lhs, bool4 rhs) => new bool4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
-        public static bool4 operator &(bool4 lhs, bool rhs) => new bool4(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs, lhs.w & rhs);
-        public static bool4 operator &(bool lhs, bool4 rhs) => new bool4(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z, lhs & rhs.w);
-        public static bool4 operator |(bool4 lhs, bool4 rhs) => new bool4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
-        public static bool4 operator |(bool4 lhs, bool rhs) => new bool4(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs, lhs.w | rhs);
-        public static bool4 operator |(bool lhs, bool4 rhs) => new bool4(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z, lhs | rhs.w);
-        public static bool4 operator ^(bool4 lhs, bool4 rhs) => new bool4(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z, lhs.w ^ rhs.w);
-        public static bool4 operator ^(bool4 lhs, bool rhs) => new bool4(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs, lhs.w ^ rhs);
-        public static bool4 operator ^(bool lhs, bool4 rhs) => new bool4(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z, lhs ^ rhs.w);
-        public static bool4 operator !(bool4 val) => new bool4(!val.x, !val.y, !val.z, !val.w);
-        public static bool4 operator ==(bool4 lhs, bool4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
-        public static bool4 operator ==(bool4 lhs, bool rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
-        public static bool4 operator ==(bool lhs, bool4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
-        public static bool4 operator !=(bool4 lhs, bool4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
-        public static bool4 operator !=(bool4 lhs, bool rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
-        public static bool4 operator !=(bool lhs, bool4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator &(bool4 lhs, bool4 rhs) => new bool4(lhs.x & rhs.x, lhs.y & rhs.y, lhs.z & rhs.z, lhs.w & rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator &(bool4 lhs, bool rhs) => new bool4(lhs.x & rhs, lhs.y & rhs, lhs.z & rhs, lhs.w & rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator &(bool lhs, bool4 rhs) => new bool4(lhs & rhs.x, lhs & rhs.y, lhs & rhs.z, lhs & rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator |(bool4 lhs, bool4 rhs) => new bool4(lhs.x | rhs.x, lhs.y | rhs.y, lhs.z | rhs.z, lhs.w | rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator |(bool4 lhs, bool rhs) => new bool4(lhs.x | rhs, lhs.y | rhs, lhs.z | rhs, lhs.w | rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator |(bool lhs, bool4 rhs) => new bool4(lhs | rhs.x, lhs | rhs.y, lhs | rhs.z, lhs | rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ^(bool4 lhs, bool4 rhs) => new bool4(lhs.x ^ rhs.x, lhs.y ^ rhs.y, lhs.z ^ rhs.z, lhs.w ^ rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ^(bool4 lhs, bool rhs) => new bool4(lhs.x ^ rhs, lhs.y ^ rhs, lhs.z ^ rhs, lhs.w ^ rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ^(bool lhs, bool4 rhs) => new bool4(lhs ^ rhs.x, lhs ^ rhs.y, lhs ^ rhs.z, lhs ^ rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !(bool4 val) => new bool4(!val.x, !val.y, !val.z, !val.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(bool4 lhs, bool4 rhs) => new bool4(lhs.x == rhs.x, lhs.y == rhs.y, lhs.z == rhs.z, lhs.w == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(bool4 lhs, bool rhs) => new bool4(lhs.x == rhs, lhs.y == rhs, lhs.z == rhs, lhs.w == rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator ==(bool lhs, bool4 rhs) => new bool4(lhs == rhs.x, lhs == rhs.y, lhs == rhs.z, lhs == rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(bool4 lhs, bool4 rhs) => new bool4(lhs.x != rhs.x, lhs.y != rhs.y, lhs.z != rhs.z, lhs.w != rhs.w);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(bool4 lhs, bool rhs) => new bool4(lhs.x != rhs, lhs.y != rhs, lhs.z != rhs, lhs.w != rhs);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static bool4 operator !=(bool lhs, bool4 rhs) => new bool4(lhs != rhs.x, lhs != rhs.y, lhs != rhs.z, lhs != rhs.w);
 
         public bool this[int index]
         {

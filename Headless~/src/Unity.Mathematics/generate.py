@@ -4,10 +4,11 @@
 Run in this folder; rewrites Vectors.Generated.cs, Matrices.Generated.cs and math.Generated.cs.
 """
 import itertools
+import re
 
 XYZW = "xyzw"
 NUMBERS = ["float", "int", "uint", "double"]
-HEADER = "// Written by generate.py; change that instead.\n#pragma warning disable CS8981\nusing System;\nusing System.Globalization;\n\n"
+HEADER = "// Written by generate.py; change that instead.\n#pragma warning disable CS8981\nusing System;\nusing System.Globalization;\nusing System.Runtime.CompilerServices;\n\n"
 
 # source type -> how a conversion from it is declared, per target
 CONVERSIONS = {
@@ -319,7 +320,12 @@ def functions():
     return "\n".join(out)
 
 
+# As in Unity's package: without it a JIT calls a function for every cross product.
+INLINED = re.compile(r"^ {8}(?=public (static (?!readonly)|\w+\())", re.M)
+
+
 def write(name, body):
+    body = INLINED.sub("        [MethodImpl(MethodImplOptions.AggressiveInlining)] ", body)
     with open(name, "w", newline="\n") as f:
         f.write(HEADER + "namespace Unity.Mathematics\n{\n" + body + "}\n")
 
