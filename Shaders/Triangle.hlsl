@@ -2,7 +2,6 @@
 #ifndef RILL_TRIANGLE_INCLUDED
 #define RILL_TRIANGLE_INCLUDED
 
-// = BakeGeometry.Triangle, 36 bytes
 struct Triangle
 {
     float3 a, b, c;

@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// The triangles of a bake in units of voxels, without those of no area, turned to face outwards, in the order of a
-    /// Morton curve; and the bricks of voxels that each of them reaches.
+    /// The triangles of a bake in their order, which of them are turned, and the bricks of voxels that each of the large
+    /// ones reaches. Those of a few voxels are tested against the box around them.
     /// </summary>
     sealed class BakeGeometry
     {
@@ -18,66 +18,88 @@ namespace Rill
         /// <summary>Voxels around a triangle in which it is tested; kBand in MeshSdf.compute.</summary>
         public const int Band = 2;
 
-        /// <summary>Triangle in Triangle.hlsl.</summary>
+        /// <summary>Voxels of the box around a triangle that one group of threads takes at most; the boxes of larger ones are mostly far from them.</summary>
+        const int SmallBox = 4096;
+
+        /// <summary>kTurned and kLarge in MeshSdf.compute, in the bits below a triangle's number.</summary>
+        const uint Turned = 1, IsLarge = 2;
+
+        /// <summary>LargeTriangle in MeshSdf.compute.</summary>
         [StructLayout(LayoutKind.Sequential)]
-        public struct Triangle
+        public struct LargeTriangle
         {
-            public float3 a, b, c;
+            /// <summary>In the order.</summary>
+            public uint index;
+            /// <summary>Pairs with bricks of those before, modulo 2^32: a slice spans fewer.</summary>
+            public uint firstPair;
+            public int3 low, bricks;
         }
 
-        /// <summary>Consecutive pairs of triangles and bricks, for one dispatch.</summary>
+        /// <summary>Consecutive pairs of large triangles and bricks, for one dispatch.</summary>
         public readonly struct Slice
         {
             public readonly long First;
-            public readonly int Count, LowTriangle, HighTriangle;
-            public Slice(long first, int count, int lowTriangle, int highTriangle) => (First, Count, LowTriangle, HighTriangle) = (first, count, lowTriangle, highTriangle);
+            public readonly int Count, Low, High;
+            public Slice(long first, int count, int low, int high) => (First, Count, Low, High) = (first, count, low, high);
         }
 
-        readonly long[] firstPairs;
+        readonly List<LargeTriangle> large = new List<LargeTriangle>();
+        readonly List<long> firstPairs = new List<long> { 0 };
 
+        /// <param name="order">Of the triangles that take part. It becomes <see cref="Order"/>.</param>
         /// <param name="turned">By triangle of the mesh: those to turn over; null for none.</param>
         /// <param name="turnAll">Whether all triangles face the wrong side.</param>
-        public BakeGeometry(BakedTriangles part, bool[] turned, in SdfGrid grid, bool turnAll)
+        public BakeGeometry(TriangleMesh mesh, uint[] order, bool[] turned, in SdfGrid grid, bool turnAll)
         {
-            TriangleMesh mesh = part.Mesh;
-            var unordered = new Triangle[part.Count];
-            var order = new ulong[part.Count];
-            float perMetre = 1f / grid.VoxelSize, perVoxel = 1024f / math.cmax(grid.Resolution);
-            for (int t = 0, next = 0; t < mesh.TriangleCount; t++)
+            Mesh = mesh;
+            Order = order;
+            Vector3[] vertices = mesh.Vertices;
+            int[] corners = mesh.Triangles;
+            float3 min = grid.Min;
+            float perMetre = 1f / grid.VoxelSize;
+            int3 resolution = grid.Resolution;
+            var found = new List<int>[Chunks.Of(order.Length)];
+            Chunks.Run(order.Length, (chunk, first, end) =>
             {
-                if (!part.TakesPart(t))
-                    continue;
-                bool turn = (turned != null && turned[t]) != turnAll;
-                var triangle = new Triangle
+                for (int i = first; i < end; i++)
                 {
-                    a = ((float3)mesh.Corner(t, 0) - grid.Min) * perMetre,
-                    b = ((float3)mesh.Corner(t, turn ? 2 : 1) - grid.Min) * perMetre,
-                    c = ((float3)mesh.Corner(t, turn ? 1 : 2) - grid.Min) * perMetre,
-                };
-                unordered[next] = triangle;
-                order[next] = (ulong)MortonKey((triangle.a + triangle.b + triangle.c) / 3f * perVoxel) << 32 | (uint)next;
-                next++;
-            }
+                    int t = (int)order[i];
+                    uint flags = (turned != null && turned[t]) != turnAll ? Turned : 0;
+                    float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
+                    // At least as many voxels as the box has.
+                    float3 size = (math.max(a, math.max(b, c)) - math.min(a, math.min(b, c))) * perMetre + (2 * Band + 2);
+                    if (size.x * size.y * size.z > SmallBox)
+                    {
+                        flags |= IsLarge;
+                        (found[chunk] ??= new List<int>()).Add(i);
+                    }
+                    order[i] = (uint)t << 2 | flags;
+                }
+            });
 
-            order = Sorted(order);
-            Triangles = new Triangle[part.Count];
-            FirstPairs = new uint[part.Count];
-            firstPairs = new long[part.Count + 1];
-            for (int i = 0; i < Triangles.Length; i++)
-            {
-                Triangles[i] = unordered[(uint)order[i]];
-                int3 bricks = BricksOf(Triangles[i], grid.Resolution);
-                FirstPairs[i] = unchecked((uint)firstPairs[i]);
-                firstPairs[i + 1] = firstPairs[i] + (long)bricks.x * bricks.y * bricks.z;
-            }
+            foreach (List<int> part in found)
+                for (int k = 0; part != null && k < part.Count; k++)
+                {
+                    int t = (int)(order[part[k]] >> 2);
+                    float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
+                    int3 low = math.max((int3)math.floor((math.min(a, math.min(b, c)) - min) * perMetre) - Band, 0) / Brick;
+                    int3 high = math.min((int3)math.floor((math.max(a, math.max(b, c)) - min) * perMetre) + Band, resolution - 1) / Brick;
+                    long pairs = firstPairs[large.Count];
+                    int3 bricks = high - low + 1;
+                    large.Add(new LargeTriangle { index = (uint)part[k], firstPair = unchecked((uint)pairs), low = low, bricks = bricks });
+                    firstPairs.Add(pairs + (long)bricks.x * bricks.y * bricks.z);
+                }
+            Large = large.ToArray();
         }
 
-        public Triangle[] Triangles { get; }
+        public TriangleMesh Mesh { get; }
 
-        /// <summary>Pairs before each triangle, modulo 2^32: a slice spans fewer.</summary>
-        public uint[] FirstPairs { get; }
+        /// <summary>Numbers of the mesh's triangles, along a curve; each above two bits that say whether it is turned and whether it is large.</summary>
+        public uint[] Order { get; }
 
-        public long PairCount => firstPairs[Triangles.Length];
+        public int TriangleCount => Order.Length;
+        public LargeTriangle[] Large { get; }
+        public long PairCount => firstPairs[large.Count];
 
         /// <summary>Bricks of a grid, those cut off by its end with them.</summary>
         public static int BrickCount(int3 resolution)
@@ -100,50 +122,6 @@ namespace Rill
                     high++;
                 yield return new Slice(first, count, low, high);
             }
-        }
-
-        // In whole numbers, so that the kernel comes to the same.
-        static int3 BricksOf(in Triangle t, int3 resolution)
-        {
-            int3 low = math.max((int3)math.floor(math.min(t.a, math.min(t.b, t.c))) - Band, 0) / Brick;
-            int3 high = math.min((int3)math.floor(math.max(t.a, math.max(t.b, t.c))) + Band, resolution - 1) / Brick;
-            return high - low + 1;
-        }
-
-        static uint MortonKey(float3 place)
-        {
-            uint3 cell = (uint3)math.clamp(place, 0f, 1023f);
-            return Spread(cell.x) | Spread(cell.y) << 1 | Spread(cell.z) << 2;
-        }
-
-        // Ten bits, two zeros between each.
-        static uint Spread(uint bits)
-        {
-            bits = (bits | bits << 16) & 0x030000FF;
-            bits = (bits | bits << 8) & 0x0300F00F;
-            bits = (bits | bits << 4) & 0x030C30C3;
-            return (bits | bits << 2) & 0x09249249;
-        }
-
-        // Radix sort by the 30 bits of the key, which are the upper ones: stable, so that the order does not depend on the
-        // runtime's own sort.
-        static ulong[] Sorted(ulong[] items)
-        {
-            const int bits = 10, buckets = 1 << bits;
-            var sorted = new ulong[items.Length];
-            var starts = new int[buckets + 1];
-            for (int shift = 32; shift < 32 + 3 * bits; shift += bits)
-            {
-                Array.Clear(starts, 0, starts.Length);
-                foreach (ulong item in items)
-                    starts[(int)(item >> shift & (buckets - 1)) + 1]++;
-                for (int b = 0; b < buckets; b++)
-                    starts[b + 1] += starts[b];
-                foreach (ulong item in items)
-                    sorted[starts[(int)(item >> shift & (buckets - 1))]++] = item;
-                (items, sorted) = (sorted, items);
-            }
-            return items;
         }
     }
 }

@@ -27,12 +27,13 @@ namespace Rill
         /// <summary>The most work of one dispatch.</summary>
         internal struct StepSize
         {
-            /// <summary>Pairs of a triangle and a brick of 64 voxels.</summary>
+            /// <summary>Pairs of a large triangle and a brick of 64 voxels.</summary>
             public int pairs;
-            public int voxels, bricks;
+            /// <summary>Blocks have 64 bricks.</summary>
+            public int triangles, voxels, bricks, blocks;
 
             /// <summary>A few ten milliseconds on a slow GPU; Windows resets one that takes two seconds.</summary>
-            public static StepSize Default => new StepSize { pairs = 1 << 18, voxels = 1 << 21, bricks = 1 << 13 };
+            public static StepSize Default => new StepSize { pairs = 1 << 19, triangles = 1 << 18, voxels = 1 << 22, bricks = 1 << 15, blocks = 1 << 11 };
         }
 
         readonly StepSize size;
@@ -73,11 +74,12 @@ namespace Rill
             if (problem != null)
                 throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
 
-            geometry = new BakeGeometry(triangles, edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
+            geometry = new BakeGeometry(mesh, TriangleOrder.Of(triangles), edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
             sourceHash = mesh.Hash();
             passes = new MeshSdfPasses(geometry, grid);
-            int brickParts = Parts(passes.BrickCount, size.bricks), voxelParts = Parts(grid.VoxelCount, size.voxels);
-            totalSteps = 2 + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts + (isShell ? voxelParts : passes.LevelCount + 2 * brickParts);
+            int triangleParts = Parts(geometry.TriangleCount, size.triangles), voxelParts = Parts(grid.VoxelCount, size.voxels);
+            totalSteps = 2 + 3 * triangleParts + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts
+                + (isShell ? voxelParts : passes.LevelCount + Parts(passes.BlockCount, size.blocks) + Parts(passes.BrickCount, size.bricks));
             work = Work(isShell);
         }
 
@@ -205,13 +207,28 @@ namespace Rill
         IEnumerator<string> Work(bool isShell)
         {
             const string near = "Distances near the surface", far = "Distances beyond", last = "Inside and outside";
-            int voxels = (int)grid.VoxelCount;
+            int voxels = (int)grid.VoxelCount, triangles = geometry.TriangleCount;
 
+            for (int first = 0; first < triangles; first += size.triangles)
+            {
+                passes.Gather(first, Math.Min(size.triangles, triangles - first));
+                yield return near;
+            }
             passes.Clear();
             yield return near;
+            for (int first = 0; first < triangles; first += size.triangles)
+            {
+                passes.SplatDistances(first, Math.Min(size.triangles, triangles - first));
+                yield return near;
+            }
             foreach (BakeGeometry.Slice slice in geometry.Slices(size.pairs))
             {
                 passes.SplatDistances(slice);
+                yield return near;
+            }
+            for (int first = 0; first < triangles; first += size.triangles)
+            {
+                passes.SplatNearest(first, Math.Min(size.triangles, triangles - first));
                 yield return near;
             }
             foreach (BakeGeometry.Slice slice in geometry.Slices(size.pairs))
@@ -238,9 +255,9 @@ namespace Rill
                 passes.BuildClusters(level);
                 yield return last;
             }
-            for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)
+            for (int first = 0; first < passes.BlockCount && !isShell; first += size.blocks)
             {
-                passes.FindSides(first, Math.Min(size.bricks, passes.BrickCount - first));
+                passes.FindSides(first, Math.Min(size.blocks, passes.BlockCount - first));
                 yield return last;
             }
             for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)
@@ -264,7 +281,7 @@ namespace Rill
         {
             if (readback.hasError)
                 throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake anew, with fewer voxels if it happens again.");
-            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.Triangles.Length, sourceHash);
+            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.TriangleCount, sourceHash);
             Dispose();
         }
 

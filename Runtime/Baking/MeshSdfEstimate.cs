@@ -7,8 +7,8 @@ namespace Rill
     {
         // Two words a voxel on the GPU, one read back and one handed out.
         const long WorkBytesPerVoxel = 16;
-        // Corners, first pairs and clusters on the GPU, the arrays that they come from, and the welded edges.
-        const long WorkBytesPerTriangle = 51 + 48 + 150;
+        // On the GPU corners, spheres, order, indices, vertices and clusters; off it the order and the welded edges.
+        const long WorkBytesPerTriangle = 48 + 16 + 4 + 12 + 36 + 19 + 20 + 150;
 
         internal MeshSdfEstimate(in SdfGrid grid, int triangles, in MeshSdfSettings settings)
         {

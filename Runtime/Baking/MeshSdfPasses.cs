@@ -12,14 +12,25 @@ namespace Rill
         // Threads of every kernel; kGroup in MeshSdf.compute.
         const int Group = 64;
         const int MostGroups = 65535;
-        // Cluster in MeshSdf.compute.
+
+        // As in MeshSdf.compute.
+        struct PackedTriangle
+        {
+            public float4 a, b, c;
+        }
+
         struct Cluster
         {
-            public float4 centerRadius, areaVectorArea;
+            public float4 sphere, areaVector;
+        }
+
+        struct Box
+        {
+            public float3 low, high;
         }
 
         // Of each kind of dispatch, for GPU times in profilers.
-        static readonly ProfilerMarker ClearMarker = GpuMarker.Create("Rill.Bake.Clear");
+        static readonly ProfilerMarker GatherMarker = GpuMarker.Create("Rill.Bake.Gather");
         static readonly ProfilerMarker DistancesMarker = GpuMarker.Create("Rill.Bake.SplatDistances");
         static readonly ProfilerMarker NearestMarker = GpuMarker.Create("Rill.Bake.SplatNearest");
         static readonly ProfilerMarker FloodMarker = GpuMarker.Create("Rill.Bake.Flood");
@@ -28,19 +39,22 @@ namespace Rill
         static readonly ProfilerMarker ResolveMarker = GpuMarker.Create("Rill.Bake.Resolve");
 
         readonly ComputeShader shader = StageShader.LoadCompute("MeshSdf");
-        readonly int clear, splatDistances, splatNearest, flood, buildLeaves, buildParents, findSides, resolveSolid, resolveShell;
+        readonly int clear, gather, splatDistances, splatNearest, splatLargeDistances, splatLargeNearest, flood, buildLeaves, buildParents, findSides, resolveSolid, resolveShell;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Rill.MeshSdf" };
         readonly SdfGrid grid;
         readonly int triangleCount;
         readonly uint2[] levels;
-        GraphicsBuffer triangles, firstPairs, levelTable, clusters, sides, distances, nearest;
+        GraphicsBuffer vertices, indices, order, large, triangles, spheres, levelTable, clusters, boxes, sides, distances, nearest;
 
         public MeshSdfPasses(BakeGeometry geometry, in SdfGrid grid)
         {
             this.grid = grid;
             clear = shader.FindKernel("Clear");
+            gather = shader.FindKernel("Gather");
             splatDistances = shader.FindKernel("SplatDistances");
             splatNearest = shader.FindKernel("SplatNearest");
+            splatLargeDistances = shader.FindKernel("SplatLargeDistances");
+            splatLargeNearest = shader.FindKernel("SplatLargeNearest");
             flood = shader.FindKernel("Flood");
             buildLeaves = shader.FindKernel("BuildLeaves");
             buildParents = shader.FindKernel("BuildParents");
@@ -48,17 +62,26 @@ namespace Rill
             resolveSolid = shader.FindKernel("ResolveSolid");
             resolveShell = shader.FindKernel("ResolveShell");
 
-            triangleCount = geometry.Triangles.Length;
+            TriangleMesh mesh = geometry.Mesh;
+            triangleCount = geometry.TriangleCount;
             levels = ClusterLevels.Of(triangleCount);
-            triangles = GpuBuffer.Structured<BakeGeometry.Triangle>("Rill.MeshSdf.Triangles", triangleCount);
-            triangles.SetData(geometry.Triangles);
-            firstPairs = GpuBuffer.Structured<uint>("Rill.MeshSdf.FirstPairs", triangleCount);
-            firstPairs.SetData(geometry.FirstPairs);
+            vertices = GpuBuffer.Structured<Vector3>("Rill.MeshSdf.Vertices", mesh.Vertices.Length);
+            vertices.SetData(mesh.Vertices);
+            indices = GpuBuffer.Structured<int>("Rill.MeshSdf.Indices", mesh.Triangles.Length);
+            indices.SetData(mesh.Triangles);
+            order = GpuBuffer.Structured<uint>("Rill.MeshSdf.Order", triangleCount);
+            order.SetData(geometry.Order);
+            large = GpuBuffer.Structured<BakeGeometry.LargeTriangle>("Rill.MeshSdf.Large", math.max(geometry.Large.Length, 1));
+            if (geometry.Large.Length > 0)
+                large.SetData(geometry.Large);
+            triangles = GpuBuffer.Structured<PackedTriangle>("Rill.MeshSdf.Triangles", triangleCount);
+            spheres = GpuBuffer.Structured<float4>("Rill.MeshSdf.Spheres", triangleCount);
             levelTable = GpuBuffer.Structured<uint2>("Rill.MeshSdf.Levels", levels.Length);
             levelTable.SetData(levels);
             uint2 top = levels[levels.Length - 1];
             clusters = GpuBuffer.Structured<Cluster>("Rill.MeshSdf.Clusters", top.x + top.y);
-            sides = GpuBuffer.Structured<uint>("Rill.MeshSdf.Sides", BrickCount);
+            boxes = GpuBuffer.Structured<Box>("Rill.MeshSdf.Boxes", top.x + top.y);
+            sides = GpuBuffer.Structured<uint>("Rill.MeshSdf.Sides", BakeGeometry.BrickCount(grid.Resolution));
             distances = GpuBuffer.Structured<uint>("Rill.MeshSdf.Distances", grid.VoxelCount);
             nearest = GpuBuffer.Structured<uint>("Rill.MeshSdf.Nearest", grid.VoxelCount);
         }
@@ -68,34 +91,70 @@ namespace Rill
         /// <summary>Bricks of 4³ voxels.</summary>
         public int BrickCount => BakeGeometry.BrickCount(grid.Resolution);
 
+        /// <summary>Blocks of 4³ bricks.</summary>
+        public int BlockCount => BakeGeometry.BrickCount((grid.Resolution + BakeGeometry.Brick - 1) / BakeGeometry.Brick);
+
         /// <summary>Bits of floats, m, once everything is resolved.</summary>
         public GraphicsBuffer Distances => distances;
+
+        public void Gather(int first, int count)
+        {
+            Begin(first, count);
+            cmd.SetComputeVectorParam(shader, Ids.Min, new float4(grid.Min, 0f));
+            cmd.SetComputeFloatParam(shader, Ids.PerMetre, 1f / grid.VoxelSize);
+            Bind(gather, Ids.Vertices, vertices);
+            Bind(gather, Ids.Indices, indices);
+            Bind(gather, Ids.Order, order);
+            Bind(gather, Ids.TrianglesMade, triangles);
+            Bind(gather, Ids.SpheresMade, spheres);
+            Run(gather, GroupsFor(count), GatherMarker);
+        }
 
         public void Clear()
         {
             Begin(0, (int)grid.VoxelCount);
             Bind(clear, Ids.Distances, distances);
             Bind(clear, Ids.Nearest, nearest);
-            Run(clear, GroupsFor(grid.VoxelCount), ClearMarker);
+            Run(clear, GroupsFor(grid.VoxelCount), GatherMarker);
         }
 
-        public void SplatDistances(in BakeGeometry.Slice slice) => Splat(splatDistances, slice, DistancesMarker);
+        /// <summary>Of triangles that are not large.</summary>
+        public void SplatDistances(int first, int count)
+        {
+            Begin(first, count);
+            Splat(splatDistances, count, DistancesMarker);
+        }
+
+        public void SplatNearest(int first, int count)
+        {
+            Begin(first, count);
+            Bind(splatNearest, Ids.Nearest, nearest);
+            Splat(splatNearest, count, NearestMarker);
+        }
+
+        public void SplatDistances(in BakeGeometry.Slice slice) => Splat(splatLargeDistances, slice, DistancesMarker);
 
         public void SplatNearest(in BakeGeometry.Slice slice)
         {
-            Bind(splatNearest, Ids.Nearest, nearest);
-            Splat(splatNearest, slice, NearestMarker);
+            Bind(splatLargeNearest, Ids.Nearest, nearest);
+            Splat(splatLargeNearest, slice, NearestMarker);
         }
 
         void Splat(int kernel, in BakeGeometry.Slice slice, ProfilerMarker marker)
         {
             Begin(unchecked((int)slice.First), slice.Count);
-            cmd.SetComputeIntParam(shader, Ids.LowTriangle, slice.LowTriangle);
-            cmd.SetComputeIntParam(shader, Ids.HighTriangle, slice.HighTriangle);
+            cmd.SetComputeIntParam(shader, Ids.LowTriangle, slice.Low);
+            cmd.SetComputeIntParam(shader, Ids.HighTriangle, slice.High);
+            Bind(kernel, Ids.Large, large);
+            Splat(kernel, slice.Count, marker);
+        }
+
+        void Splat(int kernel, int groups, ProfilerMarker marker)
+        {
             Bind(kernel, Ids.Triangles, triangles);
-            Bind(kernel, Ids.FirstPairs, firstPairs);
+            Bind(kernel, Ids.Spheres, spheres);
             Bind(kernel, Ids.Distances, distances);
-            Run(kernel, slice.Count, marker);
+            Run(kernel, groups, marker);
         }
 
         /// <summary>One part of a flood pass; <see cref="Swap"/> comes after the last of its parts.</summary>
@@ -104,6 +163,7 @@ namespace Rill
             Begin(first, count);
             cmd.SetComputeIntParam(shader, Ids.Stride, stride);
             Bind(flood, Ids.Triangles, triangles);
+            Bind(flood, Ids.Spheres, spheres);
             Bind(flood, Ids.NearestBefore, nearest);
             Bind(flood, Ids.Nearest, distances);
             Run(flood, GroupsFor(count), FloodMarker);
@@ -122,17 +182,18 @@ namespace Rill
                 Bind(kernel, Ids.Triangles, triangles);
             Bind(kernel, Ids.Levels, levelTable);
             Bind(kernel, Ids.Clusters, clusters);
+            Bind(kernel, Ids.Boxes, boxes);
             Run(kernel, GroupsFor(levels[level].y), ClustersMarker);
         }
 
-        /// <summary>Of bricks that lie on one side of the surface as a whole; once the flood is over.</summary>
-        public void FindSides(int first, int count)
+        /// <summary>Of bricks that lie on one side of the surface as a whole, in blocks of 4³; once the flood is over.</summary>
+        public void FindSides(int firstBlock, int count)
         {
-            Begin(first, count);
+            Begin(firstBlock, count);
             BindTree(findSides);
             Bind(findSides, Ids.NearestBefore, nearest);
             Bind(findSides, Ids.Sides, sides);
-            Run(findSides, GroupsFor(count), SidesMarker);
+            Run(findSides, count, SidesMarker);
         }
 
         /// <summary>Bricks of a solid.</summary>
@@ -167,10 +228,15 @@ namespace Rill
         public void Dispose()
         {
             cmd.Dispose();
+            GpuBuffer.Release(ref vertices);
+            GpuBuffer.Release(ref indices);
+            GpuBuffer.Release(ref order);
+            GpuBuffer.Release(ref large);
             GpuBuffer.Release(ref triangles);
-            GpuBuffer.Release(ref firstPairs);
+            GpuBuffer.Release(ref spheres);
             GpuBuffer.Release(ref levelTable);
             GpuBuffer.Release(ref clusters);
+            GpuBuffer.Release(ref boxes);
             GpuBuffer.Release(ref sides);
             GpuBuffer.Release(ref distances);
             GpuBuffer.Release(ref nearest);
@@ -202,18 +268,27 @@ namespace Rill
 
         static class Ids
         {
+            public static readonly int Vertices = Shader.PropertyToID("_Vertices");
+            public static readonly int Indices = Shader.PropertyToID("_Indices");
+            public static readonly int Order = Shader.PropertyToID("_Order");
+            public static readonly int TrianglesMade = Shader.PropertyToID("_TrianglesMade");
+            public static readonly int SpheresMade = Shader.PropertyToID("_SpheresMade");
             public static readonly int Triangles = Shader.PropertyToID("_Triangles");
-            public static readonly int FirstPairs = Shader.PropertyToID("_FirstPairs");
+            public static readonly int Spheres = Shader.PropertyToID("_Spheres");
+            public static readonly int Large = Shader.PropertyToID("_Large");
             public static readonly int Levels = Shader.PropertyToID("_Levels");
             public static readonly int NearestBefore = Shader.PropertyToID("_NearestBefore");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
             public static readonly int Nearest = Shader.PropertyToID("_Nearest");
             public static readonly int Clusters = Shader.PropertyToID("_Clusters");
             public static readonly int ClustersRead = Shader.PropertyToID("_ClustersRead");
+            public static readonly int Boxes = Shader.PropertyToID("_Boxes");
             public static readonly int Sides = Shader.PropertyToID("_Sides");
             public static readonly int SidesRead = Shader.PropertyToID("_SidesRead");
             public static readonly int TriangleCount = Shader.PropertyToID("_TriangleCount");
             public static readonly int Resolution = Shader.PropertyToID("_Resolution");
+            public static readonly int Min = Shader.PropertyToID("_Min");
+            public static readonly int PerMetre = Shader.PropertyToID("_PerMetre");
             public static readonly int First = Shader.PropertyToID("_First");
             public static readonly int Count = Shader.PropertyToID("_Count");
             public static readonly int LowTriangle = Shader.PropertyToID("_LowTriangle");

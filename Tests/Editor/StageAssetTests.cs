@@ -10,7 +10,7 @@ namespace Rill.Editor.Tests
         [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveTail")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "Displace", "DisplaceWithPressure", "DisplaceDeep", "DisplaceDeepWithPressure")]
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
-        [TestCase("MeshSdf", "Clear", "SplatDistances", "SplatNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
+        [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsAtRest", "ScatterOrder", "Gather")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
         [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]

@@ -104,7 +104,7 @@ namespace Host.Baking
             MeshEdges edges = Timed("edges", () => new MeshEdges(triangles));
             isShell = asked.sign == MeshSdfSign.OpenShell || asked.sign == MeshSdfSign.Automatic && MeshReport.SignOf(edges) == MeshSdfSign.OpenShell;
             var grid = new SdfGrid(triangles.Bounds, asked, isShell);
-            BakeGeometry geometry = Timed("order", () => new BakeGeometry(triangles, edges.Turned, grid, edges.SignedVolume < 0));
+            BakeGeometry geometry = Timed("order", () => new BakeGeometry(mesh, TriangleOrder.Of(triangles), edges.Turned, grid, edges.SignedVolume < 0));
             Timed("hash", mesh.Hash);
             using (Timed("buffers", () => new MeshSdfPasses(geometry, grid))) { }
 
