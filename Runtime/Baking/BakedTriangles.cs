@@ -11,36 +11,64 @@ namespace Rill
 
         readonly bool[] takesPart;
 
+        // Of a chunk.
+        struct Sums
+        {
+            public int count, nonFinite, withoutArea;
+            public double area;
+            public float3 low, high;
+        }
+
         public BakedTriangles(TriangleMesh mesh)
         {
             Mesh = mesh;
             takesPart = new bool[mesh.TriangleCount];
+            var chunks = new Sums[Chunks.Of(takesPart.Length)];
+            Chunks.Run(takesPart.Length, (chunk, first, end) => chunks[chunk] = Look(first, end));
+
             float3 low = float.PositiveInfinity, high = float.NegativeInfinity;
-            for (int t = 0; t < takesPart.Length; t++)
+            foreach (Sums chunk in chunks)
             {
-                float3 a = mesh.Corner(t, 0), b = mesh.Corner(t, 1), c = mesh.Corner(t, 2);
+                Count += chunk.count;
+                NonFinite += chunk.nonFinite;
+                WithoutArea += chunk.withoutArea;
+                Area += chunk.area;
+                low = math.min(low, chunk.low);
+                high = math.max(high, chunk.high);
+            }
+            var bounds = new Bounds();
+            if (Count > 0)
+                bounds.SetMinMax(low, high);
+            Bounds = bounds;
+        }
+
+        Sums Look(int first, int end)
+        {
+            Vector3[] vertices = Mesh.Vertices;
+            int[] corners = Mesh.Triangles;
+            var sums = new Sums { low = float.PositiveInfinity, high = float.NegativeInfinity };
+            for (int t = first; t < end; t++)
+            {
+                float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
                 if (!math.all(math.isfinite(a) & math.isfinite(b) & math.isfinite(c)))
                 {
-                    NonFinite++;
+                    sums.nonFinite++;
                     continue;
                 }
                 double3 ab = (double3)b - a, ac = (double3)c - a, bc = ac - ab, cross = math.cross(ab, ac);
                 double squared = math.lengthsq(cross), longest = math.max(math.lengthsq(ab), math.max(math.lengthsq(bc), math.lengthsq(ac)));
                 if (!(squared > Thinnest * Thinnest * longest * longest))
                 {
-                    WithoutArea++;
+                    sums.withoutArea++;
                     continue;
                 }
                 takesPart[t] = true;
-                Count++;
-                Area += 0.5 * math.sqrt(squared);
-                low = math.min(low, math.min(a, math.min(b, c)));
-                high = math.max(high, math.max(a, math.max(b, c)));
+                sums.count++;
+                sums.area += 0.5 * math.sqrt(squared);
+                sums.low = math.min(sums.low, math.min(a, math.min(b, c)));
+                sums.high = math.max(sums.high, math.max(a, math.max(b, c)));
             }
-            var bounds = new Bounds();
-            if (Count > 0)
-                bounds.SetMinMax(low, high);
-            Bounds = bounds;
+            return sums;
         }
 
         public TriangleMesh Mesh { get; }

@@ -1,31 +1,29 @@
 using System;
+using System.Threading.Tasks;
 
 namespace Rill
 {
-    /// <summary>Loops over many items on all cores. The chunks are the same on every machine, and with them sums of their sums.</summary>
+    /// <summary>Loops over many items on all cores. The chunks are the same on every machine, and with them the sums of their sums.</summary>
     static class Chunks
     {
-        public const int Size = 1 << 14;
+        const int Size = 1 << 14;
 
         public static int Of(int items) => (items + Size - 1) / Size;
 
         /// <param name="work">The chunk, its first item and the one behind its last.</param>
         public static void Run(int items, Action<int, int, int> work)
         {
+            void One(int chunk) => work(chunk, chunk * Size, Math.Min(items, (chunk + 1) * Size));
             int chunks = Of(items);
-            Parallel(chunks, chunk => work(chunk, chunk * Size, Math.Min(items, (chunk + 1) * Size)));
-        }
-
-        static void Parallel(int count, Action<int> work)
-        {
+            // In a browser there are no threads.
 #if UNITY_WEBGL && !UNITY_EDITOR
-            for (int i = 0; i < count; i++)
-                work(i);
+            for (int chunk = 0; chunk < chunks; chunk++)
+                One(chunk);
 #else
-            if (count == 1)
-                work(0);
+            if (chunks == 1)
+                One(0);
             else
-                System.Threading.Tasks.Parallel.For(0, count, work);
+                Parallel.For(0, chunks, One);
 #endif
         }
 
@@ -36,7 +34,7 @@ namespace Rill
             foreach (Action work in works)
                 work();
 #else
-            System.Threading.Tasks.Parallel.Invoke(works);
+            Parallel.Invoke(works);
 #endif
         }
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -71,17 +72,18 @@ namespace Rill
         /// <summary>A corner of a triangle, as a number that vertices of one place share.</summary>
         public int Corner(int triangle, int k) => welded[mesh.Triangles[3 * triangle + k]];
 
-        // Open addressing: a dictionary takes several times as long, and this is most of what the CPU does in a bake.
+        // Open addressing: a dictionary takes several times as long.
         int[] Weld()
         {
-            var numbers = new int[mesh.Vertices.Length];
+            Vector3[] vertices = mesh.Vertices;
+            var numbers = new int[vertices.Length];
             int mask = math.ceilpow2(math.max(2 * numbers.Length, 16)) - 1;
             var table = new int[mask + 1];      // a place's number + 1; 0: free
             for (int i = 0; i < numbers.Length; i++)
             {
-                uint3 bits = Bits(i);
+                uint3 bits = Bits(vertices[i]);
                 int slot = (int)math.hash(bits) & mask;
-                while (table[slot] != 0 && math.any(Bits(vertexAt[table[slot] - 1]) != bits))
+                while (table[slot] != 0 && math.any(Bits(vertices[vertexAt[table[slot] - 1]]) != bits))
                     slot = (slot + 1) & mask;
                 if (table[slot] == 0)
                 {
@@ -94,33 +96,45 @@ namespace Rill
         }
 
         // But for the sign of 0.
-        uint3 Bits(int vertex) => math.asuint((float3)mesh.Vertices[vertex] + 0f);
+        static uint3 Bits(float3 vertex) => math.asuint(vertex + 0f);
 
-        ulong[] Sides(out int[] firsts)
+        // Each core counts and files its own triangles. In which order they come does not matter: the bundles are sorted.
+        ulong[] Sides(out int[] bundles)
         {
-            firsts = new int[Vertices + 1];
-            for (int t = 0; t < mesh.TriangleCount; t++)
+            var firsts = new int[Vertices + 1];
+            int[] corners = mesh.Triangles;
+            Chunks.Run(mesh.TriangleCount, (chunk, first, end) =>
             {
-                if (!Triangles.TakesPart(t))
-                    continue;
-                int a = Corner(t, 0), b = Corner(t, 1), c = Corner(t, 2);
-                firsts[math.min(a, b)]++;
-                firsts[math.min(b, c)]++;
-                firsts[math.min(c, a)]++;
-            }
+                for (int t = first; t < end; t++)
+                {
+                    if (!Triangles.TakesPart(t))
+                        continue;
+                    int a = welded[corners[3 * t]], b = welded[corners[3 * t + 1]], c = welded[corners[3 * t + 2]];
+                    Interlocked.Increment(ref firsts[math.min(a, b)]);
+                    Interlocked.Increment(ref firsts[math.min(b, c)]);
+                    Interlocked.Increment(ref firsts[math.min(c, a)]);
+                }
+            });
             // To the end of each bundle; filling them backwards then leaves their beginnings.
             for (int v = 1; v <= Vertices; v++)
                 firsts[v] += firsts[v - 1];
             var all = new ulong[firsts[Vertices]];
-            for (int t = mesh.TriangleCount - 1; t >= 0; t--)
-                for (int k = 2; k >= 0 && Triangles.TakesPart(t); k--)
-                {
-                    int from = Corner(t, k), to = Corner(t, k == 2 ? 0 : k + 1);
-                    ulong side = (ulong)math.max(from, to) << 33 | (ulong)(3 * t + k) << 1 | (from > to ? 1ul : 0ul);
-                    all[--firsts[math.min(from, to)]] = side;
-                }
-            for (int v = 0; v < Vertices; v++)
-                Sort(all, firsts[v], firsts[v + 1] - firsts[v]);
+            Chunks.Run(mesh.TriangleCount, (chunk, first, end) =>
+            {
+                for (int t = first; t < end; t++)
+                    for (int k = 0; k < 3 && Triangles.TakesPart(t); k++)
+                    {
+                        int from = welded[corners[3 * t + k]], to = welded[corners[k == 2 ? 3 * t : 3 * t + k + 1]];
+                        ulong side = (ulong)math.max(from, to) << 33 | (ulong)(3 * t + k) << 1 | (from > to ? 1ul : 0ul);
+                        all[Interlocked.Decrement(ref firsts[math.min(from, to)])] = side;
+                    }
+            });
+            Chunks.Run(Vertices, (chunk, first, end) =>
+            {
+                for (int v = first; v < end; v++)
+                    Sort(all, firsts[v], firsts[v + 1] - firsts[v]);
+            });
+            bundles = firsts;
             return all;
         }
 
@@ -156,17 +170,32 @@ namespace Rill
 
         void Count()
         {
-            for (int v = 0; v < Vertices; v++)
-                for (int first = bundles[v], end; first < bundles[v + 1]; first = end)
-                {
-                    end = EndOfEdge(first, bundles[v + 1]);
-                    if (end - first == 1)
-                        boundary.Add(first);
-                    else if (end - first > 2)
-                        NonManifoldEdges++;
-                    else if (RunsDown(sides[first]) == RunsDown(sides[first + 1]))
-                        InconsistentEdges++;
-                }
+            var open = new List<int>[Chunks.Of(Vertices)];
+            var counts = new int2[open.Length];
+            Chunks.Run(Vertices, (chunk, firstVertex, endVertex) =>
+            {
+                var found = new List<int>();
+                int2 count = 0;
+                for (int v = firstVertex; v < endVertex; v++)
+                    for (int first = bundles[v], end; first < bundles[v + 1]; first = end)
+                    {
+                        end = EndOfEdge(first, bundles[v + 1]);
+                        if (end - first == 1)
+                            found.Add(first);
+                        else if (end - first > 2)
+                            count.x++;
+                        else if (RunsDown(sides[first]) == RunsDown(sides[first + 1]))
+                            count.y++;
+                    }
+                open[chunk] = found;
+                counts[chunk] = count;
+            });
+            for (int chunk = 0; chunk < open.Length; chunk++)
+            {
+                boundary.AddRange(open[chunk]);
+                NonManifoldEdges += counts[chunk].x;
+                InconsistentEdges += counts[chunk].y;
+            }
         }
 
         // Walks over edges of two triangles; in each part that hangs together the larger area is right.
@@ -290,16 +319,24 @@ namespace Rill
         double MeasureVolume()
         {
             double3 middle = (float3)Triangles.Bounds.center;
-            double sum = 0;
-            for (int t = 0; t < Turned.Length; t++)
+            var sums = new double[Chunks.Of(Turned.Length)];
+            Chunks.Run(Turned.Length, (chunk, first, end) =>
             {
-                if (!Triangles.TakesPart(t))
-                    continue;
-                // Unity's triangles are clockwise from outside, so their area vectors, left-handed, point outwards.
-                double volume = math.dot((float3)mesh.Corner(t, 0) - middle, AreaVector(t)) / 3;
-                sum += Turned[t] ? -volume : volume;
-            }
-            return sum;
+                double part = 0;
+                for (int t = first; t < end; t++)
+                {
+                    if (!Triangles.TakesPart(t))
+                        continue;
+                    // Unity's triangles are clockwise from outside, so their area vectors, left-handed, point outwards.
+                    double volume = math.dot((float3)mesh.Corner(t, 0) - middle, AreaVector(t)) / 3;
+                    part += Turned[t] ? -volume : volume;
+                }
+                sums[chunk] = part;
+            });
+            double all = 0;
+            foreach (double sum in sums)
+                all += sum;
+            return all;
         }
     }
 }

@@ -66,7 +66,12 @@ namespace Rill
                 throw new InvalidOperationException("Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
             BakedTriangles triangles = Usable(mesh, settings);
             // Which way a triangle faces, and what it hangs together with, is nothing to a shell.
-            MeshEdges edges = settings.sign == MeshSdfSign.OpenShell ? null : new MeshEdges(triangles);
+            bool needsEdges = settings.sign != MeshSdfSign.OpenShell;
+            MeshEdges edges = null;
+            uint[] order = null;
+            ulong hash = 0;
+            Chunks.Together(() => edges = needsEdges ? new MeshEdges(triangles) : null, () => order = TriangleOrder.Of(triangles), () => hash = mesh.Hash());
+            sourceHash = hash;
             sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
             bool isShell = sign == MeshSdfSign.OpenShell;
             grid = new SdfGrid(triangles.Bounds, settings, isShell);
@@ -74,8 +79,7 @@ namespace Rill
             if (problem != null)
                 throw new ArgumentException($"'{mesh.Name}' cannot be baked. {problem}", nameof(settings));
 
-            geometry = new BakeGeometry(mesh, TriangleOrder.Of(triangles), edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
-            sourceHash = mesh.Hash();
+            geometry = new BakeGeometry(mesh, order, edges?.Turned, grid, turnAll: !isShell && edges.SignedVolume < 0);
             passes = new MeshSdfPasses(geometry, grid);
             int triangleParts = Parts(geometry.TriangleCount, size.triangles), voxelParts = Parts(grid.VoxelCount, size.voxels);
             totalSteps = 2 + 3 * triangleParts + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts
@@ -281,7 +285,10 @@ namespace Rill
         {
             if (readback.hasError)
                 throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake anew, with fewer voxels if it happens again.");
-            Result = new SdfBake(mesh.Name, grid, arriving.ToArray(), settings, sign, geometry.TriangleCount, sourceHash);
+            NativeArray<float> arrived = arriving;
+            var distances = new float[arrived.Length];
+            Chunks.Run(distances.Length, (chunk, first, end) => NativeArray<float>.Copy(arrived, first, distances, first, end - first));
+            Result = new SdfBake(mesh.Name, grid, distances, settings, sign, geometry.TriangleCount, sourceHash);
             Dispose();
         }
 

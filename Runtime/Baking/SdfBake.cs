@@ -71,23 +71,53 @@ namespace Rill
         public ushort[] ToHalf()
         {
             var bits = new ushort[Distances.Length];
-            for (int i = 0; i < bits.Length; i++)
-                bits[i] = Mathf.FloatToHalf(Distances[i]);
+            Chunks.Run(bits.Length, (chunk, first, end) =>
+            {
+                for (int i = first; i < end; i++)
+                    bits[i] = Mathf.FloatToHalf(Distances[i]);
+            });
             return bits;
         }
 
         float MeasureHalfError(out float near)
         {
-            float most = 0f;
-            near = 0f;
-            foreach (float distance in Distances)
+            float[] distances = Distances;
+            float strict = StrictDistance * VoxelSize;
+            var most = new float2[Chunks.Of(distances.Length)];
+            Chunks.Run(distances.Length, (chunk, first, end) =>
             {
-                float error = math.abs(Mathf.HalfToFloat(Mathf.FloatToHalf(distance)) - distance);
-                most = math.max(most, error);
-                if (math.abs(distance) <= StrictDistance * VoxelSize)
-                    near = math.max(near, error);
+                float loose = 0f, close = 0f;
+                for (int i = first; i < end; i++)
+                {
+                    float error = HalfErrorOf(distances[i]);
+                    if (error > loose)
+                        loose = error;
+                    if (error > close && math.abs(distances[i]) <= strict)
+                        close = error;
+                }
+                most[chunk] = new float2(loose, close);
+            });
+            float2 all = 0f;
+            foreach (float2 found in most)
+                all = math.max(all, found);
+            near = all.y;
+            return all.x;
+        }
+
+        /// <summary>What rounding to the nearest of 16 bits costs, without doing it, which takes ten times as long: halves have 13 binary digits fewer.</summary>
+        internal static float HalfErrorOf(float value)
+        {
+            const uint least = 0x38800000, infinite = 0x477FF000;      // 2^-14, and 65520, which rounds to more than a half can be
+            uint bits = math.asuint(value) & 0x7FFFFFFF;
+            if (bits >= infinite)
+                return float.PositiveInfinity;
+            if (bits < least)
+            {
+                float steps = math.asfloat(bits) * 16777216f;           // of 2^-24
+                return math.abs(steps - math.round(steps)) / 16777216f;
             }
-            return most;
+            uint cut = bits & 0x1FFF;
+            return math.min(cut, 0x2000 - cut) * math.asfloat((bits & 0x7F800000) - (23u << 23));
         }
     }
 }

@@ -51,20 +51,28 @@ namespace Rill
         /// </summary>
         public ulong Hash()
         {
-            ulong sum = (ulong)TriangleCount;
-            for (int t = 0; t < TriangleCount; t++)
+            var sums = new ulong[Chunks.Of(TriangleCount)];
+            Chunks.Run(TriangleCount, (chunk, first, end) =>
             {
-                ulong a = HashOf(t, 0), b = HashOf(t, 1), c = HashOf(t, 2);
-                // Sums over the corners and over the triangles know no first one; the mixing between keeps who goes with whom.
-                sum += Mix(Mix(3 * a + b) + Mix(3 * b + c) + Mix(3 * c + a));
-            }
+                ulong part = 0;
+                for (int t = first; t < end; t++)
+                {
+                    ulong a = HashOf(Corner(t, 0)), b = HashOf(Corner(t, 1)), c = HashOf(Corner(t, 2));
+                    // Sums over the corners and over the triangles know no first one; the mixing between keeps who goes with whom.
+                    part += Mix(Mix(3 * a + b) + Mix(3 * b + c) + Mix(3 * c + a));
+                }
+                sums[chunk] = part;
+            });
+            ulong sum = (ulong)TriangleCount;
+            foreach (ulong part in sums)
+                sum += part;
             return sum == 0 ? 1 : sum;
         }
 
-        ulong HashOf(int triangle, int k)
+        static ulong HashOf(float3 corner)
         {
             // But for the sign of 0.
-            uint3 bits = math.asuint((float3)Corner(triangle, k) + 0f);
+            uint3 bits = math.asuint(corner + 0f);
             return Mix(Mix(bits.x | (ulong)bits.y << 32) + bits.z);
         }
 
