@@ -102,33 +102,12 @@ namespace Rill
         ulong[] Sides(out int[] bundles)
         {
             var firsts = new int[Vertices + 1];
-            int[] corners = mesh.Triangles;
-            Chunks.Run(mesh.TriangleCount, (chunk, first, end) =>
-            {
-                for (int t = first; t < end; t++)
-                {
-                    if (!Triangles.TakesPart(t))
-                        continue;
-                    int a = welded[corners[3 * t]], b = welded[corners[3 * t + 1]], c = welded[corners[3 * t + 2]];
-                    Interlocked.Increment(ref firsts[math.min(a, b)]);
-                    Interlocked.Increment(ref firsts[math.min(b, c)]);
-                    Interlocked.Increment(ref firsts[math.min(c, a)]);
-                }
-            });
+            Chunks.Run(mesh.TriangleCount, (chunk, first, end) => CountSides(firsts, first, end));
             // To the end of each bundle; filling them backwards then leaves their beginnings.
             for (int v = 1; v <= Vertices; v++)
                 firsts[v] += firsts[v - 1];
             var all = new ulong[firsts[Vertices]];
-            Chunks.Run(mesh.TriangleCount, (chunk, first, end) =>
-            {
-                for (int t = first; t < end; t++)
-                    for (int k = 0; k < 3 && Triangles.TakesPart(t); k++)
-                    {
-                        int from = welded[corners[3 * t + k]], to = welded[corners[k == 2 ? 3 * t : 3 * t + k + 1]];
-                        ulong side = (ulong)math.max(from, to) << 33 | (ulong)(3 * t + k) << 1 | (from > to ? 1ul : 0ul);
-                        all[Interlocked.Decrement(ref firsts[math.min(from, to)])] = side;
-                    }
-            });
+            Chunks.Run(mesh.TriangleCount, (chunk, first, end) => FileSides(firsts, all, first, end));
             Chunks.Run(Vertices, (chunk, first, end) =>
             {
                 for (int v = first; v < end; v++)
@@ -136,6 +115,32 @@ namespace Rill
             });
             bundles = firsts;
             return all;
+        }
+
+        void CountSides(int[] counts, int first, int end)
+        {
+            int[] corners = mesh.Triangles;
+            for (int t = first; t < end; t++)
+            {
+                if (!Triangles.TakesPart(t))
+                    continue;
+                int a = welded[corners[3 * t]], b = welded[corners[3 * t + 1]], c = welded[corners[3 * t + 2]];
+                Interlocked.Increment(ref counts[math.min(a, b)]);
+                Interlocked.Increment(ref counts[math.min(b, c)]);
+                Interlocked.Increment(ref counts[math.min(c, a)]);
+            }
+        }
+
+        void FileSides(int[] ends, ulong[] all, int first, int end)
+        {
+            int[] corners = mesh.Triangles;
+            for (int t = first; t < end; t++)
+                for (int k = 0; k < 3 && Triangles.TakesPart(t); k++)
+                {
+                    int from = welded[corners[3 * t + k]], to = welded[corners[k == 2 ? 3 * t : 3 * t + k + 1]];
+                    ulong side = (ulong)math.max(from, to) << 33 | (ulong)(3 * t + k) << 1 | (from > to ? 1ul : 0ul);
+                    all[Interlocked.Decrement(ref ends[math.min(from, to)])] = side;
+                }
         }
 
         static void Sort(ulong[] all, int first, int count)

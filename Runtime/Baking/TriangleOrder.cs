@@ -1,6 +1,5 @@
 using System;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Rill
 {
@@ -40,10 +39,8 @@ namespace Rill
         /// <summary>Indices of the mesh's triangles that take part, by the middles of their boxes along the curve; those in one place as in the mesh.</summary>
         public static uint[] Of(BakedTriangles part)
         {
-            Vector3[] vertices = part.Mesh.Vertices;
-            int[] corners = part.Mesh.Triangles;
+            float scale = ScaleOf(part);
             float3 low = part.Bounds.min;
-            float scale = Buckets / math.max(math.cmax((float3)part.Bounds.size), float.Epsilon) / 2f;
             int triangles = part.Mesh.TriangleCount, chunks = Chunks.Of(triangles);
             var firsts = new int[chunks + 1];
             Chunks.Run(triangles, (chunk, first, end) =>
@@ -61,14 +58,8 @@ namespace Rill
             {
                 int next = firsts[chunk];
                 for (int t = first; t < end; t++)
-                {
-                    if (!part.TakesPart(t))
-                        continue;
-                    float3 a = vertices[corners[3 * t]], b = vertices[corners[3 * t + 1]], c = vertices[corners[3 * t + 2]];
-                    // Of the box, which is the same to the last bit for a triangle that is turned over.
-                    float3 middle = math.min(a, math.min(b, c)) - low + (math.max(a, math.max(b, c)) - low);
-                    items[next++] = (ulong)KeyOf(middle * scale) << 32 | (uint)t;
-                }
+                    if (part.TakesPart(t))
+                        items[next++] = (ulong)KeyOf(PlaceOf(part.Mesh, t, low, scale)) << 32 | (uint)t;
             });
 
             items = Sorted(items);
@@ -79,6 +70,15 @@ namespace Rill
                     order[i] = (uint)items[i];
             });
             return order;
+        }
+
+        internal static float ScaleOf(BakedTriangles part) => Buckets / math.max(math.cmax((float3)part.Bounds.size), float.Epsilon) / 2f;
+
+        // Of the middle of the box, which is the same to the last bit for a triangle that is turned over.
+        internal static float3 PlaceOf(TriangleMesh mesh, int triangle, float3 low, float scale)
+        {
+            float3 a = mesh.Corner(triangle, 0), b = mesh.Corner(triangle, 1), c = mesh.Corner(triangle, 2);
+            return (math.min(a, math.min(b, c)) - low + (math.max(a, math.max(b, c)) - low)) * scale;
         }
 
         /// <param name="place">0 to 1024.</param>
@@ -105,29 +105,37 @@ namespace Rill
             var starts = new int[chunks * Buckets];
             for (int shift = 32; shift < 32 + 3 * Bits; shift += Bits)
             {
-                int by = shift;
-                ulong[] from = items, to = sorted;
-                Array.Clear(starts, 0, starts.Length);
-                Chunks.Run(from.Length, (chunk, first, end) =>
-                {
-                    for (int i = first; i < end; i++)
-                        starts[chunk * Buckets + (int)(from[i] >> by & (Buckets - 1))]++;
-                });
-                for (int bucket = 0, next = 0; bucket < Buckets; bucket++)
-                    for (int chunk = 0; chunk < chunks; chunk++)
-                    {
-                        int count = starts[chunk * Buckets + bucket];
-                        starts[chunk * Buckets + bucket] = next;
-                        next += count;
-                    }
-                Chunks.Run(from.Length, (chunk, first, end) =>
-                {
-                    for (int i = first; i < end; i++)
-                        to[starts[chunk * Buckets + (int)(from[i] >> by & (Buckets - 1))]++] = from[i];
-                });
+                Round(items, sorted, starts, shift);
                 (items, sorted) = (sorted, items);
             }
             return items;
+        }
+
+        // Every chunk counts its items by bucket, and then puts them behind those of the chunks before it.
+        static void Round(ulong[] from, ulong[] to, int[] starts, int shift)
+        {
+            Array.Clear(starts, 0, starts.Length);
+            Chunks.Run(from.Length, (chunk, first, end) => CountBuckets(from, starts, chunk * Buckets, shift, first, end));
+            for (int bucket = 0, next = 0; bucket < Buckets; bucket++)
+                for (int at = bucket; at < starts.Length; at += Buckets)
+                {
+                    int count = starts[at];
+                    starts[at] = next;
+                    next += count;
+                }
+            Chunks.Run(from.Length, (chunk, first, end) => Scatter(from, to, starts, chunk * Buckets, shift, first, end));
+        }
+
+        static void CountBuckets(ulong[] from, int[] counts, int own, int shift, int first, int end)
+        {
+            for (int i = first; i < end; i++)
+                counts[own + ((int)(from[i] >> shift) & (Buckets - 1))]++;
+        }
+
+        static void Scatter(ulong[] from, ulong[] to, int[] starts, int own, int shift, int first, int end)
+        {
+            for (int i = first; i < end; i++)
+                to[starts[own + ((int)(from[i] >> shift) & (Buckets - 1))]++] = from[i];
         }
     }
 }

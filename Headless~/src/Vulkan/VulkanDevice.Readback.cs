@@ -9,6 +9,7 @@ namespace Host.Vulkan
     {
         /// <summary>Read-back memory by power of two of its size, reused since Unity's side asks for the same every frame.</summary>
         readonly Stack<VulkanBuffer>[] readbackBuffers = new Stack<VulkanBuffer>[64];
+        const int KeptReadbackBytes = 64 << 20;
 
         public DeviceReadback BeginReadback(DeviceBuffer source, long offset, long bytes)
         {
@@ -82,8 +83,9 @@ namespace Host.Vulkan
 
         internal void GiveBack(VulkanBuffer buffer)
         {
-            // What was read once at hundreds of megabytes is unlikely to be wanted every frame.
-            if (buffer.Bytes > PieceBytes) buffer.Dispose();
+            // What was read once at hundreds of megabytes is unlikely to be wanted again. Below that, getting such memory anew
+            // takes longer than the read-back.
+            if (buffer.Bytes > KeptReadbackBytes) buffer.Dispose();
             else (readbackBuffers[SizeClass(buffer.Bytes)] ??= new Stack<VulkanBuffer>()).Push(buffer);
         }
 

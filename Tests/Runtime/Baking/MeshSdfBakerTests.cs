@@ -335,6 +335,64 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void The_error_of_halves_is_what_converting_there_and_back_makes()
+        {
+            var random = new Unity.Mathematics.Random(11);
+            float worst = 0f;
+            for (int i = 0; i < 100003; i++)
+            {
+                // All sizes that distances have, those below the least normal half with them; and places halfway between two halves.
+                float value = math.exp2(random.NextFloat(-27f, 15.99f)) * (random.NextBool() ? 1f : -1f);
+                if (i % 3 == 0)
+                    value = math.asfloat(math.asuint(value) & 0xFFFFE000 | 0x1000);
+                float expected = Math.Abs(Mathf.HalfToFloat(Mathf.FloatToHalf(value)) - value);
+                worst = Math.Max(worst, expected);
+                Assert.That(SdfBake.HalfErrorOf(value), Is.EqualTo(expected), $"{value:R}");
+            }
+            Assert.That(worst, Is.GreaterThan(10f));
+            Assert.That(SdfBake.HalfErrorOf(0f), Is.EqualTo(0f));
+            Assert.That(SdfBake.HalfErrorOf(65519f), Is.EqualTo(15f));
+            Assert.That(SdfBake.HalfErrorOf(-65520f), Is.EqualTo(float.PositiveInfinity), "more than a half can be");
+        }
+
+        // What makes runs of triangles small: the curve never jumps.
+        [Test]
+        public void The_order_of_triangles_goes_from_cell_to_neighboring_cell()
+        {
+            const int cells = 16, bits = 3 * 6;      // 4 of the 10 bits per axis
+            var places = new int3[cells * cells * cells];
+            var seen = new bool[places.Length];
+            for (int i = 0; i < places.Length; i++)
+            {
+                var cell = new int3(i % cells, i / cells % cells, i / cells / cells);
+                int rank = (int)(TriangleOrder.KeyOf(((float3)cell + 0.5f) * (1024 / cells)) >> bits);
+                Assert.That(seen[rank], Is.False, $"two cells at {rank}");
+                seen[rank] = true;
+                places[rank] = cell;
+            }
+            for (int i = 1; i < places.Length; i++)
+                Assert.That(math.csum(math.abs(places[i] - places[i - 1])), Is.EqualTo(1), $"{places[i - 1]} to {places[i]}");
+            Assert.That(TriangleOrder.KeyOf(new float3(-1f)), Is.EqualTo(TriangleOrder.KeyOf(0f)), "outside of the box is its rim");
+            Assert.That(TriangleOrder.KeyOf(new float3(1e9f)), Is.EqualTo(TriangleOrder.KeyOf(1023.5f)));
+        }
+
+        [Test]
+        public void Every_triangle_that_takes_part_is_in_the_order_once()
+        {
+            TriangleMesh mesh = TestMeshes.Sphere(1f, 130);      // several chunks
+            for (int t = 0; t < mesh.TriangleCount; t += 7)
+                mesh.Triangles[3 * t + 1] = mesh.Triangles[3 * t];
+            var part = new BakedTriangles(mesh);
+            uint[] order = TriangleOrder.Of(part);
+            Assert.That(part.Count, Is.LessThan(mesh.TriangleCount - mesh.TriangleCount / 8));
+            Assert.That(order.OrderBy(t => t), Is.EqualTo(Enumerable.Range(0, mesh.TriangleCount).Where(part.TakesPart)));
+            uint[] keys = order.Select(t => TriangleOrder.KeyOf(TriangleOrder.PlaceOf(mesh, (int)t, part.Bounds.min, TriangleOrder.ScaleOf(part)))).ToArray();
+            Assert.That(keys, Is.Ordered);
+            for (int i = 1; i < keys.Length; i++)
+                Assert.That(keys[i] > keys[i - 1] || order[i] > order[i - 1], "those in one place as in the mesh");
+        }
+
+        [Test]
         public void The_estimate_is_what_the_bake_makes()
         {
             TriangleMesh mesh = TestMeshes.Tube(1f, 2f, 24, 4);
