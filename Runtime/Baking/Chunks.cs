@@ -15,27 +15,24 @@ namespace Rill
         {
             void One(int chunk) => work(chunk, chunk * Size, Math.Min(items, (chunk + 1) * Size));
             int chunks = Of(items);
-            // In a browser there are no threads.
-#if UNITY_WEBGL && !UNITY_EDITOR
-            for (int chunk = 0; chunk < chunks; chunk++)
-                One(chunk);
-#else
-            if (chunks == 1)
-                One(0);
-            else
+            if (chunks > 1 && HasThreads)
                 Parallel.For(0, chunks, One);
-#endif
+            else
+                for (int chunk = 0; chunk < chunks; chunk++)
+                    One(chunk);
         }
 
         /// <summary>Side by side where there are threads.</summary>
         public static void Together(params Action[] works)
         {
-#if UNITY_WEBGL && !UNITY_EDITOR
-            foreach (Action work in works)
-                work();
-#else
-            Parallel.Invoke(works);
-#endif
+            if (HasThreads)
+                Parallel.Invoke(works);
+            else
+                foreach (Action work in works)
+                    work();
         }
+
+        // A browser tells one core, and waiting for a thread would hang there.
+        static bool HasThreads => Environment.ProcessorCount > 1;
     }
 }
