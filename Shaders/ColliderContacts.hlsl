@@ -2,10 +2,22 @@
 #ifndef RILL_COLLIDER_CONTACTS_INCLUDED
 #define RILL_COLLIDER_CONTACTS_INCLUDED
 
-#include "ColliderMasks.hlsl"
+StructuredBuffer<uint> _ColliderMasks;      // [cells * words], see ColliderCell
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
 static const uint kSettleSteps = 8;
+static const float kFar = 1.0;              // an inset that no particle has to keep
+static const float kUnhinderedWay = 2.0;    // d: a way no longer than this, from where no collider is near, meets none; = what bins reach, less kWallInset
+
+// Whether a collider comes near the cell of p within the substep. Most water is far from all of them and is done with this.
+bool IsNear(float3 p)
+{
+    uint cell = ColliderCell(p);
+    uint bits = 0;
+    for (uint word = 0; word < _ColliderWords; word++)
+        bits |= _ColliderMasks[cell + word];
+    return bits != 0;
+}
 
 // ---- density
 
@@ -241,10 +253,13 @@ uint FirstHit(float3 a, float3 b, bool moving, out float share)
     share = 1.0;
     uint first = kNoCollider;
     float3 way = b - a;
-    uint places = PlacesAlong(way);
+    uint places = uint(length(way) * _InverseColliderCellSize) + 2;
     for (uint word = 0; word < _ColliderWords; word++)
     {
-        for (uint bits = NearWay(a, way, places, word); bits != 0; bits &= bits - 1)
+        uint bits = 0;
+        for (uint place = 0; place < places; place++)
+            bits |= _ColliderMasks[ColliderCell(a + way * (place / (places - 1.0))) + word];
+        for (; bits != 0; bits &= bits - 1)
         {
             uint index = word * 32 + firstbitlow(bits);
             Collider collider = _Colliders[index];

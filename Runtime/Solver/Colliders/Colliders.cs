@@ -18,8 +18,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly int binColliders, findBoundary, findBoundaryAtRest;
-        readonly int[] collidePaths, collide, collideLast;      // without and with reactions
-        readonly NearColliders near;
+        readonly int[] collidePaths, collidePathsDeep, collide, collideLast;        // without and with reactions
         readonly FieldAtlas meshes, heights;
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
@@ -36,6 +35,7 @@ namespace Rill
         {
             binColliders = shader.FindKernel("BinColliders");
             collidePaths = Kernels("CollidePaths");
+            collidePathsDeep = Kernels("CollidePathsDeep");
             findBoundary = shader.FindKernel("FindBoundary");
             findBoundaryAtRest = shader.FindKernel("FindBoundaryAtRest");
             collide = Kernels("Collide");
@@ -51,7 +51,6 @@ namespace Rill
             states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
             boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
             insets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
-            near = new NearColliders(layout.Capacity);
             constantsUpload = new NativeArray<ColliderConstants>(1, Allocator.Persistent);
             statesUpload = new NativeArray<ColliderState>(ColliderSet.Most, Allocator.Persistent);
         }
@@ -110,8 +109,7 @@ namespace Rill
             cmd.BeginSample(Marker);
             RecordReactions(cmd, set, input.timeStep / substeps);
             cmd.SetBufferData(constants, constantsUpload);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
-            near.RecordConstants(cmd, solverConstants);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);     // the kernels are those of all fluids
             if (changed)
             {
                 cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
@@ -124,13 +122,17 @@ namespace Rill
         /// <summary>Records the ways of the particles up to the surfaces they meet; in deep water with the displacement of the projection, which the sort then does without.</summary>
         public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting)
         {
-            int kernel = collidePaths[reactions != null ? 1 : 0];
+            int kernel = (coarse != null ? collidePathsDeep : collidePaths)[reactions != null ? 1 : 0];
             cmd.BeginSample(Marker);
-            near.RecordPaths(cmd, this, particles, coarse, resting);
-            Bind(cmd, kernel, resting);
+            Bind(cmd, kernel, particles, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.DispatchCompute(shader, kernel, near.Arguments, NearColliders.PathsAt);
+            if (coarse != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
+            }
+            cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -138,12 +140,11 @@ namespace Rill
         public void RecordBoundary(CommandBuffer cmd, ParticleBuffers particles, RestingRegions resting)
         {
             cmd.BeginSample(Marker);
-            near.RecordNear(cmd, this, particles, boundary, insets);
-            Bind(cmd, findBoundary, resting);
+            Bind(cmd, findBoundary, particles, resting);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Predicted, particles.Predicted);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Insets, insets);
-            cmd.DispatchCompute(shader, findBoundary, near.Arguments, NearColliders.PassesAt);
+            cmd.DispatchCompute(shader, findBoundary, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -153,14 +154,13 @@ namespace Rill
         {
             int kernel = (last ? collideLast : collide)[reactions != null ? 1 : 0];
             cmd.BeginSample(Marker);
-            near.RecordLate(cmd, this, particles, insets);
-            Bind(cmd, kernel, resting);
+            Bind(cmd, kernel, particles, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, boundary);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Insets, insets);
-            cmd.DispatchCompute(shader, kernel, near.Arguments, NearColliders.PassesAt);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -169,8 +169,7 @@ namespace Rill
         {
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
-            Bind(cmd, findBoundaryAtRest, null);
-            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Counters, particles.Counters);
+            Bind(cmd, findBoundaryAtRest, particles, null);
             cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Boundary, boundary);
             cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Distances, insets);       // free between steps
@@ -180,7 +179,6 @@ namespace Rill
 
         public void Dispose()
         {
-            near.Dispose();
             meshes.Dispose();
             heights.Dispose();
             UnityEngine.Object.DestroyImmediate(noField);       // nobody else can hold it
@@ -206,12 +204,11 @@ namespace Rill
             string variant = colliders.reactions != null ? "React" : "";
             if (colliders.binned)
                 description.Kernel("Colliders", "BinColliders", substeps);
-            description.Kernel("Colliders", "CollidePaths" + variant, substeps);
+            description.Kernel("Colliders", (deep ? "CollidePathsDeep" : "CollidePaths") + variant, substeps);
             description.Kernel("Colliders", "FindBoundary", substeps);
             if (input.settings.iterations > 1)
                 description.Kernel("Colliders", "Collide" + variant, substeps * (input.settings.iterations - 1));
             description.Kernel("Colliders", "CollideLast" + variant, substeps);
-            colliders.near.Describe(description, input.settings, deep);
             colliders.reactions?.Describe(description);
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
@@ -224,21 +221,15 @@ namespace Rill
             return description;
         }
 
-        void Bind(CommandBuffer cmd, int kernel, RestingRegions resting)
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, RestingRegions resting)
         {
             BindShapes(cmd, shader, kernel);
-            BindResting(cmd, shader, kernel, resting);
-            near.Bind(cmd, shader, kernel);
-            reactions?.Bind(cmd, shader, kernel);
-        }
-
-        /// <summary>Records which regions sleep as what a kernel reads; it asks <c>_Rests</c> first.</summary>
-        public void BindResting(CommandBuffer cmd, ComputeShader reader, int kernel, RestingRegions resting)
-        {
             if (resting != null)
-                resting.Bind(cmd, reader, kernel);
+                resting.Bind(cmd, shader, kernel);
             else
-                cmd.SetComputeBufferParam(reader, kernel, Ids.RegionStates, masks);     // not read
+                cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, masks);     // not read
+            reactions?.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
         /// <summary>Records the obstacles of the substep as what a kernel reads.</summary>
