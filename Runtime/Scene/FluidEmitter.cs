@@ -139,24 +139,27 @@ namespace Rill
 
         internal override void OnRestart()
         {
+            base.OnRestart();
             clock = default;
             isOn = startsItself;
         }
 
         /// <summary>What it does in the next step, which it takes part in.</summary>
+        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="to">And ends.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>
         /// <returns>Whether it does anything.</returns>
-        internal bool TakeStep(in DomainFrame frame, float spacing, float step, bool isTarget, out EmitterStep result)
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, bool isTarget, out EmitterStep result)
         {
             result = default;
-            if (!TryGetPlace(frame, out PlaceInDomain place) || !TryGetPlaces(spacing))
+            if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end) || !TryGetPlaces(spacing))
                 return false;
             EmissionClock.Share share = default;
-            double end = End;
+            double until = End;
             // What waits at the end of the duration has as long as ever to find room.
-            bool lingers = isOn && clock.Time < end + LongestWait;
+            bool lingers = isOn && clock.Time < until + LongestWait;
             if (isOn)
-                share = clock.Advance(step, rate, delay, end, ParticleVolume, Emitters.MaxCandidates);
+                share = clock.Advance(step, rate, delay, until, ParticleVolume, Emitters.MaxCandidates);
             if (!lingers && !isTarget && !saysLast)
                 return false;
             saysLast = lingers;
@@ -166,10 +169,8 @@ namespace Rill
             {
                 number = Number,
                 places = places,
-                origin = place.position,
-                axisX = place.axisX,
-                axisY = place.axisY,
-                axisZ = place.axisZ,
+                start = start,
+                end = end,
                 speed = LeavingSpeed / spacing,
                 cosSpread = math.cos(math.radians(spread)),
                 due = share.due,

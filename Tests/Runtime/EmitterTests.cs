@@ -67,6 +67,67 @@ namespace Rill.Tests
             }
         }
 
+        // Without gravity: each particle comes from where the emitter was at its own instant, whatever the frames and steps.
+        [Test]
+        public void A_moving_emitter_lets_in_along_all_of_its_way([Values(1, 2, 4)] int stepsInAFrame, [Values] bool turns)
+        {
+            const float rate = 0.004f, speed = 2.3f, moved = 0.8f;
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                FluidEmitter emitter = scene.Add(new Vector3(-0.8f, turns ? 0f : -0.9f, 0f), Vector3.up, Jet(rate, speed, 0.01f));
+                Quaternion first = emitter.transform.rotation;
+                double before = FrameOf(scene, stepsInAFrame), all = before;
+                for (int frame = 1; frame <= 8 / stepsInAFrame; frame++)
+                {
+                    float share = frame * stepsInAFrame / 8f;
+                    if (turns)
+                        emitter.transform.rotation = Quaternion.Euler(0f, 0f, -70f * share) * first;
+                    else
+                        emitter.transform.position = new Vector3(-0.8f + moved * share, -0.9f, 0f);
+                    all += FrameOf(scene, stepsInAFrame);
+                }
+                ParticleState state = scene.Read();
+                Assert.That(state.Count, Is.EqualTo((int)(rate * all / scene.ParticleVolume + 1e-6)));
+                for (int i = 0; i < state.Count; i++)
+                {
+                    double instant = (state.ids[i] + 1) * scene.ParticleVolume / rate;
+                    float share = (float)math.saturate((instant - before) / (all - before));
+                    Vector3 place = new Vector3(-0.8f + (turns ? 0f : moved * share), turns ? 0f : -0.9f, 0f);
+                    Vector3 direction = turns ? Quaternion.Euler(0f, 0f, -70f * share) * Vector3.up : Vector3.up;
+                    float3 expected = place + direction * (0.5f * Spacing + speed * (float)(all - instant));
+                    Assert.That(math.distance(state.positions[i].xyz * Spacing - (float3)Box * 0.5f, expected), Is.LessThan(0.25f * Spacing), $"particle {state.ids[i]}, let in at {instant} s of {all} s");
+                }
+                Assert.That(scene.AssertConserved().waiting, Is.Zero);
+            }
+        }
+
+        // Lets a frame pass; its fluid time.
+        static double FrameOf(SourceScene scene, int steps)
+        {
+            double before = scene.Fluid.FluidTime;
+            scene.Fluid.Advance(steps * scene.Fluid.FixedStep * 1.00001f);
+            Assert.That(scene.Fluid.FluidTime - before, Is.EqualTo(steps * (double)scene.Fluid.FixedStep).Within(1e-6));
+            return scene.Fluid.FluidTime - before;
+        }
+
+        [Test]
+        public void An_emitter_that_is_teleported_lets_nothing_in_between()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                FluidEmitter emitter = scene.Add(new Vector3(-0.8f, -0.9f, 0f), Vector3.up, Jet(0.01f, 2f, 0.01f));
+                scene.Step(4);
+                emitter.transform.position = new Vector3(0.8f, -0.9f, 0f);
+                emitter.Teleport();
+                scene.Step(4);
+                float[] x = scene.Read().positions.Select(p => p.x * Spacing - 1f).ToArray();
+                Assert.That(x, Is.All.Matches<float>(at => math.abs(math.abs(at) - 0.8f) < Spacing));
+                Assert.That(x.Count(at => at > 0f), Is.EqualTo(x.Length / 2).Within(1));
+            }
+        }
+
         [Test]
         public void Gravity_acts_on_a_particle_within_the_step_in_which_it_is_let_in()
         {
