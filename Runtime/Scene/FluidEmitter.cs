@@ -24,13 +24,13 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// A particle due is put where it would have got to by the end of the step, unless the fluid there is at rest density: then it
-    /// waits, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
+    /// waits, as it does where an obstacle lies there or before it, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Emitter")]
     public sealed class FluidEmitter : FluidPart
     {
-        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2;
+        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;
         const float LongestWait = 1f;           // s
         const float LeastSpeed = 0.01f, MostSpeed = 1000f, MostRate = 1e6f;
         const float MostLifetime = 86400f;      // s: fits the steps that a tag holds
@@ -190,6 +190,8 @@ namespace Rill
         /// <summary>Says once by name what the numbers from the GPU tell.</summary>
         internal void ReportRefused()
         {
+            if (MustSay(Covered, IsCovered))
+                Say(CoveredProblem);
             if (MustSay(NoCapacity, Refused > 0))
                 Say(CapacityProblem);
         }
@@ -200,6 +202,7 @@ namespace Rill
             problems.AddIfAny(placesProblem != null ? ShapeProblem : null);
             if (places != null && rate > 1.01f * MostRateOf(fluid.ParticleSpacing, fluid.FixedStep))
                 problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
+            problems.AddIfAny(IsCovered ? CoveredProblem : null);
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
 
@@ -246,6 +249,11 @@ namespace Rill
         string ShapeProblem => placesProblem + " It lets nothing in.";
 
         string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MostRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
+
+        // For so long that what waited first is given up.
+        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) * Simulation.FixedStep >= LongestWait;
+
+        string CoveredProblem => "an obstacle covers all of its outlet, so that nothing comes out; what is due is given up and counted as blocked. Move it or the obstacle apart.";
 
         string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.";
 
