@@ -357,7 +357,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
                 FluidCollider obstacle = Obstacle(scene, Vector3.zero, 0.6f * Vector3.one);
-                FluidEmitter emitter = scene.Add(Vector3.zero, Vector3.down, Jet(0.01f));
+                FluidEmitter emitter = scene.Add(Vector3.zero, Vector3.down, Jet(0.01f, 22f));       // would be out of it within a step
                 string message = "Rill: FluidEmitter 'FluidEmitter': an obstacle covers all of its outlet";
                 void Pass(int frames)
                 {
@@ -423,7 +423,7 @@ namespace Rill.Tests
                 FluidStatistics statistics = scene.AssertConserved();
                 TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, C+ {statistics.densityError}");
                 Assert.That(statistics.particles, Is.InRange(200, 229), "up to the density that is allowed");
-                Assert.That(statistics.densityError, Is.LessThan(0.07f));
+                Assert.That(statistics.densityError, Is.LessThan(0.005f), "216 are at rest density, and 224 went in where obstacles did not count");
             }
         }
 
