@@ -21,13 +21,15 @@ bool IsNear(float3 p)
 
 // ---- density
 
-// The surfaces that add density at a place: where several lie in one plane they are one. A share of 0 is no surface.
+// The densest half spaces behind the surfaces near a place, one for each direction.
 struct Surfaces
 {
     float3 normals[3];
-    float shares[3];
-    uint count;
+    float4 behind[3];       // xyz gradient of its density, 1/d; w the density; 0: none
 };
+
+static const float kSameWay = 0.9;          // cosine between the normals of surfaces that are one
+static const float kOtherWay = 0.5;         // and of those that are two
 
 // Share of the density behind a plane at distance s, negative beyond it, and its derivative.
 void Beyond(float s, out float share, out float slope)
@@ -59,64 +61,91 @@ void BoxDensity(float3 p, float3 halfSides, bool insideOut, out float density, o
     }
 }
 
-// The density that a collider adds at p, where it is 'contact.w' away along 'contact.xyz', and its gradient.
-void ColliderDensity(Collider collider, float3 p, float4 contact, out float density, out float3 gradient)
+// What a collider adds to the density at p, where it is 'contact.w' away along 'contact.xyz', and what lies behind its surface
+// if that is a plane: xyz gradient, w density.
+void ColliderDensity(Collider collider, float3 p, float4 contact, out float4 own, out float4 behind)
 {
-    if (collider.shape == kBox)
-    {
-        BoxDensity(ToCollider(collider, p), collider.size, (collider.flags & kInsideOut) != 0, density, gradient);
-        gradient = Rotate(collider.rotation, gradient);
-    }
-    else
-    {
-        float slope;
-        HalfSpace(contact.w, density, slope);
-        gradient = contact.xyz * slope;
-    }
+    float slope;
+    HalfSpace(contact.w, behind.w, slope);
+    behind.xyz = contact.xyz * slope;
+    own = behind;
+    if (collider.shape != kBox)
+        return;
+    bool insideOut = (collider.flags & kInsideOut) != 0;
+    float3 gradient;
+    BoxDensity(ToCollider(collider, p), collider.size, insideOut, own.w, gradient);
+    own.xyz = Rotate(collider.rotation, gradient);
     // Of what is inside, as much as at the surface.
     float surface, surfaceSlope;
     HalfSpace(0.0, surface, surfaceSlope);
-    density = min(density, surface);
+    own.w = min(own.w, surface);
+    if (own.w > behind.w)       // in the corners of a container
+        behind = own;
 }
 
-// What is left of a share of density beside surfaces that point the same way.
-float Unshared(Surfaces surfaces, float3 normal, float share)
+void AddSurface(inout Surfaces surfaces, float3 normal, float4 behind)
 {
-    float left = share;
+    float thinnest = min(surfaces.behind[0].w, min(surfaces.behind[1].w, surfaces.behind[2].w));
+    uint slot = surfaces.behind[0].w == thinnest ? 0 : surfaces.behind[1].w == thinnest ? 1 : 2;
+    [unroll]
+    for (uint i = 0; i < 3; i++)
+        slot = dot(surfaces.normals[i], normal) >= kSameWay ? i : slot;
+    [unroll]
+    for (uint k = 0; k < 3; k++)
+    {
+        bool denser = k == slot && behind.w > surfaces.behind[k].w;
+        surfaces.normals[k] = denser ? normal : surfaces.normals[k];
+        surfaces.behind[k] = denser ? behind : surfaces.behind[k];
+    }
+}
+
+void DenserFirst(inout Surfaces surfaces, uint first, uint second)
+{
+    if (surfaces.behind[first].w >= surfaces.behind[second].w)
+        return;
+    float3 normal = surfaces.normals[first];
+    surfaces.normals[first] = surfaces.normals[second];
+    surfaces.normals[second] = normal;
+    float4 behind = surfaces.behind[first];
+    surfaces.behind[first] = surfaces.behind[second];
+    surfaces.behind[second] = behind;
+}
+
+// The density that lies behind any of them, w, and its gradient: planes combine as 1 - product of (1 - F), but what points the
+// same way as a denser one lies behind that already.
+float4 BehindAny(Surfaces surfaces)
+{
+    DenserFirst(surfaces, 0, 1);
+    DenserFirst(surfaces, 1, 2);
+    DenserFirst(surfaces, 0, 1);
+    float4 all = 0.0;
     [unroll]
     for (uint i = 0; i < 3; i++)
     {
-        float alike = smoothstep(0.5, 0.9, dot(surfaces.normals[i], normal));
-        left = lerp(left, max(left - surfaces.shares[i], 0.0) / (1.0 - surfaces.shares[i]), alike);
+        float counts = 1.0;
+        [unroll]
+        for (uint denser = 0; denser < i; denser++)
+            counts *= 1.0 - smoothstep(kOtherWay, kSameWay, dot(surfaces.normals[denser], surfaces.normals[i]));
+        float4 behind = surfaces.behind[i] * counts;
+        all.xyz = all.xyz * (1.0 - behind.w) + behind.xyz * (1.0 - all.w);
+        all.w += behind.w * (1.0 - all.w);
     }
-    return left;
+    return all;
 }
 
-void AddSurface(inout Surfaces surfaces, float3 normal, float share)
-{
-    [unroll]
-    for (uint i = 0; i < 3; i++)
-    {
-        bool own = i == surfaces.count && share > 0.0;
-        surfaces.normals[i] = own ? normal : surfaces.normals[i];
-        surfaces.shares[i] = own ? share : surfaces.shares[i];
-    }
-    surfaces.count += share > 0.0 ? 1 : 0;
-}
-
-// The domain's walls near p, which add their density elsewhere.
-Surfaces WallSurfaces(float3 p)
+// The domain's walls near p, which add their density elsewhere: without their gradients. What they leave free.
+Surfaces WallSurfaces(float3 p, out float free)
 {
     Surfaces surfaces = (Surfaces)0;
+    free = 1.0;
     float3 above = _DomainSize - p;
     [unroll]
     for (uint axis = 0; axis < 3; axis++)
     {
-        float3 normal = 0.0;
-        normal[axis] = p[axis] < above[axis] ? 1.0 : -1.0;
-        float share, slope;
-        HalfSpace(min(p[axis], above[axis]), share, slope);
-        AddSurface(surfaces, normal, share);
+        surfaces.normals[axis][axis] = p[axis] < above[axis] ? 1.0 : -1.0;
+        float slope;
+        HalfSpace(min(p[axis], above[axis]), surfaces.behind[axis].w, slope);
+        free *= 1.0 - surfaces.behind[axis].w;
     }
     return surfaces;
 }
@@ -132,11 +161,11 @@ struct Surroundings
 Surroundings FindSurroundings(float3 p)
 {
     Surroundings result;
-    result.boundary = 0.0;
     result.contact = float4(0.0, 1.0, 0.0, kSupport);
     result.nearest = kNoCollider;
-    Surfaces surfaces = WallSurfaces(p);
-    float free = 1.0;
+    float free;
+    Surfaces surfaces = WallSurfaces(p, free);
+    float4 apart = 0.0;         // gradient and density of the bodies, each for itself
     uint cell = ColliderCell(p);
     for (uint word = 0; word < _ColliderWords; word++)
     {
@@ -154,17 +183,16 @@ Surroundings FindSurroundings(float3 p)
             }
             if ((collider.flags & kCarriesDensity) == 0)
                 continue;
-            float full;
-            float3 gradient;
-            ColliderDensity(collider, p, contact, full, gradient);
-            float share = Unshared(surfaces, contact.xyz, full);
-            AddSurface(surfaces, contact.xyz, share);
-            gradient *= full > 0.0 ? share / full : 0.0;
-            result.boundary.xyz = result.boundary.xyz * (1.0 - share) + gradient * free;
-            free *= 1.0 - share;
+            float4 own, behind;
+            ColliderDensity(collider, p, contact, own, behind);
+            AddSurface(surfaces, contact.xyz, behind);
+            apart += own;
         }
     }
-    result.boundary.w = 1.0 - free;
+    // Bodies side by side add up. Where they add up to more than lies behind their surfaces, they lie in the same place.
+    float4 all = BehindAny(surfaces);
+    all.w = max(all.w + free - 1.0, 0.0);
+    result.boundary = (apart.w < all.w ? apart : all) / free;
     return result;
 }
 

@@ -3,6 +3,8 @@
 #ifndef RILL_COLLIDERS_INCLUDED
 #define RILL_COLLIDERS_INCLUDED
 
+#include "Rotations.hlsl"
+
 // = ColliderState in ColliderState.cs, member by member.
 struct Collider
 {
@@ -54,16 +56,6 @@ Texture3D<float> _Heights;                  // the heights of all height fields,
 SamplerState sampler_LinearClamp;
 
 // ---- frames
-
-float3 Rotate(float4 q, float3 v)
-{
-    return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
-}
-
-float3 Unrotate(float4 q, float3 v)
-{
-    return Rotate(float4(-q.xyz, q.w), v);
-}
 
 float3 ToCollider(Collider collider, float3 p)
 {

@@ -58,6 +58,7 @@ static const uint kDrained = 9;
 static const uint kBlocked = 10;            // due from an emitter and given up, since there was no room for a second
 static const uint kWaiting = 11;            // due from an emitter and without room so far
 static const uint kRecycling = 12;          // drained and not yet back from an emitter
+static const uint kMoved = 13;              // took part in the last step: the first of those alive
 
 uint ParticleIndex(uint3 group, uint thread)
 {

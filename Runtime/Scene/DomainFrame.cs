@@ -29,6 +29,8 @@ namespace Rill
 
         public Quaternion Rotation(Quaternion world) => toDomain * world;
 
+        public RigidPose Pose(Vector3 worldPosition, Quaternion worldRotation) => new RigidPose(Point(worldPosition), Rotation(worldRotation));
+
         public PlaceInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
         {
             Quaternion rotation = Rotation(worldRotation);

@@ -9,8 +9,8 @@ namespace Rill
 
     /// <summary>Takes the fluid out of a volume of a <see cref="FluidSimulation"/>, for good or to where an emitter lets it in again.</summary>
     /// <remarks>
-    /// Looks at the particles at the start of every fixed step: what crosses it within one step is missed, so make it thicker
-    /// than that way.
+    /// Looks at the particles at the start of every fixed step, and at the way that each came in the step before: what crosses it
+    /// within one step is taken too, however thin it is and while it moves.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Drain")]
     public sealed class FluidDrain : FluidPart
@@ -48,14 +48,20 @@ namespace Rill
         /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago.</summary>
         public int Drained => Simulation != null && Number >= 0 ? Simulation.DrainedCount(Number) : 0;
 
-        internal override void OnRestart() => budget = 0.0;
+        internal override void OnRestart()
+        {
+            base.OnRestart();
+            budget = 0.0;
+        }
 
         /// <summary>What it does in the next step.</summary>
+        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="to">And ends.</param>
         /// <returns>Whether it does anything.</returns>
-        internal bool TakeStep(in DomainFrame frame, float spacing, float step, out DrainRegion region)
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, out DrainRegion region)
         {
             region = default;
-            if (!TryGetPlace(frame, out PlaceInDomain place))
+            if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end))
                 return false;
             float3 half = Half / spacing;
             if (MustSay(NoSize, IsEmpty))
@@ -64,11 +70,12 @@ namespace Rill
                 return false;
             region = new DrainRegion
             {
-                center = place.position,
+                rotation = end.rotation.value,
+                lastRotation = start.rotation.value,
+                center = end.position,
                 isSphere = shape == DrainShape.Sphere ? 1u : 0u,
-                axisX = place.axisX / half.x,
-                axisY = place.axisY / half.y,
-                axisZ = place.axisZ / half.z,
+                lastCenter = start.position,
+                inverseHalf = 1f / half,
                 limit = LimitOf(step, (double)spacing * spacing * spacing),
                 emitter = Target(),
                 number = (uint)Number,

@@ -24,13 +24,13 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// A particle due is put where it would have got to by the end of the step, unless the fluid there is at rest density: then it
-    /// waits, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
+    /// waits, as it does where an obstacle lies there or before it, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Emitter")]
     public sealed class FluidEmitter : FluidPart
     {
-        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2;
+        const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;
         const float LongestWait = 1f;           // s
         const float LeastSpeed = 0.01f, MostSpeed = 1000f, MostRate = 1e6f;
         const float MostLifetime = 86400f;      // s: fits the steps that a tag holds
@@ -139,24 +139,27 @@ namespace Rill
 
         internal override void OnRestart()
         {
+            base.OnRestart();
             clock = default;
             isOn = startsItself;
         }
 
         /// <summary>What it does in the next step, which it takes part in.</summary>
+        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="to">And ends.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>
         /// <returns>Whether it does anything.</returns>
-        internal bool TakeStep(in DomainFrame frame, float spacing, float step, bool isTarget, out EmitterStep result)
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, bool isTarget, out EmitterStep result)
         {
             result = default;
-            if (!TryGetPlace(frame, out PlaceInDomain place) || !TryGetPlaces(spacing))
+            if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end) || !TryGetPlaces(spacing))
                 return false;
             EmissionClock.Share share = default;
-            double end = End;
+            double until = End;
             // What waits at the end of the duration has as long as ever to find room.
-            bool lingers = isOn && clock.Time < end + LongestWait;
+            bool lingers = isOn && clock.Time < until + LongestWait;
             if (isOn)
-                share = clock.Advance(step, rate, delay, end, ParticleVolume, Emitters.MaxCandidates);
+                share = clock.Advance(step, rate, delay, until, ParticleVolume, Emitters.MaxCandidates);
             if (!lingers && !isTarget && !saysLast)
                 return false;
             saysLast = lingers;
@@ -166,10 +169,8 @@ namespace Rill
             {
                 number = Number,
                 places = places,
-                origin = place.position,
-                axisX = place.axisX,
-                axisY = place.axisY,
-                axisZ = place.axisZ,
+                start = start,
+                end = end,
                 speed = LeavingSpeed / spacing,
                 cosSpread = math.cos(math.radians(spread)),
                 due = share.due,
@@ -189,6 +190,8 @@ namespace Rill
         /// <summary>Says once by name what the numbers from the GPU tell.</summary>
         internal void ReportRefused()
         {
+            if (MustSay(Covered, IsCovered))
+                Say(CoveredProblem);
             if (MustSay(NoCapacity, Refused > 0))
                 Say(CapacityProblem);
         }
@@ -199,6 +202,7 @@ namespace Rill
             problems.AddIfAny(placesProblem != null ? ShapeProblem : null);
             if (places != null && rate > 1.01f * MostRateOf(fluid.ParticleSpacing, fluid.FixedStep))
                 problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
+            problems.AddIfAny(IsCovered ? CoveredProblem : null);
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
 
@@ -245,6 +249,11 @@ namespace Rill
         string ShapeProblem => placesProblem + " It lets nothing in.";
 
         string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MostRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
+
+        // For so long that what waited first is given up.
+        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) * Simulation.FixedStep >= LongestWait;
+
+        string CoveredProblem => "an obstacle covers all of its outlet, so that nothing comes out; what is due is given up and counted as blocked. Move it or the obstacle apart.";
 
         string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.";
 

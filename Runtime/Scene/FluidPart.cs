@@ -11,6 +11,8 @@ namespace Rill
         [SerializeField] FluidSimulation simulation;
 
         FluidSimulation attached;
+        RigidPose lastPose;         // at the end of the last steps, in the domain's frame
+        bool follows;               // whether it came from there
         int said;           // bit p: problem p was logged and is still there
         string clamped;     // what the newest validation changed
 
@@ -24,6 +26,9 @@ namespace Rill
                 Reattach();
             }
         }
+
+        /// <summary>Call after putting this somewhere else: it has then not moved through the fluid between.</summary>
+        public void Teleport() => follows = false;
 
         /// <summary>Number among its kind in the simulation, -1 where it has none.</summary>
         internal int Number { get; set; } = -1;
@@ -50,7 +55,7 @@ namespace Rill
         }
 
         /// <summary>The simulation begins anew.</summary>
-        internal virtual void OnRestart() { }
+        internal virtual void OnRestart() => Teleport();
 
         /// <summary>Whether a problem is there that is yet to be logged: true once for as long as it stays.</summary>
         private protected bool MustSay(int problem, bool isThere)
@@ -65,13 +70,32 @@ namespace Rill
         /// <summary>Where this is and how it is turned in the domain's frame, d; false, and said once, where that is no place.</summary>
         internal bool TryGetPlace(in DomainFrame frame, out PlaceInDomain place)
         {
-            Vector3 position = transform.position;
-            Quaternion rotation = transform.rotation;
-            bool isNowhere = !Limit.IsPlace(position, rotation);
-            if (MustSay(NoPlace, isNowhere))
-                Say(PlaceProblem);
-            place = isNowhere ? default : frame.Place(position, rotation);
-            return !isNowhere;
+            bool isSomewhere = IsSomewhere();
+            place = isSomewhere ? frame.Place(transform.position, transform.rotation) : default;
+            return isSomewhere;
+        }
+
+        /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was after the last; false as for <see cref="TryGetPlace"/>.</summary>
+        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="to">And ends.</param>
+        private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
+        {
+            start = end = default;
+            if (!IsSomewhere())
+            {
+                Teleport();
+                return false;
+            }
+            RigidPose pose = frame.Pose(transform.position, transform.rotation);
+            RigidPose first = follows ? lastPose : pose;
+            start = RigidPose.Between(first, pose, from);
+            end = RigidPose.Between(first, pose, to);
+            if (to >= 1f)
+            {
+                lastPose = pose;
+                follows = true;
+            }
+            return true;
         }
 
         private protected void Validate()
@@ -105,6 +129,14 @@ namespace Rill
                 return;
             Detach();
             Attach();
+        }
+
+        bool IsSomewhere()
+        {
+            bool isNowhere = !Limit.IsPlace(transform.position, transform.rotation);
+            if (MustSay(NoPlace, isNowhere))
+                Say(PlaceProblem);
+            return !isNowhere;
         }
 
         string PlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.";

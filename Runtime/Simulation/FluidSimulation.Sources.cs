@@ -78,14 +78,14 @@ namespace Rill
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             uint targets = 0;
             foreach (FluidDrain drain in drains)
-                if (drain != null && drain.TakeStep(frame, particleSpacing, FixedStep, out DrainRegion region))
+                if (drain != null && drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
                 {
                     sources.Add(region);
                     if (region.emitter != DrainRegion.NoEmitter)
                         targets |= 1u << (int)region.emitter;
                 }
             foreach (FluidEmitter emitter in emitters)
-                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             foreach (FluidForceField field in fields)
                 if (field != null && field.TakeStep(frame, particleSpacing, out FieldRegion region))

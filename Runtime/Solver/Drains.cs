@@ -15,16 +15,18 @@ namespace Rill
         public const uint NoLimit = uint.MaxValue;
         public const uint NoEmitter = uint.MaxValue;
 
+        /// <summary>From its own frame to the domain's, now and a step ago.</summary>
+        public float4 rotation, lastRotation;
         public float3 center;
         public uint isSphere;
-        /// <summary>Along the sides, over half their length.</summary>
-        public float3 axisX;
+        /// <summary>A step ago.</summary>
+        public float3 lastCenter;
         /// <summary>Particles that go in this step at most.</summary>
         public uint limit;
-        public float3 axisY;
+        /// <summary>1 over half its sides, or over its radius.</summary>
+        public float3 inverseHalf;
         /// <summary>Number of the emitter that puts them back.</summary>
         public uint emitter;
-        public float3 axisZ;
         /// <summary>Its number, below <see cref="StepSources.MostDrains"/>.</summary>
         public uint number;
     }
@@ -75,10 +77,11 @@ namespace Rill
         public void Forget(uint drains) => gone |= drains;
 
         /// <summary>Records what goes, from the particles at the start of a step.</summary>
+        /// <param name="substeps">Of the steps.</param>
         /// <param name="emitters">Null where nothing is recycled.</param>
         /// <param name="tags">Null where no particle has a lifetime.</param>
         /// <param name="resting">Null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, StepSources sources, EmitterStates emitters, ParticleTags tags, RestingRegions resting)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, StepSources sources, int substeps, EmitterStates emitters, ParticleTags tags, RestingRegions resting)
         {
             cmd.BeginSample(Marker);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -90,6 +93,7 @@ namespace Rill
                     RecordReset(cmd, number);
             int count = sources?.drainCount ?? 0;
             cmd.SetComputeIntParam(shader, Ids.DrainCount, count);
+            cmd.SetComputeFloatParam(shader, Ids.Substeps, substeps);
             if (count > 0)
                 cmd.SetBufferData(regions, sources.drains, 0, 0, count);
             if (count > 0 && sources.limitsDrains)
@@ -98,6 +102,7 @@ namespace Rill
                 GpuBuffer.Release(ref histogram);
 
             cmd.SetComputeBufferParam(shader, drain, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, drain, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, drain, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, drain, Ids.Drains, regions);
             cmd.SetComputeBufferParam(shader, drain, Ids.DrainStates, states);
@@ -167,6 +172,7 @@ namespace Rill
                 histogram.SetData(new uint[StepSources.MostDrains * Lots]);
             }
             cmd.SetComputeBufferParam(shader, drawLots, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, drawLots, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, drawLots, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, drawLots, Ids.Drains, regions);
             cmd.SetComputeBufferParam(shader, drawLots, Ids.DrainHistogram, histogram);
@@ -188,6 +194,8 @@ namespace Rill
             public static readonly int DrainHistogram = Shader.PropertyToID("_DrainHistogram");
             public static readonly int EmitterStates = Shader.PropertyToID("_EmitterStates");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Substeps = Shader.PropertyToID("_Substeps");
             public static readonly int DrainCount = Shader.PropertyToID("_DrainCount");
         }
     }

@@ -28,6 +28,7 @@ namespace Rill
         public void Clear(CommandBuffer cmd, ParticleBuffers particles)
         {
             cmd.SetComputeBufferParam(shader, clear, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, clear, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, clear, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, clear, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, clear, Ids.Counters, particles.Counters);
@@ -105,6 +106,7 @@ namespace Rill
             public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
             public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
             public static readonly int Counters = Shader.PropertyToID("_Counters");

@@ -11,7 +11,7 @@ namespace Rill
         public const int Words = 8;
 
         /// <summary>Words by their place; the constants of EmitterStates.hlsl.</summary>
-        public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked }
+        public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked, InSolid, Shut }
 
         readonly uint[] zeros = new uint[StepSources.MostEmitters * Words];
         readonly Readback readback = new Readback(StepSources.MostEmitters * Words);

@@ -8,7 +8,8 @@ namespace Rill
         /// <summary>Its number, below <see cref="StepSources.MostEmitters"/>.</summary>
         public int number;
         public EmitterPlaces places;
-        public float3 origin, axisX, axisY, axisZ;
+        /// <summary>At the start and at the end of the step.</summary>
+        public RigidPose start, end;
         /// <summary>d/s, along each place's direction of flow.</summary>
         public float speed;
         /// <summary>Of the largest angle between a particle's velocity and its direction of flow.</summary>
@@ -57,7 +58,7 @@ namespace Rill
             candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
         }
 
-        /// <summary>Radius of a ball around <see cref="origin"/> that holds all that this step can emit, d.</summary>
-        public float Reach(float step) => places.Radius + speed * step + 1f;
+        /// <summary>Radius of a ball around the end's position that holds all that this step can emit, d.</summary>
+        public float Reach(float step) => places.Radius + speed * step + math.distance(start.position, end.position) + 1f;
     }
 }

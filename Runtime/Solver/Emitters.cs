@@ -121,10 +121,11 @@ namespace Rill
 
         void RecordParameters(CommandBuffer cmd, in EmitterStep emitter, float step, bool seesNew, uint stepIndex)
         {
-            cmd.SetComputeVectorParam(shader, Ids.Origin, new Vector4(emitter.origin.x, emitter.origin.y, emitter.origin.z, emitter.speed));
-            cmd.SetComputeVectorParam(shader, Ids.AxisX, (Vector3)emitter.axisX);
-            cmd.SetComputeVectorParam(shader, Ids.AxisY, (Vector3)emitter.axisY);
-            cmd.SetComputeVectorParam(shader, Ids.AxisZ, (Vector3)emitter.axisZ);
+            cmd.SetComputeVectorParam(shader, Ids.Origin, new float4(emitter.end.position, emitter.speed));
+            cmd.SetComputeVectorParam(shader, Ids.LastOrigin, new float4(emitter.start.position, 0f));
+            float4 rotation = emitter.end.rotation.value, lastRotation = emitter.start.rotation.value;
+            cmd.SetComputeVectorParam(shader, Ids.Rotation, rotation);
+            cmd.SetComputeVectorParam(shader, Ids.LastRotation, math.dot(rotation, lastRotation) < 0f ? -lastRotation : lastRotation);
             cmd.SetComputeVectorParam(shader, Ids.Instants, new Vector4(emitter.firstAge, emitter.interval, step, emitter.cosSpread));
             cmd.SetComputeIntParam(shader, Ids.Emitter, emitter.number);
             cmd.SetComputeIntParam(shader, Ids.Due, emitter.due);
@@ -156,7 +157,7 @@ namespace Rill
             for (int before = 0; before < index; before++)
             {
                 ref EmitterStep other = ref sources.emitters[before];
-                if (math.distance(emitter.origin, other.origin) < emitter.Reach(step) + other.Reach(step) + (float)LatticeKernels.Support)
+                if (math.distance(emitter.end.position, other.end.position) < emitter.Reach(step) + other.Reach(step) + (float)LatticeKernels.Support)
                     return true;
             }
             return false;
@@ -186,9 +187,9 @@ namespace Rill
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
             public static readonly int Origin = Shader.PropertyToID("_Origin");
-            public static readonly int AxisX = Shader.PropertyToID("_AxisX");
-            public static readonly int AxisY = Shader.PropertyToID("_AxisY");
-            public static readonly int AxisZ = Shader.PropertyToID("_AxisZ");
+            public static readonly int LastOrigin = Shader.PropertyToID("_LastOrigin");
+            public static readonly int Rotation = Shader.PropertyToID("_Rotation");
+            public static readonly int LastRotation = Shader.PropertyToID("_LastRotation");
             public static readonly int Instants = Shader.PropertyToID("_Instants");
             public static readonly int Emitter = Shader.PropertyToID("_Emitter");
             public static readonly int Due = Shader.PropertyToID("_Due");

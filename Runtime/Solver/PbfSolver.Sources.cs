@@ -60,7 +60,7 @@ namespace Rill
         {
             StepSources sources = input.sources;
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
-                drains.Record(cmd, constants, particles, sources, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
+                drains.Record(cmd, constants, particles, sources, input.settings.substeps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
         }
 
         // Fields that change or come wake what rests.
@@ -83,7 +83,7 @@ namespace Rill
         void ReachDown(in EmitterStep emitter, float3 gravity)
         {
             float3 down = math.normalizesafe(gravity) * math.length(Layout.DomainSize);
-            float3 low = emitter.origin - emitter.places.Radius, high = emitter.origin + emitter.places.Radius;
+            float3 low = math.min(emitter.start.position, emitter.end.position) - emitter.places.Radius, high = math.max(emitter.start.position, emitter.end.position) + emitter.places.Radius;
             lowestAdded = math.min(lowestAdded, math.clamp(math.min(low, low + down), 0f, Layout.DomainSize));
             highestAdded = math.max(highestAdded, math.clamp(math.max(high, high + down), 0f, Layout.DomainSize));
         }

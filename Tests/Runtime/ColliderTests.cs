@@ -103,7 +103,7 @@ namespace Rill.Tests
             float4[] two = BoundaryOver(places, Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(-1f, 3f, 9f), quaternion.identity),
                 Still(ColliderShape.Box, new float3(10f, 2f, 20f), new float3(19f, 3f, 9f), quaternion.identity));
             for (int i = 0; i < places.Length; i++)
-                Assert.That(math.length(two[i] - one[i]), Is.LessThan(0.2f * math.length(one[i])), $"particle {i}: {two[i]} instead of {one[i]}");
+                Assert.That(math.length(two[i] - one[i]), Is.LessThan(0.01f * math.length(one[i])), $"particle {i}: {two[i]} instead of {one[i]}");
         }
 
         [Test]

@@ -45,6 +45,139 @@ namespace Rill.Tests
             return drain.Shape == DrainShape.Sphere ? math.length(local) <= drain.Radius : math.all(math.abs(local) <= (float3)drain.Size * 0.5f);
         }
 
+        // Particles that do not meet: each goes straight. A drain that moves takes what it moves over too.
+        [Test]
+        public void What_comes_through_a_drain_within_a_step_goes_and_nothing_else([Values(DrainShape.Box, DrainShape.Sphere)] DrainShape shape, [Values] bool moves, [Values(1, 3)] int substeps)
+        {
+            using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 1000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                SolverSettings settings = scene.Fluid.Settings;
+                settings.substeps = substeps;
+                scene.Fluid.Settings = settings;
+                var random = new Unity.Mathematics.Random(9u);
+                float3[] places = Enumerable.Range(0, 512).Select(i => (new float3(i % 8, i / 8 % 8, i / 64) - 3.5f) * 0.22f).ToArray();
+                using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(places.Select(_ => 20f * random.NextFloat3Direction()).ToArray(), Unity.Collections.Allocator.Persistent))
+                    scene.Fluid.AddParticles(positions, velocities);
+                FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0f, 5f, 0f), new Vector3(1f, 0.3f, 0.5f), d =>
+                {
+                    d.Shape = shape;
+                    d.Size = new Vector3(1.4f, 1.2f, 0.01f);
+                    d.Radius = 0.15f;
+                });
+                Move(drain, moves, new Vector3(0.1f, -0.3f, 0.2f), 0f);
+                ParticleState before = scene.Read();
+                ParticleState after = scene.Step().Read();
+                Assert.That(after.Count, Is.GreaterThan(300));
+                var from = Enumerable.Range(0, before.Count).ToDictionary(i => before.ids[i], i => before.positions[i].xyz * Spacing - 1f);
+                (Vector3 position, Quaternion rotation) last = (drain.transform.position, drain.transform.rotation);
+                Move(drain, moves, new Vector3(0.25f, 0.1f, -0.1f), 20f);
+                var left = new System.Collections.Generic.HashSet<uint>(scene.Step().Read().ids);
+                int gone = 0, crossed = 0;
+                for (int i = 0; i < after.Count; i++)
+                {
+                    float3 a = Local(drain, last, from[after.ids[i]]), b = Local(drain, (drain.transform.position, drain.transform.rotation), after.positions[i].xyz * Spacing - 1f);
+                    if (Crosses(shape, a, b, 0.97f))
+                        Assert.That(left.Contains(after.ids[i]), Is.False, $"{a} to {b} leads through");
+                    if (!Crosses(shape, a, b, 1.03f))
+                        Assert.That(left.Contains(after.ids[i]), $"{a} to {b} does not lead through");
+                    gone += left.Contains(after.ids[i]) ? 0 : 1;
+                    crossed += left.Contains(after.ids[i]) || Crosses(shape, b, b, 1f) ? 0 : 1;
+                }
+                TestContext.Out.WriteLine($"{gone} gone, {crossed} of them past it already");
+                Assert.That(crossed, Is.GreaterThan(shape == DrainShape.Box ? 15 : 1));
+                scene.AssertConserved();
+            }
+        }
+
+        static void Move(FluidDrain drain, bool moves, Vector3 to, float angle)
+        {
+            if (!moves && angle != 0f)
+                return;
+            drain.transform.SetPositionAndRotation(to, Quaternion.Euler(angle, 0f, 0f) * drain.transform.rotation);
+            if (!moves)
+                drain.Teleport();
+        }
+
+        // In units of half its size.
+        static float3 Local(FluidDrain drain, (Vector3 position, Quaternion rotation) pose, float3 world)
+        {
+            float3 local = Quaternion.Inverse(pose.rotation) * ((Vector3)world - pose.position);
+            return drain.Shape == DrainShape.Sphere ? local / drain.Radius : local / (0.5f * (float3)drain.Size);
+        }
+
+        // Slow and obvious, by places along the way.
+        static bool Crosses(DrainShape shape, float3 a, float3 b, float size)
+        {
+            for (int i = 0; i <= 5000; i++)
+            {
+                float3 p = math.lerp(a, b, i / 5000f);
+                if (shape == DrainShape.Sphere ? math.length(p) <= size : math.all(math.abs(p) <= size))
+                    return true;
+            }
+            return false;
+        }
+
+        [Test]
+        public void Nobody_in_a_fast_jet_gets_past_a_thin_drain([Values(1, 3)] int substeps, [Values(10f, 40f)] float speed, [Values(0f, 0.005f)] float limit)
+        {
+            using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 5000))
+            {
+                SolverSettings settings = scene.Fluid.Settings;
+                settings.substeps = substeps;
+                scene.Fluid.Settings = settings;
+                scene.Add<FluidEmitter>(new Vector3(-0.95f, 0f, 0f), Vector3.right, emitter =>
+                {
+                    emitter.Rate = 0.02f;
+                    emitter.Speed = speed;
+                });
+                FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0f, 0f, 0f), Vector3.right, d =>
+                {
+                    d.Size = new Vector3(2f, 2f, 0.01f);
+                    d.RateLimit = limit;
+                });
+                int past = 0;
+                for (int i = 1; i <= 40; i++)
+                {
+                    scene.Step();
+                    // What came past it in this step goes at the start of the next.
+                    past = scene.Read().positions.Count(p => p.x * Spacing - 1f > speed / 60f + 0.05f);
+                    if (limit == 0f)
+                        Assert.That(past, Is.Zero, $"step {i}");
+                }
+                FluidStatistics statistics = scene.AssertConserved();
+                if (limit == 0f)
+                    Assert.That(statistics.drained, Is.GreaterThan(0.7f * statistics.emitted));
+                else
+                    Assert.That(statistics.drained, Is.InRange(5, (int)(limit * 40 / 60 / scene.ParticleVolume) + 1));
+            }
+        }
+
+        // Neither came through it: what code adds beyond it, and what an emitter beside it lets in the other way.
+        [Test]
+        public void What_begins_beyond_a_drain_has_not_come_through_it()
+        {
+            using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.Add<FluidDrain>(new Vector3(-0.93f, 0f, 0f), Vector3.right, d => d.Size = new Vector3(2f, 2f, 0.01f));
+                scene.Add<FluidEmitter>(new Vector3(-0.9f, 0f, 0f), Vector3.right, emitter =>
+                {
+                    emitter.Rate = 0.02f;
+                    emitter.Speed = 6f;
+                });
+                for (int i = 0; i < 5; i++)
+                    scene.Step().Measure();     // which orders the particles anew, those just let in too
+                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.85f, 0.5f, 0.5f), new float3(-0.85f, -0.5f, 0.5f) }, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(10f, 0f, 0f), new float3(10f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
+                    scene.Fluid.AddParticles(positions, velocities);
+                scene.Measure();
+                scene.Step(5);
+                Assert.That(scene.AssertConserved().drained, Is.Zero);
+            }
+        }
+
         [Test]
         public void A_drain_with_a_limit_takes_out_the_limit_times_the_time([Values(0.0007f, 0.01f, 0.06f)] float limit)
         {

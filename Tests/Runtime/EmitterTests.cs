@@ -67,6 +67,67 @@ namespace Rill.Tests
             }
         }
 
+        // Without gravity: each particle comes from where the emitter was at its own instant, whatever the frames and steps.
+        [Test]
+        public void A_moving_emitter_lets_in_along_all_of_its_way([Values(1, 2, 4)] int stepsInAFrame, [Values] bool turns)
+        {
+            const float rate = 0.004f, speed = 2.3f, moved = 0.8f;
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                FluidEmitter emitter = scene.Add(new Vector3(-0.8f, turns ? 0f : -0.9f, 0f), Vector3.up, Jet(rate, speed, 0.01f));
+                Quaternion first = emitter.transform.rotation;
+                double before = FrameOf(scene, stepsInAFrame), all = before;
+                for (int frame = 1; frame <= 8 / stepsInAFrame; frame++)
+                {
+                    float share = frame * stepsInAFrame / 8f;
+                    if (turns)
+                        emitter.transform.rotation = Quaternion.Euler(0f, 0f, -70f * share) * first;
+                    else
+                        emitter.transform.position = new Vector3(-0.8f + moved * share, -0.9f, 0f);
+                    all += FrameOf(scene, stepsInAFrame);
+                }
+                ParticleState state = scene.Read();
+                Assert.That(state.Count, Is.EqualTo((int)(rate * all / scene.ParticleVolume + 1e-6)));
+                for (int i = 0; i < state.Count; i++)
+                {
+                    double instant = (state.ids[i] + 1) * scene.ParticleVolume / rate;
+                    float share = (float)math.saturate((instant - before) / (all - before));
+                    Vector3 place = new Vector3(-0.8f + (turns ? 0f : moved * share), turns ? 0f : -0.9f, 0f);
+                    Vector3 direction = turns ? Quaternion.Euler(0f, 0f, -70f * share) * Vector3.up : Vector3.up;
+                    float3 expected = place + direction * (0.5f * Spacing + speed * (float)(all - instant));
+                    Assert.That(math.distance(state.positions[i].xyz * Spacing - (float3)Box * 0.5f, expected), Is.LessThan(0.25f * Spacing), $"particle {state.ids[i]}, let in at {instant} s of {all} s");
+                }
+                Assert.That(scene.AssertConserved().waiting, Is.Zero);
+            }
+        }
+
+        // Lets a frame pass; its fluid time.
+        static double FrameOf(SourceScene scene, int steps)
+        {
+            double before = scene.Fluid.FluidTime;
+            scene.Fluid.Advance(steps * scene.Fluid.FixedStep * 1.00001f);
+            Assert.That(scene.Fluid.FluidTime - before, Is.EqualTo(steps * (double)scene.Fluid.FixedStep).Within(1e-6));
+            return scene.Fluid.FluidTime - before;
+        }
+
+        [Test]
+        public void An_emitter_that_is_teleported_lets_nothing_in_between()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                FluidEmitter emitter = scene.Add(new Vector3(-0.8f, -0.9f, 0f), Vector3.up, Jet(0.01f, 2f, 0.01f));
+                scene.Step(4);
+                emitter.transform.position = new Vector3(0.8f, -0.9f, 0f);
+                emitter.Teleport();
+                scene.Step(4);
+                float[] x = scene.Read().positions.Select(p => p.x * Spacing - 1f).ToArray();
+                Assert.That(x, Is.All.Matches<float>(at => math.abs(math.abs(at) - 0.8f) < Spacing));
+                Assert.That(x.Count(at => at > 0f), Is.EqualTo(x.Length / 2).Within(1));
+            }
+        }
+
         [Test]
         public void Gravity_acts_on_a_particle_within_the_step_in_which_it_is_let_in()
         {
@@ -229,6 +290,140 @@ namespace Rill.Tests
                 Assert.That(state.Count, Is.InRange(900, 1728 - 450), "1,728 less what the ball takes of it");
                 scene.Step(20);
                 Assert.That(scene.AssertConserved().waiting, Is.GreaterThan(0));
+            }
+        }
+
+        static FluidCollider Obstacle(SourceScene scene, Vector3 position, Vector3 size, bool insideOut = false)
+        {
+            var gameObject = new GameObject("Obstacle");
+            gameObject.transform.SetParent(scene.Fluid.transform, false);
+            gameObject.transform.position = position;
+            var collider = gameObject.AddComponent<FluidCollider>();
+            collider.Shape = ColliderShape.Box;
+            collider.Size = size;
+            collider.InsideOut = insideOut;
+            return collider;
+        }
+
+        [Test]
+        public void An_outlet_that_an_obstacle_covers_in_part_lets_in_what_the_rest_holds([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                Obstacle(scene, new Vector3(0.5f, 0f, 0f), new Vector3(1f, 1f, 1f));     // all with x above 0
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, -0.3f, 0f), Vector3.up, e =>
+                {
+                    e.Mode = mode;
+                    e.Rate = 0.06f;
+                    e.Speed = 1f;
+                    e.Radius = 0.2f;
+                });
+                for (int i = 0; i < 25; i++)
+                {
+                    scene.Step();
+                    Assert.That(scene.Read().positions.Max(p => p.x * Spacing - 1f), Is.LessThan(-0.4f * Spacing), $"step {i}");
+                }
+                FluidStatistics statistics = scene.AssertConserved();
+                double due = emitter.DueVolume / scene.ParticleVolume;
+                TestContext.Out.WriteLine($"{statistics.emitted} of {due} let in, {statistics.waiting} wait, {statistics.blocked} given up, C+ max {statistics.densityErrorMax:0.00}");
+                Assert.That(statistics.emitted + statistics.waiting + statistics.blocked, Is.EqualTo(due).Within(1));
+                Assert.That(statistics.emitted, Is.GreaterThan(0.2 * due));
+                Assert.That(statistics.waiting, Is.GreaterThan(0.2 * due), "half of the outlet is not enough for the rate");
+                scene.ReadBack();
+                Assert.That(emitter.Emitted, Is.EqualTo(statistics.emitted));
+            }
+        }
+
+        [Test]
+        public void Nothing_is_let_in_beyond_a_thin_plate_before_the_outlet([Values(2f, 20f)] float speed)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                Obstacle(scene, new Vector3(-0.7f, 0f, 0f), new Vector3(0.02f, 2f, 2f));
+                scene.Add(new Vector3(-0.9f, 0f, 0f), Vector3.right, Jet(0.05f, speed));
+                scene.Step(30);
+                ParticleState state = scene.Read();
+                Assert.That(state.Count, Is.GreaterThan(20), "up to the plate there is room");
+                Assert.That(state.positions.Max(p => p.x * Spacing - 1f), Is.LessThan(-0.71f - 0.4f * Spacing));
+                scene.AssertConserved();
+            }
+        }
+
+        [Test]
+        public void An_outlet_that_an_obstacle_covers_is_said_once_and_goes_on_when_it_is_free()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                FluidCollider obstacle = Obstacle(scene, Vector3.zero, 0.6f * Vector3.one);
+                FluidEmitter emitter = scene.Add(Vector3.zero, Vector3.down, Jet(0.01f, 22f));       // would be out of it within a step
+                string message = "Rill: FluidEmitter 'FluidEmitter': an obstacle covers all of its outlet";
+                void Pass(int frames)
+                {
+                    for (int i = 0; i < frames; i++)
+                    {
+                        scene.Step();
+                        UnityEngine.Rendering.AsyncGPUReadback.WaitAllRequests();
+                    }
+                }
+                Pass(50);
+                LogAssert.NoUnexpectedReceived();       // less than a second: it may only pass by
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.Zero);
+                LogAssert.Expect(LogType.Warning, new Regex(message));
+                Pass(100);
+                FluidStatistics shut = scene.AssertConserved();
+                Assert.That(shut.waiting + shut.blocked, Is.EqualTo(emitter.DueVolume / scene.ParticleVolume).Within(1));
+                Assert.That(shut.blocked, Is.GreaterThan(50));
+                obstacle.transform.position = new Vector3(0.9f, 0.9f, 0.9f);
+                obstacle.Teleport();
+                Pass(30);
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(50));
+                obstacle.transform.position = Vector3.zero;
+                obstacle.Teleport();
+                LogAssert.Expect(LogType.Warning, new Regex(message));
+                Pass(90);
+                scene.AssertConserved();
+                LogAssert.NoUnexpectedReceived();
+            }
+        }
+
+        [Test]
+        public void An_outlet_flush_with_a_wall_keeps_its_rate([Values(-0.01f, 0f, 0.02f)] float before)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                Obstacle(scene, new Vector3(-0.8f, 0f, 0f), new Vector3(0.4f, 2f, 2f));      // up to -0.6
+                FluidEmitter emitter = scene.Add(new Vector3(-0.6f + before, 0f, 0f), Vector3.right, Jet(0.01f, 3f));
+                scene.Step(40);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.emitted, Is.EqualTo(emitter.DueVolume / scene.ParticleVolume).Within(2));
+                Assert.That(statistics.blocked, Is.Zero);
+            }
+        }
+
+        // As into a domain of that size: see A_volume_is_filled_once.
+        [Test]
+        public void A_volume_between_obstacles_is_filled_to_rest_density_and_no_more()
+        {
+            using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                Obstacle(scene, Vector3.zero, 0.3f * Vector3.one, true);
+                scene.Add<FluidEmitter>(Vector3.zero, Vector3.forward, emitter =>
+                {
+                    emitter.Shape = EmitterShape.Box;
+                    emitter.Mode = EmitterMode.Fill;
+                    emitter.Size = Vector3.one * 0.3f;
+                    emitter.Rate = 0.06f;
+                    emitter.Speed = 0f;
+                });
+                scene.Step(120);
+                FluidStatistics statistics = scene.AssertConserved();
+                TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, C+ {statistics.densityError}");
+                Assert.That(statistics.particles, Is.InRange(200, 229), "up to the density that is allowed");
+                Assert.That(statistics.densityError, Is.LessThan(0.005f), "216 are at rest density, and 224 went in where obstacles did not count");
             }
         }
 

@@ -408,7 +408,7 @@ namespace Rill.Tests
         [Test]
         public void The_regions_are_laid_out_as_the_shaders_read_them()
         {
-            Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<DrainRegion>(), Is.EqualTo(64));
+            Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<DrainRegion>(), Is.EqualTo(84));
             Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<FieldRegion>(), Is.EqualTo(80));
         }
     }
