@@ -84,7 +84,7 @@ namespace Rill
             int triangleParts = Parts(geometry.TriangleCount, size.triangles), voxelParts = Parts(grid.VoxelCount, size.voxels);
             totalSteps = 2 + 3 * triangleParts + 2 * Parts(geometry.PairCount, size.pairs) + Strides().Count * voxelParts
                 + (isShell ? voxelParts : passes.LevelCount + Parts(passes.BlockCount, size.blocks) + Parts(passes.BrickCount, size.bricks));
-            work = Work(isShell);
+            work = Work(isShell, !isShell && edges.IsClosed);
         }
 
         /// <summary>Share of the work that is done, 0 to 1.</summary>
@@ -208,7 +208,7 @@ namespace Rill
         }
 
         // The order of a bake; each turn is one dispatch.
-        IEnumerator<string> Work(bool isShell)
+        IEnumerator<string> Work(bool isShell, bool isClosed)
         {
             const string near = "Distances near the surface", far = "Distances beyond", last = "Inside and outside";
             int voxels = (int)grid.VoxelCount, triangles = geometry.TriangleCount;
@@ -261,7 +261,7 @@ namespace Rill
             }
             for (int first = 0; first < passes.BlockCount && !isShell; first += size.blocks)
             {
-                passes.FindSides(first, Math.Min(size.blocks, passes.BlockCount - first));
+                passes.FindSides(first, Math.Min(size.blocks, passes.BlockCount - first), isClosed);
                 yield return last;
             }
             for (int first = 0; first < passes.BrickCount && !isShell; first += size.bricks)

@@ -187,9 +187,11 @@ namespace Rill
         }
 
         /// <summary>Of bricks that lie on one side of the surface as a whole, in blocks of 4³; once the flood is over.</summary>
-        public void FindSides(int firstBlock, int count)
+        /// <param name="isClosed"><see cref="MeshEdges.IsClosed"/></param>
+        public void FindSides(int firstBlock, int count, bool isClosed)
         {
             Begin(firstBlock, count);
+            cmd.SetComputeIntParam(shader, Ids.IsClosed, isClosed ? 1 : 0);
             BindTree(findSides);
             Bind(findSides, Ids.NearestBefore, nearest);
             Bind(findSides, Ids.Sides, sides);
@@ -296,6 +298,7 @@ namespace Rill
             public static readonly int Stride = Shader.PropertyToID("_Stride");
             public static readonly int Level = Shader.PropertyToID("_Level");
             public static readonly int LevelCount = Shader.PropertyToID("_LevelCount");
+            public static readonly int IsClosed = Shader.PropertyToID("_IsClosed");
             public static readonly int HalfThickness = Shader.PropertyToID("_HalfThickness");
             public static readonly int VoxelSize = Shader.PropertyToID("_VoxelSize");
         }
