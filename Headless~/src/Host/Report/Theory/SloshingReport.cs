@@ -8,6 +8,7 @@ namespace Host.Report
     static class SloshingReport
     {
         const string Periods = "experiment-sloshing", Curves = "experiment-sloshing-curves";
+        const double LongestPeriod = 4;     // of the theory's: as long as is played
         // Linear theory is for low waves; at a lean of 0.03 and a depth of 0.15 m the next order shortens the period by 0.4 %, elsewhere
         // and at the others by less.
         static readonly (int Along, double Depth, double Lean, int Substeps, int Iterations)[] Quick =
@@ -19,7 +20,7 @@ namespace Host.Report
         {
             var periods = new ReportTable("along", "depth_m", "layers", "lean_rad", "substeps", "iterations", "period_s", "theory_s", "error", "offset_ratio", "damping_per_period", "misfit");
             var curves = new ReportTable("along", "depth_m", "lean_rad", "substeps", "iterations", "time_s", "x_m", "fit_m");
-            double swings = run.Quick ? 1.6 : 4;
+            double swings = run.Quick ? 1.6 : LongestPeriod;
             foreach ((int along, double wanted, double lean, int substeps, int iterations) in run.Quick ? Quick : Full())
             {
                 double depth = Sloshing.NearestDepth(along, wanted), theory = Sloshing.Period(depth);
@@ -51,13 +52,13 @@ namespace Host.Report
             ReportTable table = page.Load(Periods);
             page.Line("### Sloshing");
             page.Line();
-            page.Line("Level water in a box is let go under gravity that leans a little: it swings in its first mode about the surface that is level to that gravity. The period is that of a damped cosine fitted to the centre of mass along the box; theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted cosine swings about, over where the centre of mass lies under a level surface (1 where the pressure answers to the surface as it should). Damping: of the amplitude a period, as −ln.");
+            page.Line("Level water in a box is let go under gravity that leans a little: it swings in its first mode about the surface that is level to that gravity. The period is that of a damped cosine fitted to the centre of mass along the box; theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted cosine swings about, over where the centre of mass lies under a level surface (1 where the pressure answers to the surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a swing there is no period (–): waves of half a spacing can.");
             page.Line();
             page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error", "offset", "damping a period", "misfit of the cosine" },
                 table.Rows.Select(row => new[]
                 {
                     Figures.Fixed(row.Number("depth_m"), 3), row["along"], row["layers"], Figures.Fixed(Sloshing.Wave(row.Number("lean_rad")) * row.Number("along"), 1), $"{row["substeps"]} x {row["iterations"]}",
-                    Figures.Fixed(row.Number("period_s"), 3), Figures.Fixed(row.Number("theory_s"), 3), Figures.Percent(row.Number("error")), Figures.Fixed(row.Number("offset_ratio"), 2), Figures.Fixed(row.Number("damping_per_period"), 2), Figures.Percent(row.Number("misfit")),
+                    IfSwings(row, Figures.Fixed(row.Number("period_s"), 3)), Figures.Fixed(row.Number("theory_s"), 3), IfSwings(row, Figures.Percent(row.Number("error"))), Figures.Fixed(row.Number("offset_ratio"), 2), IfSwings(row, Figures.Fixed(row.Number("damping_per_period"), 2)), Figures.Percent(row.Number("misfit")),
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
@@ -73,6 +74,9 @@ namespace Host.Report
             });
             page.Plot("experiment-sloshing", "The centre of mass of sloshing water over time at three depths, with the fitted cosines", "set xlabel 't, s'\nset ylabel 'centre of mass from the middle, cm'\nplot " + string.Join(", \\\n", lines));
         }
+
+        // A fitted period that is longer than the run is no period.
+        static string IfSwings(ReportTable.Row row, string text) => row.Number("period_s") < LongestPeriod * row.Number("theory_s") ? text : "–";
 
         // The finest of each depth.
         static IEnumerable<ReportTable.Row> Drawn(ReportTable table) => table.Rows.Where(row => row["substeps"] == "1" && row["iterations"] == "2")
