@@ -28,9 +28,6 @@ struct Surfaces
     float4 behind[3];       // xyz gradient of its density, 1/d; w the density; 0: none
 };
 
-static const float kSameWay = 0.9;          // cosine between the normals of surfaces that are one
-static const float kOtherWay = 0.5;         // and of those that are two
-
 // Share of the density behind a plane at distance s, negative beyond it, and its derivative.
 void Beyond(float s, out float share, out float slope)
 {

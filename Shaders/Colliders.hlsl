@@ -50,6 +50,9 @@ static const uint kReacts = 4;              // what the fluid does to it is summ
 
 static const uint kNoCollider = 0xFFFFu;
 
+static const float kSameWay = 0.9;          // cosine between the normals of surfaces that are one
+static const float kOtherWay = 0.5;         // and of those that are two
+
 StructuredBuffer<Collider> _Colliders;
 Texture3D<float> _Fields;                   // the distances of all meshes, brick by brick; see FieldAtlas.cs
 Texture3D<float> _Heights;                  // the heights of all height fields, the same way

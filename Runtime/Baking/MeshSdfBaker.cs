@@ -33,7 +33,7 @@ namespace Rill
             public int triangles, voxels, bricks, blocks;
 
             /// <summary>A few ten milliseconds on a slow GPU; Windows resets one that takes two seconds.</summary>
-            public static StepSize Default => new StepSize { pairs = 1 << 19, triangles = 1 << 18, voxels = 1 << 22, bricks = 1 << 14, blocks = 1 << 11 };
+            public static StepSize Default => new StepSize { pairs = 1 << 19, triangles = 1 << 17, voxels = 1 << 22, bricks = 1 << 14, blocks = 1 << 11 };
         }
 
         readonly StepSize size;

@@ -31,6 +31,8 @@ namespace Rill
                 Problem = $"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger voxels or a lower resolution, or raise the cap.";
             else if (grid.VoxelCount * sizeof(uint) > GpuBuffer.LargestBinding)
                 Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds {Mega(GpuBuffer.LargestBinding)} MiB: use larger voxels or a lower resolution.";
+            else if ((long)triangles * MeshSdfPasses.BytesOfTriangle > GpuBuffer.LargestBinding)
+                Problem = $"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} MiB, but this device binds {Mega(GpuBuffer.LargestBinding)} MiB: bake a mesh of fewer triangles.";
         }
 
         /// <summary>Voxels along each axis.</summary>

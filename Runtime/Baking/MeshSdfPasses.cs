@@ -13,6 +13,9 @@ namespace Rill
         const int Group = 64;
         const int MostGroups = 65535;
 
+        /// <summary>Of the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
+        public const int BytesOfTriangle = 48;
+
         // As in MeshSdf.compute.
         struct PackedTriangle
         {
@@ -62,28 +65,17 @@ namespace Rill
             resolveSolid = shader.FindKernel("ResolveSolid");
             resolveShell = shader.FindKernel("ResolveShell");
 
-            TriangleMesh mesh = geometry.Mesh;
             triangleCount = geometry.TriangleCount;
             levels = ClusterLevels.Of(triangleCount);
-            vertices = GpuBuffer.Structured<Vector3>("Rill.MeshSdf.Vertices", mesh.Vertices.Length);
-            vertices.SetData(mesh.Vertices);
-            indices = GpuBuffer.Structured<int>("Rill.MeshSdf.Indices", mesh.Triangles.Length);
-            indices.SetData(mesh.Triangles);
-            order = GpuBuffer.Structured<uint>("Rill.MeshSdf.Order", triangleCount);
-            order.SetData(geometry.Order);
-            large = GpuBuffer.Structured<BakeGeometry.LargeTriangle>("Rill.MeshSdf.Large", math.max(geometry.Large.Length, 1));
-            if (geometry.Large.Length > 0)
-                large.SetData(geometry.Large);
-            triangles = GpuBuffer.Structured<PackedTriangle>("Rill.MeshSdf.Triangles", triangleCount);
-            spheres = GpuBuffer.Structured<float4>("Rill.MeshSdf.Spheres", triangleCount);
-            levelTable = GpuBuffer.Structured<uint2>("Rill.MeshSdf.Levels", levels.Length);
-            levelTable.SetData(levels);
-            uint2 top = levels[levels.Length - 1];
-            clusters = GpuBuffer.Structured<Cluster>("Rill.MeshSdf.Clusters", top.x + top.y);
-            boxes = GpuBuffer.Structured<Box>("Rill.MeshSdf.Boxes", top.x + top.y);
-            sides = GpuBuffer.Structured<uint>("Rill.MeshSdf.Sides", BakeGeometry.BrickCount(grid.Resolution));
-            distances = GpuBuffer.Structured<uint>("Rill.MeshSdf.Distances", grid.VoxelCount);
-            nearest = GpuBuffer.Structured<uint>("Rill.MeshSdf.Nearest", grid.VoxelCount);
+            try
+            {
+                Fill(geometry);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
         }
 
         public int LevelCount => levels.Length;
@@ -242,6 +234,30 @@ namespace Rill
             GpuBuffer.Release(ref sides);
             GpuBuffer.Release(ref distances);
             GpuBuffer.Release(ref nearest);
+        }
+
+        void Fill(BakeGeometry geometry)
+        {
+            TriangleMesh mesh = geometry.Mesh;
+            vertices = GpuBuffer.Structured<Vector3>("Rill.MeshSdf.Vertices", mesh.Vertices.Length);
+            vertices.SetData(mesh.Vertices);
+            indices = GpuBuffer.Structured<int>("Rill.MeshSdf.Indices", mesh.Triangles.Length);
+            indices.SetData(mesh.Triangles);
+            order = GpuBuffer.Structured<uint>("Rill.MeshSdf.Order", triangleCount);
+            order.SetData(geometry.Order);
+            large = GpuBuffer.Structured<BakeGeometry.LargeTriangle>("Rill.MeshSdf.Large", math.max(geometry.Large.Length, 1));
+            if (geometry.Large.Length > 0)
+                large.SetData(geometry.Large);
+            triangles = GpuBuffer.Structured<PackedTriangle>("Rill.MeshSdf.Triangles", triangleCount);
+            spheres = GpuBuffer.Structured<float4>("Rill.MeshSdf.Spheres", triangleCount);
+            levelTable = GpuBuffer.Structured<uint2>("Rill.MeshSdf.Levels", levels.Length);
+            levelTable.SetData(levels);
+            uint2 top = levels[levels.Length - 1];
+            clusters = GpuBuffer.Structured<Cluster>("Rill.MeshSdf.Clusters", top.x + top.y);
+            boxes = GpuBuffer.Structured<Box>("Rill.MeshSdf.Boxes", top.x + top.y);
+            sides = GpuBuffer.Structured<uint>("Rill.MeshSdf.Sides", BakeGeometry.BrickCount(grid.Resolution));
+            distances = GpuBuffer.Structured<uint>("Rill.MeshSdf.Distances", grid.VoxelCount);
+            nearest = GpuBuffer.Structured<uint>("Rill.MeshSdf.Nearest", grid.VoxelCount);
         }
 
         void Begin(int first, int count)

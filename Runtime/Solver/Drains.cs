@@ -77,7 +77,7 @@ namespace Rill
         public void Forget(uint drains) => gone |= drains;
 
         /// <summary>Records what goes, from the particles at the start of a step.</summary>
-        /// <param name="substeps">Of the steps.</param>
+        /// <param name="substeps">Of the last step.</param>
         /// <param name="emitters">Null where nothing is recycled.</param>
         /// <param name="tags">Null where no particle has a lifetime.</param>
         /// <param name="resting">Null for none.</param>

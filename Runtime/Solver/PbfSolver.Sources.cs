@@ -60,7 +60,7 @@ namespace Rill
         {
             StepSources sources = input.sources;
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
-                drains.Record(cmd, constants, particles, sources, input.settings.substeps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
+                drains.Record(cmd, constants, particles, sources, lastSubsteps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
         }
 
         // Fields that change or come wake what rests.

@@ -31,6 +31,7 @@ namespace Rill
         GraphicsBuffer constants;
         NativeArray<SolverConstants> constantsUpload;
         uint stepIndex;
+        int lastSubsteps;       // of the last step
         float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
@@ -88,6 +89,7 @@ namespace Rill
         public void Clear()
         {
             stepIndex = 0;
+            lastSubsteps = 0;
             statistics?.Forget();
             ReleaseCoarse();        // whether the next water is deep is decided anew
             ClearSources();
@@ -151,6 +153,7 @@ namespace Rill
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
                 particles.Advance();
             }
+            lastSubsteps = input.settings.substeps;
             RecordEmission(cmd, input, resting);
             if (!VorticityConfinement.IsNeeded(input))
                 ReleaseVorticity();

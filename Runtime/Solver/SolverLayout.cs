@@ -104,7 +104,7 @@ namespace Rill
                     return;
                 }
             }
-            throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {MaxCells:N0} grid cells of {CellSize * Spacing} m. Shrink the domain or raise the particle spacing.");
+            throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {MaxCells:N0} grid cells of {CellSize.x * Spacing} m. Shrink the domain or raise the particle spacing.");
         }
 
         void SplitLists(long largestBinding)

@@ -154,6 +154,29 @@ namespace Rill.Tests
             }
         }
 
+        // The way that counts is that of the step before, in as many substeps as that had: others would look back too far, or not far enough.
+        [Test]
+        public void Nobody_gets_past_a_thin_drain_when_the_substeps_change([Values(1, 4)] int substeps)
+        {
+            using (var scene = new SourceScene(new Vector3(4f, 2f, 2f), Spacing, 5000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.Add<FluidDrain>(Vector3.zero, Vector3.right, d => d.Size = new Vector3(2f, 2f, 0.01f));
+                // One crosses the drain in the second step, one begins a step and a half beyond it and one will be as far before it.
+                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.75f, 0.5f, 0f), new float3(0.75f, 0f, 0.5f), new float3(-1.75f, -0.5f, 0f) }, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(30f, 0f, 0f), new float3(30f, 0f, 0f), new float3(30f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
+                    scene.Fluid.AddParticles(positions, velocities);
+                for (int i = 0; i < 3; i++)
+                {
+                    SolverSettings settings = scene.Fluid.Settings;
+                    settings.substeps = i < 2 ? substeps : 5 - substeps;
+                    scene.Fluid.Settings = settings;
+                    scene.Step();
+                }
+                Assert.That(scene.AssertConserved().drained, Is.EqualTo(1));
+            }
+        }
+
         // Neither came through it: what code adds beyond it, and what an emitter beside it lets in the other way.
         [Test]
         public void What_begins_beyond_a_drain_has_not_come_through_it()

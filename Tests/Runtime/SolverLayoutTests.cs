@@ -114,7 +114,7 @@ namespace Rill.Tests
         [Test]
         public void A_domain_with_too_many_cells_is_refused()
         {
-            AssertRefused(() => Layout(new float3(8000f, 8000f, 8000f), 1f, 1000), "Domain size", "grid cells", "raise the particle spacing");
+            AssertRefused(() => Layout(new float3(8000f, 8000f, 8000f), 1f, 1000), "Domain size", "grid cells of 2 m", "raise the particle spacing");
         }
 
         static SolverLayout Layout(float3 box, float spacing, int capacity) => new SolverLayout(box, spacing, capacity, neighborCapacity: 96, listMargin: 1f);
