@@ -5,11 +5,11 @@
 static const uint kEmitterWords = 8;
 static const uint kEmitterWaiting = 0;      // particles due that had no room yet
 static const uint kEmitterRecycled = 1;     // particles that drains sent here and that are not back yet
-static const uint kEmitterCursor = 2;       // place at which a volume goes on to be filled
+static const uint kEmitterCursor = 2;       // place at which a volume goes on to be filled, or a cross-section to be searched
 static const uint kEmitterEmitted = 3;      // since the reset
 static const uint kEmitterRefused = 4;      // for want of capacity, since the reset
 static const uint kEmitterBlocked = 5;      // given up for want of room, since the reset
 static const uint kEmitterInSolid = 6;      // places tried in this step that an obstacle covers; 0 between steps
-static const uint kEmitterShut = 7;         // steps in a row in which obstacles covered all places tried
+static const uint kEmitterShut = 7;         // steps in a row up to the last in which obstacles covered all places tried; 0 where none was
 
 #endif

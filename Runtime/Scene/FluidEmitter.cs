@@ -82,6 +82,7 @@ namespace Rill
         string placesProblem;
         bool isOn;
         bool saysLast;              // one step after the last tells the GPU that nothing waits any more
+        int searchSteps;            // until every place was tried
 
         /// <summary>Where the fluid comes from.</summary>
         public EmitterShape Shape { get => shape; set { shape = value; Validate(); } }
@@ -160,9 +161,10 @@ namespace Rill
             bool lingers = isOn && clock.Time < until + LongestWait;
             if (isOn)
                 share = clock.Advance(step, rate, delay, until, ParticleVolume, Emitters.MaxCandidates);
-            if (!lingers && !isTarget && !saysLast)
+            bool takesPart = lingers || isTarget;
+            if (!takesPart && !saysLast)
                 return false;
-            saysLast = lingers;
+            saysLast = takesPart;
 
             float perSecond = (float)(rate / ParticleVolume);
             result = new EmitterStep
@@ -178,10 +180,12 @@ namespace Rill
                 firstAge = share.firstAge,
                 interval = share.interval,
                 mostWaiting = lingers ? (int)math.min(math.ceil(perSecond * LongestWait), int.MaxValue / 2) : 0,
+                isLast = !takesPart,
                 phase = phase,
                 lifetimeSteps = lifetime > 0f ? math.max((int)math.round(lifetime / step), 1) : 0,
             };
             result.ChoosePlaces(perSecond, step);
+            searchSteps = result.StepsOfASearch;
             if (share.due > 0 && MustSay(TooFast, rate > 1.01f * MostRateOf(spacing, step)))
                 Say(RateProblem(spacing, step));
             return true;
@@ -250,8 +254,8 @@ namespace Rill
 
         string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MostRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
 
-        // For so long that what waited first is given up.
-        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) * Simulation.FixedStep >= LongestWait;
+        // For so long that what waited first is given up, and every place was tried.
+        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) >= math.max(math.ceil(LongestWait / Simulation.FixedStep - 1e-3f), searchSteps);
 
         string CoveredProblem => "an obstacle covers all of its outlet, so that nothing comes out; what is due is given up and counted as blocked. Move it or the obstacle apart.";
 

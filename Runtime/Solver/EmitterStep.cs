@@ -25,6 +25,8 @@ namespace Rill
         public int candidates;
         /// <summary>Particles that wait for room at most; what is beyond is given up.</summary>
         public int mostWaiting;
+        /// <summary>Whether it does nothing from here on.</summary>
+        public bool isLast;
         /// <summary>0 to 255; 0 for none.</summary>
         public int phase;
         /// <summary>Steps that a particle lives; 0 for ever.</summary>
@@ -57,6 +59,9 @@ namespace Rill
             layerPlaces = places.UsesAllPlaces ? count : (int)math.clamp(needed, 1f, count);
             candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
         }
+
+        /// <summary>Steps until every place was tried where none has room: the first tries those that the flow would use.</summary>
+        public int StepsOfASearch => 1 + (places.Count + candidates - 1) / candidates;
 
         /// <summary>Radius of a ball around the end's position that holds all that this step can emit, d.</summary>
         public float Reach(float step) => places.Radius + speed * step + math.distance(start.position, end.position) + 1f;

@@ -136,6 +136,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.MostWaiting, emitter.mostWaiting);
             cmd.SetComputeIntParam(shader, Ids.Fills, emitter.places.FillsVolume ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.SeesNew, seesNew ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.IsLast, emitter.isLast ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.Tag, (int)emitter.TagIn(stepIndex));
         }
 
@@ -200,6 +201,7 @@ namespace Rill
             public static readonly int MostWaiting = Shader.PropertyToID("_MostWaiting");
             public static readonly int Fills = Shader.PropertyToID("_Fills");
             public static readonly int SeesNew = Shader.PropertyToID("_SeesNew");
+            public static readonly int IsLast = Shader.PropertyToID("_IsLast");
             public static readonly int Tag = Shader.PropertyToID("_Tag");
         }
     }
