@@ -15,6 +15,7 @@ namespace Rill
         FluidCollider leftOut;      // the first beyond the most
         int leftOutCount;
         bool tooManyIsKnown;
+        bool collidersJump;         // what moved since the last steps has not moved through the fluid
 
         /// <summary>Obstacles of the last steps.</summary>
         internal int ColliderCount => colliders.Count;
@@ -49,7 +50,7 @@ namespace Rill
                 RigidPose pose = motion.end;
                 ToDomain(ref motion, frame);
                 int last = LastIndex(collider);
-                bool follows = last >= 0 && lastTeleports[last] == collider.Teleports;
+                bool follows = last >= 0 && lastTeleports[last] == collider.Teleports && (!collidersJump || motion.end.Equals(lastMotions[last].end));
                 if (follows)
                     motion.start = lastMotions[last].end;
                 if (!IsNear(motion))
@@ -73,6 +74,7 @@ namespace Rill
                 if (motion.reacts)
                     Track(index, follows ? last : -1, pose, duration);
             }
+            collidersJump = false;
             if (changed || colliders.Count != lastColliderCount)
                 colliders.Version++;
             if (reordered)

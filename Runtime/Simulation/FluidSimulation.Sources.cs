@@ -122,6 +122,18 @@ namespace Rill
             pbf.RequestSourceCounts();
         }
 
+        void TeleportParts()
+        {
+            if (partCount == 0)
+                return;
+            foreach (FluidEmitter emitter in emitters)
+                if (emitter != null)
+                    emitter.Teleport();
+            foreach (FluidDrain drain in drains)
+                if (drain != null)
+                    drain.Teleport();
+        }
+
         void RestartSources()
         {
             goneEmitters = goneDrains = 0;

@@ -158,6 +158,7 @@ namespace Rill
             FluidTime = 0.0;
             stepsSinceStatistics = 0;
             StandStill();
+            ForgetMotions();
             RestartSources();
             FillVolumes();
         }
@@ -235,9 +236,11 @@ namespace Rill
             if (pbf == null)
                 return;
             bool moves = FollowTransform();
-            // Where the box goes while time stands still is no push when it goes on, nor is the way back from no place.
+            // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's way back from no place.
             if (paused || !moves)
                 StandStill();
+            if (paused || !moves && !placeIsLost)
+                ForgetMotions();
             if (paused)
                 return;
 
@@ -357,6 +360,13 @@ namespace Rill
             GetPlace(out Vector3 place, out _);
             lastPosition = place;
             lastVelocity = 0f;
+        }
+
+        // What moved through the fluid's box since the last steps has not moved through the fluid.
+        void ForgetMotions()
+        {
+            TeleportParts();
+            collidersJump = true;
         }
 
         // Says what is wrong and stops this component, and nothing else in the scene.

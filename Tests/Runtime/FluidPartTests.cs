@@ -16,6 +16,61 @@ namespace Rill.Tests
         const float Spacing = 0.05f;
         static readonly Vector3 Box = new Vector3(1f, 1f, 1f);
 
+        // From one side of the box to the other, both outside of it.
+        [Test]
+        public void What_moves_while_time_stands_still_does_not_move_through_the_fluid([Values("drain", "emitter", "obstacle")] string what, [Values("paused", "restarted", "box lost")] string still)
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000).Fill(0.3f))
+            {
+                var mover = new GameObject("Mover");
+                mover.SetActive(false);
+                float side = what == "obstacle" ? 0.58f : 0.7f;     // one that is far off is not followed
+                Vector3 way = new Vector3(2f * side, 0f, 0f);
+                mover.transform.SetPositionAndRotation(new Vector3(-side, what == "emitter" ? 0f : -0.4f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward));
+                if (what == "obstacle")
+                    mover.AddComponent<FluidCollider>().Size = 0.1f * Vector3.one;
+                else if (what == "drain")
+                    mover.AddComponent<FluidDrain>().Size = 0.1f * Vector3.one;
+                else
+                    mover.AddComponent<FluidEmitter>().Rate = 0.05f;
+                if (what != "obstacle")
+                    mover.GetComponent<FluidPart>().Simulation = scene.Fluid;
+                var holder = new GameObject("Holder");
+                holder.transform.position = new Vector3(2f, 0f, 0f);
+                scene.Fluid.transform.SetParent(holder.transform, true);
+                mover.SetActive(true);
+                scene.Step(20);
+
+                if (still == "box lost")
+                {
+                    LogAssert.Expect(LogType.Error, new Regex("FluidSimulation 'Fluid': its transform is not finite"));
+                    holder.transform.localScale = 3e38f * Vector3.one;
+                    scene.Step();
+                    holder.transform.localScale = Vector3.one;
+                    holder.transform.position -= way;
+                }
+                else
+                {
+                    scene.Fluid.Paused = still == "paused";
+                    scene.Step();
+                    mover.transform.position += way;
+                    scene.Step(still == "paused" ? 1 : 0);
+                    scene.Fluid.Paused = false;
+                    if (still == "restarted")
+                        scene.Fluid.Restart();
+                }
+                scene.Step(2);
+                FluidStatistics statistics = scene.AssertConserved();
+                float fastest = scene.Read().velocities.Max(v => math.length(v.xyz)) * Spacing;
+                Assert.That(statistics.drained + statistics.emitted, Is.Zero);
+                TestContext.Out.WriteLine($"fastest {fastest:0.00} m/s");
+                Assert.That(fastest, Is.LessThan(4f), "it stands, or falls for two steps; an obstacle that came through throws it");
+                Object.DestroyImmediate(mover);
+                scene.Fluid.transform.SetParent(null, true);
+                Object.DestroyImmediate(holder);
+            }
+        }
+
         [Test]
         public void Every_particle_is_accounted_for_over_many_steps_whatever_comes_and_goes()
         {

@@ -14,6 +14,8 @@ namespace Rill
             this.rotation = rotation;
         }
 
+        public bool Equals(in RigidPose other) => position.Equals(other.position) && rotation.Equals(other.rotation);
+
         /// <summary>At a share of the way from one to another.</summary>
         public static RigidPose Between(in RigidPose from, in RigidPose to, float share)
         {
