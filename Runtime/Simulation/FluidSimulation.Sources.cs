@@ -85,8 +85,11 @@ namespace Rill
                         targets |= 1u << (int)region.emitter;
                 }
             foreach (FluidEmitter emitter in emitters)
+            {
+                sources.keepsEmitters |= emitter != null;
                 if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
+            }
             foreach (FluidForceField field in fields)
                 if (field != null && field.TakeStep(frame, particleSpacing, out FieldRegion region))
                     sources.Add(region);

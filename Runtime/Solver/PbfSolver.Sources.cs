@@ -40,7 +40,7 @@ namespace Rill
             hasLifetimes |= sources != null && sources.needsLifetimes;
             if (Emitters.IsNeeded(sources))
                 emitters ??= new Emitters();
-            else if (emitters != null && !emitters.States.IsPending)        // releasing a pending one would wait for the GPU
+            else if (emitters != null && (sources == null || !sources.keepsEmitters) && !emitters.States.IsPending)        // releasing a pending one would wait for the GPU
                 ReleaseEmitters();
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
                 drains ??= new Drains();

@@ -23,6 +23,8 @@ namespace Rill
         public uint goneEmitters;
         /// <summary>Bit d: the drain with number d is gone, and what it took does not count for the next with that number.</summary>
         public uint goneDrains;
+        /// <summary>Whether there are emitters, also such that do nothing in this step: what they have done is kept.</summary>
+        public bool keepsEmitters;
         /// <summary>Whether an emitter gives its particles a phase or a lifetime.</summary>
         public bool needsTags;
         /// <summary>Whether an emitter gives its particles a lifetime.</summary>
@@ -45,7 +47,7 @@ namespace Rill
         {
             emitterCount = drainCount = fieldCount = 0;
             goneEmitters = goneDrains = 0;
-            needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
+            keepsEmitters = needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
         }
 
         public void Add(in EmitterStep emitter)

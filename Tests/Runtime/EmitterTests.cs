@@ -402,6 +402,22 @@ namespace Rill.Tests
             }
         }
 
+        [Test]
+        public void An_emitter_that_is_over_keeps_its_numbers()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 5000))
+            {
+                FluidEmitter emitter = scene.Add(new Vector3(0f, 0.9f, 0f), Vector3.down, Jet(0.02f));
+                Pass(scene, 30);
+                emitter.StopEmission();
+                Pass(scene, 30);
+                Assert.That(emitter.Emitted, Is.EqualTo(scene.Count(ParticleCounter.Emitted)));
+                emitter.StartEmission();
+                Pass(scene, 30);
+                Assert.That(emitter.Emitted, Is.EqualTo(scene.Count(ParticleCounter.Emitted)).Within(40), "ten steps old");
+            }
+        }
+
         static List<string> ProblemsOf(FluidPart part)
         {
             var problems = new List<string>();
