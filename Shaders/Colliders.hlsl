@@ -112,9 +112,15 @@ float4 BoxDistance(float3 p, float3 halfSides)
     return float4(side * face, nearest);
 }
 
+// Place in the atlas of the collider's shape.
+float3 FieldPlace(Collider collider, float3 p)
+{
+    return collider.fieldCenter + p * collider.fieldScale;
+}
+
 float FieldDistance(Collider collider, float3 p)
 {
-    return _Fields.SampleLevel(sampler_LinearClamp, collider.fieldCenter + p * collider.fieldScale, 0.0) * collider.fieldUnit;
+    return _Fields.SampleLevel(sampler_LinearClamp, FieldPlace(collider, p), 0.0) * collider.fieldUnit;
 }
 
 // Inside its volume by central differences. Outside it the surface is taken to be where the nearest place inside sees it.
@@ -144,7 +150,7 @@ float4 MeshDistance(Collider collider, float3 p)
 
 float GroundHeight(Collider collider, float2 place)
 {
-    return _Heights.SampleLevel(sampler_LinearClamp, collider.fieldCenter + float3(place.x, 0.0, place.y) * collider.fieldScale, 0.0) * collider.fieldUnit;
+    return _Heights.SampleLevel(sampler_LinearClamp, FieldPlace(collider, float3(place.x, 0.0, place.y)), 0.0) * collider.fieldUnit;
 }
 
 // From the ground below p as if it were a plane; beyond its sides there is none.

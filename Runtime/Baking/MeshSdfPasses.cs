@@ -1,4 +1,5 @@
 using System;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
@@ -14,7 +15,7 @@ namespace Rill
         const int MostGroups = 65535;
 
         /// <summary>Of the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
-        public const int BytesOfTriangle = 48;
+        public static int BytesOfTriangle => UnsafeUtility.SizeOf<PackedTriangle>();
 
         // As in MeshSdf.compute.
         struct PackedTriangle

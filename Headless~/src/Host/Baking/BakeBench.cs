@@ -53,37 +53,27 @@ namespace Host.Baking
         public static Times Run(TriangleMesh mesh, in MeshSdfSettings settings, out SdfBake bake)
         {
             IGraphicsDevice device = Player.Device;
-            bool timed = device.Timing;
+            using var gpu = new DeviceTimes();
+            var clock = Stopwatch.StartNew();
+            using var baker = new MeshSdfBaker(mesh, settings);
+            double prepared = clock.Elapsed.TotalMilliseconds;
+            device.BeginSample("Bake");
+            while (baker.Stage != MeshSdfBaker.ReadingBack)
+                baker.Step();
+            device.EndSample();
+            double recorded = clock.Elapsed.TotalMilliseconds;
             device.WaitIdle();
-            device.CollectSamples();
-            device.Timing = true;
-            try
-            {
-                var clock = Stopwatch.StartNew();
-                using var baker = new MeshSdfBaker(mesh, settings);
-                double prepared = clock.Elapsed.TotalMilliseconds;
-                device.BeginSample("Bake");
-                while (baker.Stage != MeshSdfBaker.ReadingBack)
-                    baker.Step();
-                device.EndSample();
-                double recorded = clock.Elapsed.TotalMilliseconds;
-                device.WaitIdle();
-                double waited = clock.Elapsed.TotalMilliseconds;
-                bake = baker.Complete();
-                double done = clock.Elapsed.TotalMilliseconds;
+            double waited = clock.Elapsed.TotalMilliseconds;
+            bake = baker.Complete();
+            double done = clock.Elapsed.TotalMilliseconds;
 
-                SignedDistanceField field = SignedDistanceField.Create(bake);
-                device.WaitIdle();
-                double stored = clock.Elapsed.TotalMilliseconds;
-                Object.DestroyImmediate(field.Texture);
-                Object.DestroyImmediate(field);
-                double gpu = device.CollectSamples().Where(sample => sample.Name == "Bake").Sum(sample => sample.Milliseconds);
-                return new Times(prepared, recorded - prepared, gpu, done - waited, done, stored - done);
-            }
-            finally
-            {
-                device.Timing = timed;
-            }
+            SignedDistanceField field = SignedDistanceField.Create(bake);
+            device.WaitIdle();
+            double stored = clock.Elapsed.TotalMilliseconds;
+            Object.DestroyImmediate(field.Texture);
+            Object.DestroyImmediate(field);
+            double dispatched = gpu.Collect().Where(sample => sample.Name == "Bake").Sum(sample => sample.Milliseconds);
+            return new Times(prepared, recorded - prepared, dispatched, done - waited, done, stored - done);
         }
 
         /// <summary>Milliseconds of one bake's parts, in order: what the CPU prepares, and each kind of dispatch on the GPU.</summary>
@@ -99,32 +89,20 @@ namespace Host.Baking
                 return result;
             }
             MeshSdfSettings asked = settings;
-            bool isShell = false;
             BakedTriangles triangles = Timed("areas", () => new BakedTriangles(mesh));
             MeshEdges edges = Timed("edges", () => new MeshEdges(triangles));
-            isShell = asked.sign == MeshSdfSign.OpenShell || asked.sign == MeshSdfSign.Automatic && MeshReport.SignOf(edges) == MeshSdfSign.OpenShell;
+            bool isShell = asked.sign == MeshSdfSign.OpenShell || asked.sign == MeshSdfSign.Automatic && MeshReport.SignOf(edges) == MeshSdfSign.OpenShell;
             var grid = new SdfGrid(triangles.Bounds, asked, isShell);
             BakeGeometry geometry = Timed("order", () => new BakeGeometry(mesh, TriangleOrder.Of(triangles), edges.Turned, grid, edges.SignedVolume < 0));
             Timed("hash", mesh.Hash);
             using (Timed("buffers", () => new MeshSdfPasses(geometry, grid))) { }
 
-            IGraphicsDevice device = Player.Device;
-            bool timed = device.Timing;
-            device.WaitIdle();
-            device.CollectSamples();
-            device.Timing = true;
-            try
-            {
-                SdfBake bake = MeshSdfBaker.Bake(mesh, settings);
-                Timed("format", () => new SdfBake(mesh.Name, grid, bake.Distances, asked, bake.Sign, bake.TriangleCount));
-                foreach (IGrouping<string, DeviceSample> kind in device.CollectSamples().GroupBy(sample => sample.Name))
-                    parts.Add(($"GPU {kind.Key} ({kind.Count()} dispatches)", kind.Sum(sample => sample.Milliseconds)));
-                return parts;
-            }
-            finally
-            {
-                device.Timing = timed;
-            }
+            using var gpu = new DeviceTimes();
+            SdfBake bake = MeshSdfBaker.Bake(mesh, settings);
+            Timed("format", () => new SdfBake(mesh.Name, grid, bake.Distances, asked, bake.Sign, bake.TriangleCount));
+            foreach (IGrouping<string, DeviceSample> kind in gpu.Collect().GroupBy(sample => sample.Name))
+                parts.Add(($"GPU {kind.Key} ({kind.Count()} dispatches)", kind.Sum(sample => sample.Milliseconds)));
+            return parts;
         }
 
         /// <summary>A line for each part of a bake, medians of so many.</summary>
@@ -135,7 +113,7 @@ namespace Host.Baking
                 runs.Add(Parts(mesh, settings));
             for (int part = 0; part < runs[0].Count; part++)
             {
-                double median = runs.Select(run => run[part].Milliseconds).OrderBy(value => value).ElementAt(repeats / 2);
+                double median = Median(runs.Select(run => run[part].Milliseconds));
                 output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{median,20:0.00}  {runs[0][part].Part}"));
             }
         }
@@ -147,8 +125,14 @@ namespace Host.Baking
             var times = new List<Times>();
             for (int i = 0; i < repeats; i++)
                 times.Add(Run(mesh, settings, out _));
-            string Median(Func<Times, double> part) => times.Select(part).OrderBy(value => value).ElementAt(repeats / 2).ToString("0.0", CultureInfo.InvariantCulture);
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mesh.TriangleCount,10:N0}  {bake.Resolution.x + " x " + bake.Resolution.y + " x " + bake.Resolution.z,-16}{Median(t => t.Prepare),10}{Median(t => t.Record),10}{Median(t => t.Result),10}{Median(t => t.Gpu),10}{Median(t => t.Whole),10}{Median(t => t.Asset),10}   {mesh.Name}"));
+            string Of(Func<Times, double> part) => Median(times.Select(part)).ToString("0.0", CultureInfo.InvariantCulture);
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mesh.TriangleCount,10:N0}  {bake.Resolution.x + " x " + bake.Resolution.y + " x " + bake.Resolution.z,-16}{Of(t => t.Prepare),10}{Of(t => t.Record),10}{Of(t => t.Result),10}{Of(t => t.Gpu),10}{Of(t => t.Whole),10}{Of(t => t.Asset),10}   {mesh.Name}"));
+        }
+
+        static double Median(IEnumerable<double> values)
+        {
+            List<double> sorted = values.OrderBy(value => value).ToList();
+            return sorted[sorted.Count / 2];
         }
 
         public static void PrintHead(TextWriter output) => output.WriteLine($"{"triangles",10}  {"voxels",-16}{"prepare",10}{"record",10}{"result",10}{"GPU",10}{"whole",10}{"asset",10}   medians, ms");

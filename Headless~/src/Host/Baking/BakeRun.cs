@@ -95,34 +95,25 @@ namespace Host.Baking
         SdfBake Measured(out double gpu, out double seconds)
         {
             IGraphicsDevice device = Player.Device;
-            bool timed = device.Timing;
-            device.CollectSamples();
-            device.Timing = true;
+            using var times = new DeviceTimes();
             var clock = Stopwatch.StartNew();
             SdfBake bake = null;
-            try
+            Output.Progress.Run(output, "baking " + Mesh.Name, 1, report =>
             {
-                Output.Progress.Run(output, "baking " + Mesh.Name, 1, report =>
+                device.BeginSample("Bake");
+                bake = MeshSdfBaker.Bake(Mesh, settings, (share, stage) =>
                 {
-                    device.BeginSample("Bake");
-                    bake = MeshSdfBaker.Bake(Mesh, settings, (share, stage) =>
-                    {
-                        // The bar shows what the device has done, not what waits for it.
-                        device.EndSample();
-                        device.WaitIdle();
-                        report(share, stage);
-                        device.BeginSample("Bake");
-                        return true;
-                    });
+                    // The bar shows what the device has done, not what waits for it.
                     device.EndSample();
+                    device.WaitIdle();
+                    report(share, stage);
+                    device.BeginSample("Bake");
+                    return true;
                 });
-                seconds = clock.Elapsed.TotalSeconds;
-                gpu = device.CollectSamples().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds);
-            }
-            finally
-            {
-                device.Timing = timed;
-            }
+                device.EndSample();
+            });
+            seconds = clock.Elapsed.TotalSeconds;
+            gpu = times.Collect().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds);
             return bake;
         }
 

@@ -10,6 +10,7 @@ using Rill;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
 namespace Host.Fluids
@@ -32,12 +33,14 @@ namespace Host.Fluids
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = $"{string.Join(" or ", StepTimes.Windows.Select(w => w.Name))}.", DefaultValueFactory = _ => StepTimes.Windows[0].Name };
             var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
+            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("colliders", "Measures GPU milliseconds of the step among obstacles, by stage.") { particles, counts, shape, iterations, substeps, deepWater, window, steps, csv, shaders };
+            var command = new Command("colliders", "Measures GPU milliseconds of the step among obstacles, by stage.") { particles, counts, shape, iterations, substeps, deepWater, window, steps, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                Player.TimesKernels = parsed.GetValue(kernels);
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = parsed.GetValue(iterations);
                 settings.substeps = parsed.GetValue(substeps);

@@ -169,8 +169,16 @@ namespace UnityEngine.Rendering
                 case Op.ComputeTexture: Alive((ComputeShader)c.Subject).SetTexture(c.B, c.A, targets[c.C].Resolve(), c.D, (RenderTextureSubElement)c.E); break;
                 case Op.ComputeKeyword: Keyword((ComputeShader)c.Subject, (string)c.Object, c.Flag); break;
                 case Op.ComputeFromMaterial: FromMaterial((ComputeShader)c.Subject, c.B, (Material)c.Object); break;
-                case Op.Dispatch: Alive((ComputeShader)c.Subject).Dispatch(c.B, c.C, c.D, c.E); break;
-                case Op.DispatchIndirect: Alive((ComputeShader)c.Subject).DispatchIndirect(c.B, (BufferStorage)c.Object, (uint)c.C); break;
+                case Op.Dispatch:
+                    BeginKernel(c);
+                    Alive((ComputeShader)c.Subject).Dispatch(c.B, c.C, c.D, c.E);
+                    EndKernel();
+                    break;
+                case Op.DispatchIndirect:
+                    BeginKernel(c);
+                    Alive((ComputeShader)c.Subject).DispatchIndirect(c.B, (BufferStorage)c.Object, (uint)c.C);
+                    EndKernel();
+                    break;
 
                 case Op.BufferData: Upload((BufferStorage)c.Object, (uint)c.A, Data(c)); break;
                 case Op.BufferCounter: ((BufferStorage)c.Object).SetCounter((uint)c.A); break;
@@ -220,6 +228,20 @@ namespace UnityEngine.Rendering
                 case Op.WaitReadbacks: ReadbackQueue.WaitAll(); break;
                 default: throw new InvalidOperationException($"Unknown command {c.Op}.");
             }
+        }
+
+        static bool TimesKernels => Player.TimesKernels && Player.Device != null && Player.Device.Timing;
+
+        static void BeginKernel(in Command c)
+        {
+            if (TimesKernels)
+                Gpu.Device.BeginSample(Alive((ComputeShader)c.Subject).KernelName(c.B));
+        }
+
+        static void EndKernel()
+        {
+            if (TimesKernels)
+                Gpu.Device.EndSample();
         }
 
         static ComputeShader Alive(ComputeShader shader) =>

@@ -16,6 +16,8 @@ namespace UnityEngine.Headless
         public static bool LinearColorSpace = true;
         /// <summary>Lets a test pretend that this is a player that tells less about its GPU time.</summary>
         public static GpuTimes GpuTimes = GpuTimes.Samples;
+        /// <summary>While the device times, each dispatch of a command buffer is a sample of its own, named after its kernel.</summary>
+        public static bool TimesKernels;
         /// <summary>Lets a test or a command pretend that the machine cannot run compute shaders.</summary>
         public static bool PretendNoCompute;
     }
