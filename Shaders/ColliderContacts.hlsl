@@ -6,7 +6,6 @@ StructuredBuffer<uint> _ColliderMasks;      // [cells * words], see ColliderCell
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
 static const uint kSettleSteps = 8;
-static const float kFar = 1.0;              // an inset that no particle has to keep
 static const float kUnhinderedWay = 2.0;    // d: a way no longer than this, from where no collider is near, meets none; = what bins reach, less kWallInset
 
 // Whether a collider comes near the cell of p within the substep. Most water is far from all of them and is done with this.
@@ -160,9 +159,10 @@ Surroundings FindSurroundings(float3 p)
     Surroundings result;
     result.contact = float4(0.0, 1.0, 0.0, kSupport);
     result.nearest = kNoCollider;
-    float free;
-    Surfaces surfaces = WallSurfaces(p, free);
+    float free = 1.0;
+    Surfaces surfaces = (Surfaces)0;
     float4 apart = 0.0;         // gradient and density of the bodies, each for itself
+    bool isBeside = false;
     uint cell = ColliderCell(p);
     for (uint word = 0; word < _ColliderWords; word++)
     {
@@ -170,26 +170,32 @@ Surroundings FindSurroundings(float3 p)
         {
             uint index = word * 32 + firstbitlow(bits);
             Collider collider = _Colliders[index];
-            float4 contact = DomainDistance(collider, p);
-            if (contact.w >= kSupport)
-                continue;
+            float4 contact = DomainDistance(collider, p, kSupport);
             if (contact.w < result.contact.w)
             {
                 result.contact = contact;
                 result.nearest = index;
             }
-            if ((collider.flags & kCarriesDensity) == 0)
-                continue;
-            float4 own, behind;
-            ColliderDensity(collider, p, contact, own, behind);
-            AddSurface(surfaces, contact.xyz, behind);
-            apart += own;
+            if (contact.w < kSupport && (collider.flags & kCarriesDensity) != 0)
+            {
+                if (!isBeside)
+                    surfaces = WallSurfaces(p, free);
+                isBeside = true;
+                float4 own, behind;
+                ColliderDensity(collider, p, contact, own, behind);
+                AddSurface(surfaces, contact.xyz, behind);
+                apart += own;
+            }
         }
     }
-    // Bodies side by side add up. Where they add up to more than lies behind their surfaces, they lie in the same place.
-    float4 all = BehindAny(surfaces);
-    all.w = max(all.w + free - 1.0, 0.0);
-    result.boundary = (apart.w < all.w ? apart : all) / free;
+    result.boundary = 0.0;
+    if (isBeside)
+    {
+        // Bodies side by side add up. Where they add up to more than lies behind their surfaces, they lie in the same place.
+        float4 all = BehindAny(surfaces);
+        all.w = max(all.w + free - 1.0, 0.0);
+        result.boundary = (apart.w < all.w ? apart : all) / free;
+    }
     return result;
 }
 
@@ -206,7 +212,7 @@ uint Deepest(float3 p, float inset, out float4 contact)
         for (uint bits = _ColliderMasks[cell + word]; bits != 0; bits &= bits - 1)
         {
             uint index = word * 32 + firstbitlow(bits);
-            float4 own = DomainDistance(_Colliders[index], p);
+            float4 own = DomainDistance(_Colliders[index], p, contact.w);
             if (own.w < contact.w)
             {
                 contact = own;
@@ -228,19 +234,22 @@ float3 WayOut(float3 p, float4 contact, float inset)
     return normal * min((inset - contact.w) / steepness, kLongestSettle * rsqrt(steepness));
 }
 
-// Moves p out of what is nearer than 'inset'; 'by' is the collider that moved it last.
-float3 Settle(float3 p, float inset, inout uint by)
+// Moves p out of what is nearer than 'inset', to where what is around it is found; 'by' is the collider that moved it last.
+Surroundings Settle(inout float3 p, float inset, inout uint by)
 {
-    for (uint i = 0; i < kSettleSteps; i++)
+    Surroundings around;
+    bool moves = true;      // and no break: lavapipe of Mesa 22.3 then gives what a lane found a part of what others find after it
+    for (uint i = 0; moves; i++)
     {
-        float4 contact;
-        uint deepest = Deepest(p, inset - 1e-4, contact);
-        if (deepest == kNoCollider)
-            break;
-        by = deepest;
-        p = ClampToDomain(p + WayOut(p, contact, inset));
+        around = FindSurroundings(p);
+        moves = around.contact.w < inset - 1e-4 && i < kSettleSteps;
+        if (moves)
+        {
+            by = around.nearest;
+            p = ClampToDomain(p + WayOut(p, around.contact, inset));
+        }
     }
-    return p;
+    return around;
 }
 
 // ---- paths
@@ -249,13 +258,14 @@ static const float kShortestStep = 0.25;    // d, along a path
 static const uint kMostSteps = 1024;        // a longer path ends there, as if it were stopped
 
 // Whether the way from a to b, in the collider's own frame, comes nearer than kWallInset, and after which share of it. One that
-// starts nearer than that may go on as long as it gets no nearer.
-bool Trace(Collider collider, float3 a, float3 b, out float share)
+// starts nearer than that, 'start' away, may go on as long as it gets no nearer.
+bool Trace(Collider collider, float3 a, float3 b, out float share, out float start)
 {
     share = 0.0;
     float way = length(b - a);
     float distance = LeastDistance(collider, a);
-    float least = min(kWallInset, SurfaceDistance(collider, a, distance) - kTouching);
+    start = SurfaceDistance(collider, a, distance);
+    float least = min(kWallInset, start - kTouching);
     if (distance >= kWallInset + way)
         return false;
     for (uint i = 0; i < kMostSteps; i++)
@@ -271,11 +281,12 @@ bool Trace(Collider collider, float3 a, float3 b, out float share)
     return true;
 }
 
-// The first collider that stops the way from a to b, or kNoCollider. While 'moving', the way is that of the substep, under
-// which the colliders move; else they are where they end.
-uint FirstHit(float3 a, float3 b, bool moving, out float share)
+// The first collider that stops the way from a to b, or kNoCollider, and the distance of the nearest at its start. While 'moving',
+// the way is that of the substep, under which the colliders move; else they are where they end.
+uint FirstHit(float3 a, float3 b, bool moving, out float share, out float nearest)
 {
     share = 1.0;
+    nearest = kSupport;
     uint first = kNoCollider;
     float3 way = b - a;
     uint places = uint(length(way) * _InverseColliderCellSize) + 2;
@@ -289,8 +300,10 @@ uint FirstHit(float3 a, float3 b, bool moving, out float share)
             uint index = word * 32 + firstbitlow(bits);
             Collider collider = _Colliders[index];
             float3 start = moving ? ToLastCollider(collider, a) : ToCollider(collider, a);
-            float hit;
-            if (Trace(collider, start, ToCollider(collider, b), hit) && (hit < share || first == kNoCollider))
+            float hit, distance;
+            bool stops = Trace(collider, start, ToCollider(collider, b), hit, distance);
+            nearest = min(nearest, distance);
+            if (stops && (hit < share || first == kNoCollider))
             {
                 share = hit;
                 first = index;

@@ -35,6 +35,8 @@ cbuffer RillColliders
     float _InverseColliderCellSize; // 1/d
     uint _ColliderCount;
     uint _Rests;                    // whether what rests sleeps: _RegionStates holds something
+    float _ColliderReach;           // d, as far as a collider can matter to a particle in a substep, once it is sorted
+    float3 _ColliderPadding;
 };
 
 static const uint kSphere = 0;
@@ -129,15 +131,9 @@ float4 MeshDistance(Collider collider, float3 p)
     float3 q = clamp(p, -collider.size, collider.size);
     float3 low = max(q - 0.5 * collider.voxel, -collider.size);
     float3 high = min(q + 0.5 * collider.voxel, collider.size);
-    float3 slope;
-    [unroll]
-    for (uint axis = 0; axis < 3; axis++)
-    {
-        float3 before = q, beyond = q;
-        before[axis] = low[axis];
-        beyond[axis] = high[axis];
-        slope[axis] = (FieldDistance(collider, beyond) - FieldDistance(collider, before)) / max(high[axis] - low[axis], 1e-6);
-    }
+    float3 slope = float3(FieldDistance(collider, float3(high.x, q.yz)) - FieldDistance(collider, float3(low.x, q.yz)),
+        FieldDistance(collider, float3(q.x, high.y, q.z)) - FieldDistance(collider, float3(q.x, low.y, q.z)),
+        FieldDistance(collider, float3(q.xy, high.z)) - FieldDistance(collider, float3(q.xy, low.z))) / max(high - low, 1e-6);
     float steepness = dot(slope, slope);
     float3 direction = steepness > 1e-8 ? slope * rsqrt(steepness) : float3(0.0, 1.0, 0.0);
     float distance = FieldDistance(collider, q);
@@ -224,6 +220,15 @@ float4 DomainDistance(Collider collider, float3 p)
 {
     float4 local = LocalDistance(collider, ToCollider(collider, p));
     return float4(Rotate(collider.rotation, local.xyz), local.w);
+}
+
+// The same within 'most'; what is no nearer counts as that far away. Most of what a bin holds is, and the normals of fields are costly.
+float4 DomainDistance(Collider collider, float3 p, float most)
+{
+    float4 result = float4(0.0, 1.0, 0.0, most);
+    if (collider.shape < kMesh || LeastDistance(collider, ToCollider(collider, p)) < most)
+        result = DomainDistance(collider, p);
+    return result;
 }
 
 // ---- bins: a bit for each collider that comes near a cell within the substep

@@ -35,7 +35,8 @@ namespace Rill
         const float NegativeShare = 0.3f;
 
         /// <summary>Longest displacements, d: a lower one of the projection would damp splashes.</summary>
-        const float MaxFlow = 40f, MaxPush = 2f;
+        const float MaxFlow = 40f;
+        public const float MaxPush = 2f;
 
         /// <summary>Nearest and furthest that the free surface lies from the middle of the water in an active cell, in cells.</summary>
         static readonly float2 SurfaceRange = new float2(0.1f, 1.5f);

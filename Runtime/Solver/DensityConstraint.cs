@@ -48,7 +48,7 @@ namespace Rill
                 {
                     cmd.BeginSample(LambdaMarker);
                     int solve = colliders != null ? solveLambdaBeside : solveLambda;
-                    BindBoundary(cmd, solve, colliders);
+                    colliders?.BindDensity(cmd, shader, solve);
                     Dispatch(cmd, solve, particles, particles.Predicted, particles.Current, resting);
                     cmd.EndSample(LambdaMarker);
                 }
@@ -70,7 +70,7 @@ namespace Rill
         public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
             int build = colliders == null ? coarse != null ? buildListDeep : buildList : coarse != null ? buildListDeepBeside : buildListBeside;
-            BindBoundary(cmd, build, colliders);
+            colliders?.BindDensity(cmd, shader, build);
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -109,12 +109,6 @@ namespace Rill
             return stage;
         }
 
-        void BindBoundary(CommandBuffer cmd, int kernel, Colliders colliders)
-        {
-            if (colliders != null)
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
-        }
-
         void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to, RestingRegions resting)
         {
             Lists.Bind(cmd, shader, kernel);
@@ -132,7 +126,6 @@ namespace Rill
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }

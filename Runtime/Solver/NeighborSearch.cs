@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather, gatherTags;
+        readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags;
         readonly LocalKeyword sleep;
         readonly int cells;
         readonly PrefixSum prefixSum;
@@ -26,6 +26,7 @@ namespace Rill
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel("Gather");
+            gatherBeside = shader.FindKernel("GatherBeside");
             gatherTags = shader.FindKernel("GatherTags");
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
@@ -47,27 +48,30 @@ namespace Rill
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
         /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
         /// <param name="resting">Whose particles stay where they are; null for none.</param>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null)
+        /// <param name="colliders">End the ways that meet them; null for none.</param>
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
+            colliders?.RecordPaths(cmd, particles, cellHistogram, cellRanks, coarse, resting);
             cmd.BeginSample(Marker);
-            if (coarse != null)
-            {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, countCellsDeep, CoarseIds.Displacements, coarse.Displacements);
-            }
-            RecordOrder(cmd, constants, particles, coarse != null ? countCellsDeep : countCells, resting);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            if (colliders == null)
+                RecordCount(cmd, particles, coarse, resting);
+            RecordOrder(cmd, particles);
 
-            resting?.Bind(cmd, shader, gather);
-            cmd.SetComputeBufferParam(shader, gather, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, gather, Ids.CellStarts, CellStarts);
-            cmd.SetComputeBufferParam(shader, gather, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, gather, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, gather, Ids.Order, Order);
-            cmd.SetComputeBufferParam(shader, gather, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, gather, Ids.Predicted, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, gather, Ids.SortedIds, particles.SortedIds);
-            cmd.SetComputeBufferParam(shader, gather, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, gather, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            int kernel = colliders == null ? gather : gatherBeside;
+            resting?.Bind(cmd, shader, kernel);
+            colliders?.BindSort(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -88,7 +92,10 @@ namespace Rill
         /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
         public void RecordOrderAtRest(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
         {
-            RecordOrder(cmd, constants, particles, countCellsAtRest, null);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, null);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            DispatchCount(cmd, particles, countCellsAtRest);
+            RecordOrder(cmd, particles);
         }
 
         public void Dispose()
@@ -104,13 +111,15 @@ namespace Rill
 
         /// <param name="deep">Whether a coarse correction runs.</param>
         /// <param name="resting">Null for none.</param>
-        public StageDescription Describe(in SolverSettings settings, bool deep, RestingRegions resting)
+        /// <param name="colliders">Null for none.</param>
+        public StageDescription Describe(in SolverSettings settings, bool deep, RestingRegions resting, Colliders colliders)
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
-            stage.Kernel("NeighborSearch", deep ? "CountCellsDeep" : "CountCells", settings.substeps, RestingRegions.Variant(null, resting));
+            if (colliders == null)
+                stage.Kernel("NeighborSearch", deep ? "CountCellsDeep" : "CountCells", settings.substeps, RestingRegions.Variant(null, resting));
             prefixSum.Describe(stage, settings.substeps);
             stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps, RestingRegions.Variant(null, resting));
-            stage.Kernel("NeighborSearch", "Gather", settings.substeps, RestingRegions.Variant(null, resting));
+            stage.Kernel("NeighborSearch", colliders == null ? "Gather" : "GatherBeside", settings.substeps, RestingRegions.Variant(null, resting));
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);
@@ -118,20 +127,31 @@ namespace Rill
             return stage;
         }
 
-        void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, int countKernel, RestingRegions resting)
+        void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting)
         {
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
-            resting?.Bind(cmd, shader, countKernel);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            int kernel = coarse != null ? countCellsDeep : countCells;
+            resting?.Bind(cmd, shader, kernel);
+            if (coarse != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
+            }
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            DispatchCount(cmd, particles, kernel);
+        }
 
+        void DispatchCount(CommandBuffer cmd, ParticleBuffers particles, int countKernel)
+        {
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Positions, particles.Current);
-            if (countKernel != countCellsAtRest)
-                cmd.SetComputeBufferParam(shader, countKernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, countKernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+        }
 
+        // From what was counted.
+        void RecordOrder(CommandBuffer cmd, ParticleBuffers particles)
+        {
             prefixSum.Record(cmd, cellHistogram, CellStarts, cells + 1);
 
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.CellStarts, CellStarts);

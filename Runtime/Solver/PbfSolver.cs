@@ -140,13 +140,11 @@ namespace Rill
             {
                 resting?.Record(cmd, constants, particles, Layout, input);
                 fields?.Record(cmd, constants, particles, Layout);
-                obstacles?.RecordSubstep(cmd, constants, input, substep, resting);
+                obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
                 coarse?.RecordSolids(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
-                obstacles?.RecordPaths(cmd, particles, coarse, resting);
-                neighborSearch.RecordSort(cmd, constants, particles, obstacles == null ? coarse : null, resting);
+                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting, obstacles);
                 tags?.RecordSort(cmd, particles, neighborSearch);
-                obstacles?.RecordBoundary(cmd, particles, resting);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles);
                 if (VorticityConfinement.IsNeeded(input))
@@ -202,7 +200,7 @@ namespace Rill
                 ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
                 Rill.Colliders.Describe(colliders, input, coarseCorrection != null),
-                neighborSearch.Describe(input.settings, coarseCorrection != null && colliders == null, restingRegions),
+                neighborSearch.Describe(input.settings, coarseCorrection != null, restingRegions, colliders),
                 ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),

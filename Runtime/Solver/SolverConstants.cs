@@ -35,7 +35,7 @@ namespace Rill
         public float confinement;
 
         /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
-        const float MaxCorrection = 0.5f;
+        public const float MaxCorrection = 0.5f;
 
         /// <summary>Rate, 1/s, at which the viscosity setting is quoted.</summary>
         public const float ViscosityRate = 60f;

@@ -96,7 +96,7 @@ namespace Rill
                 description.Kernel("PrefixSum", kernel, 0);
             description.Kernel("NeighborSearch", "ScatterOrder", 0);
             if (colliders != null)
-                description.Kernel("Colliders", "FindBoundaryAtRest", 0);
+                description.Kernel("Colliders", "FindBoundary", 0);
             description.Kernel("Statistics", colliders == null ? "Measure" : "MeasureBeside", 0);
             description.Kernel("Statistics", "Reduce", 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);

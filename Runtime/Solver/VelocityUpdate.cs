@@ -40,7 +40,7 @@ namespace Rill
             if (visits)
                 lists.Bind(cmd, shader, kernel);
             if (kernel == updateViscousBeside)
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
+                colliders.BindDensity(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
@@ -68,7 +68,6 @@ namespace Rill
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
         }

@@ -39,8 +39,7 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             Dispatch(cmd, curlKernel, particles, lists);
             int confine = colliders == null ? confineKernel : confineBesideKernel;
-            if (colliders != null)
-                cmd.SetComputeBufferParam(shader, confine, Ids.Boundary, colliders.Boundary);
+            colliders?.BindDensity(cmd, shader, confine);
             cmd.SetComputeBufferParam(shader, confine, Ids.Confined, confined);
             Dispatch(cmd, confine, particles, lists);
             cmd.EndSample(Marker);
@@ -87,7 +86,6 @@ namespace Rill
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Curl = Shader.PropertyToID("_Curl");
             public static readonly int Confined = Shader.PropertyToID("_Confined");
-            public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }

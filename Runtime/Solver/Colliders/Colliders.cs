@@ -13,17 +13,18 @@ namespace Rill
         const float SmallestCell = 4f;          // d
         const int MostCells = 1 << 17;
         const int WordBits = 32;
+        const float WallInset = 0.5f;           // d, kWallInset in Solver.hlsl
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
-        readonly int binColliders, findBoundary, findBoundaryAtRest;
+        readonly int binColliders, findBoundary;
         readonly int[] collidePaths, collidePathsDeep, collide, collideLast;        // without and with reactions
         readonly FieldAtlas meshes, heights;
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
         readonly float cellSize;
-        GraphicsBuffer constants, states, masks, boundary, insets;
+        GraphicsBuffer constants, states, masks, boundary, insets, pathBoundary, pathInsets;
         NativeArray<ColliderConstants> constantsUpload;
         NativeArray<ColliderState> statesUpload;
         int words, recordedCount;
@@ -37,7 +38,6 @@ namespace Rill
             collidePaths = Kernels("CollidePaths");
             collidePathsDeep = Kernels("CollidePathsDeep");
             findBoundary = shader.FindKernel("FindBoundary");
-            findBoundaryAtRest = shader.FindKernel("FindBoundaryAtRest");
             collide = Kernels("Collide");
             collideLast = Kernels("CollideLast");
 
@@ -51,6 +51,8 @@ namespace Rill
             states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
             boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
             insets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
+            pathBoundary = GpuBuffer.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
+            pathInsets = GpuBuffer.Structured<float>("Rill.Colliders.PathInsets", layout.Capacity);
             constantsUpload = new NativeArray<ColliderConstants>(1, Allocator.Persistent);
             statesUpload = new NativeArray<ColliderState>(ColliderSet.Most, Allocator.Persistent);
         }
@@ -60,7 +62,7 @@ namespace Rill
         /// <summary>Grows with each substep whose obstacles are not those of the one before, at rest in the same places: what was made of them does not hold any more.</summary>
         public int Changes { get; private set; }
 
-        /// <summary>float4 [capacity], what the colliders add to the density of a particle: xyz its gradient, 1/d; w relative to rest.</summary>
+        /// <summary>float4 [capacity], after <see cref="RecordBoundaryAtRest"/> what the colliders add to the density of a particle: xyz its gradient, 1/d; w relative to rest.</summary>
         public GraphicsBuffer Boundary => boundary;
 
         /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
@@ -78,8 +80,9 @@ namespace Rill
         }
 
         /// <summary>Records where the obstacles are in a substep; little where all rest as they did.</summary>
+        /// <param name="deep">Whether a coarse correction runs.</param>
         /// <exception cref="ArgumentException">The fields of the meshes, or the heights, do not fit a texture.</exception>
-        public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, RestingRegions resting)
+        public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, bool deep, RestingRegions resting)
         {
             ColliderSet set = input.colliders;
             bool changed = meshes.Hold(set) | heights.Hold(set) | Reserve((set.Count + WordBits - 1) / WordBits) | set.Count != recordedCount;
@@ -96,8 +99,7 @@ namespace Rill
                 statesUpload[i] = state;
             }
             Changes += changed ? 1 : 0;
-            binned = changed;
-            constantsUpload[0] = new ColliderConstants
+            var wanted = new ColliderConstants
             {
                 cells = (uint3)cells,
                 words = (uint)words,
@@ -105,13 +107,16 @@ namespace Rill
                 inverseCellSize = 1f / cellSize,
                 count = (uint)set.Count,
                 rests = resting != null ? 1u : 0u,
+                reach = Reach(input.settings.iterations, deep),
             };
+            binned = changed || !wanted.Equals(constantsUpload[0]);
+            constantsUpload[0] = wanted;
             cmd.BeginSample(Marker);
             RecordReactions(cmd, set, input.timeStep / substeps);
-            cmd.SetBufferData(constants, constantsUpload);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);     // the kernels are those of all fluids
-            if (changed)
+            if (binned)
             {
+                cmd.SetBufferData(constants, constantsUpload);
                 cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
                 BindShapes(cmd, shader, binColliders);
                 CoarseGrid.Dispatch(cmd, shader, binColliders, cells.x * cells.y * cells.z * words);
@@ -119,32 +124,27 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Records the ways of the particles up to the surfaces they meet; in deep water with the displacement of the projection, which the sort then does without.</summary>
-        public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting)
+        /// <summary>Records the begin of the sort: ends the ways of the particles at the surfaces they meet and counts the particles into the cells there.</summary>
+        /// <param name="cellHistogram">uint [cells + 1], particles in a cell.</param>
+        /// <param name="cellRanks">uint2 [capacity], cell of a particle and its number there; see CellCount.hlsl.</param>
+        /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
+        public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer cellHistogram, GraphicsBuffer cellRanks, CoarseCorrection coarse, RestingRegions resting)
         {
             int kernel = (coarse != null ? collidePathsDeep : collidePaths)[reactions != null ? 1 : 0];
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.PathBoundary, pathBoundary);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.PathInsets, pathInsets);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
             if (coarse != null)
             {
                 cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
                 cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
             }
             cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
-            cmd.EndSample(Marker);
-        }
-
-        /// <summary>Records <see cref="Boundary"/> at the sorted, predicted positions.</summary>
-        public void RecordBoundary(CommandBuffer cmd, ParticleBuffers particles, RestingRegions resting)
-        {
-            cmd.BeginSample(Marker);
-            Bind(cmd, findBoundary, particles, resting);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Predicted, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Insets, insets);
-            cmd.DispatchCompute(shader, findBoundary, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -169,11 +169,11 @@ namespace Rill
         {
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
-            Bind(cmd, findBoundaryAtRest, particles, null);
-            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(shader, findBoundaryAtRest, Ids.Distances, insets);       // free between steps
-            cmd.DispatchCompute(shader, findBoundaryAtRest, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            Bind(cmd, findBoundary, particles, null);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Distances, insets);       // free between steps
+            cmd.DispatchCompute(shader, findBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
 
@@ -188,6 +188,8 @@ namespace Rill
             GpuBuffer.Release(ref masks);
             GpuBuffer.Release(ref boundary);
             GpuBuffer.Release(ref insets);
+            GpuBuffer.Release(ref pathBoundary);
+            GpuBuffer.Release(ref pathInsets);
             constantsUpload.Dispose();
             statesUpload.Dispose();
         }
@@ -205,7 +207,6 @@ namespace Rill
             if (colliders.binned)
                 description.Kernel("Colliders", "BinColliders", substeps);
             description.Kernel("Colliders", (deep ? "CollidePathsDeep" : "CollidePaths") + variant, substeps);
-            description.Kernel("Colliders", "FindBoundary", substeps);
             if (input.settings.iterations > 1)
                 description.Kernel("Colliders", "Collide" + variant, substeps * (input.settings.iterations - 1));
             description.Kernel("Colliders", "CollideLast" + variant, substeps);
@@ -215,6 +216,8 @@ namespace Rill
             description.Buffer("Rill.Colliders.Masks", colliders.masks);
             description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
             description.Buffer("Rill.Colliders.Insets", colliders.insets);
+            description.Buffer("Rill.Colliders.PathBoundary", colliders.pathBoundary);
+            description.Buffer("Rill.Colliders.PathInsets", colliders.pathInsets);
             description.Buffers.Add(("Rill.Colliders.NoField", FieldAtlas.BytesOfVoxel));
             colliders.meshes.Describe(description);
             colliders.heights.Describe(description);
@@ -240,6 +243,21 @@ namespace Rill
             cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderMasks, masks);
             BindField(cmd, reader, kernel, Ids.Fields, meshes);
             BindField(cmd, reader, kernel, Ids.Heights, heights);
+        }
+
+        /// <summary>Records what the sort moves with the particles.</summary>
+        public void BindSort(CommandBuffer cmd, ComputeShader sort, int kernel)
+        {
+            cmd.SetComputeBufferParam(sort, kernel, Ids.PathBoundary, pathBoundary);
+            cmd.SetComputeBufferParam(sort, kernel, Ids.PathInsets, pathInsets);
+            BindDensity(cmd, sort, kernel);
+        }
+
+        /// <summary>Records what the obstacles add to the density, as a kernel reads it; see ColliderDensity.hlsl.</summary>
+        public void BindDensity(CommandBuffer cmd, ComputeShader reader, int kernel)
+        {
+            cmd.SetComputeBufferParam(reader, kernel, Ids.Boundary, boundary);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.Insets, insets);
         }
 
         void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
@@ -276,6 +294,11 @@ namespace Rill
             return true;
         }
 
+        // How far from a sorted particle a collider can matter in the rest of the substep, d: as far as it reaches, or what the passes
+        // can move the particle until it touches.
+        static float Reach(int iterations, bool deep) =>
+            math.max((float)LatticeKernels.Support, WallInset + iterations * SolverConstants.MaxCorrection + (deep ? CoarseConstants.MaxPush : 0f));
+
         static float Cells(float3 domainSize, float size)
         {
             float3 counts = math.ceil(domainSize / size);
@@ -291,13 +314,16 @@ namespace Rill
             public static readonly int Heights = Shader.PropertyToID("_Heights");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Predicted = Shader.PropertyToID("_Predicted");
             public static readonly int Before = Shader.PropertyToID("_Before");
             public static readonly int Corrected = Shader.PropertyToID("_Corrected");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
             public static readonly int Insets = Shader.PropertyToID("_Insets");
+            public static readonly int PathBoundary = Shader.PropertyToID("_PathBoundary");
+            public static readonly int PathInsets = Shader.PropertyToID("_PathInsets");
+            public static readonly int CellHistogram = Shader.PropertyToID("_CellHistogram");
+            public static readonly int CellRanks = Shader.PropertyToID("_CellRanks");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
         }

@@ -199,9 +199,10 @@ namespace Host.Fluids
         static void Print(List<(int Count, bool Forces, Dictionary<string, StepTimes.Spread> Times)> runs, TextWriter output)
         {
             string[] stages = runs.SelectMany(run => run.Times.Keys).Distinct().OrderBy(stage => stage == StepTimes.Step).ToArray();
-            string Row(string name, Func<Dictionary<string, StepTimes.Spread>, string> cell) => $"{name,-24}" + string.Concat(runs.Select(run => $"{cell(run.Times),14}"));
+            int width = stages.Max(stage => stage.Length) + 2;
+            string Row(string name, Func<Dictionary<string, StepTimes.Spread>, string> cell) => name.PadRight(width) + string.Concat(runs.Select(run => $"{cell(run.Times),14}"));
             output.WriteLine();
-            output.WriteLine($"{"colliders",-24}" + string.Concat(runs.Select(run => $"{run.Count + (run.Forces ? " + forces" : ""),14}")));
+            output.WriteLine("colliders".PadRight(width) + string.Concat(runs.Select(run => $"{run.Count + (run.Forces ? " + forces" : ""),14}")));
             foreach (string stage in stages)
                 output.WriteLine(Row(stage, times => times.TryGetValue(stage, out StepTimes.Spread spread) ? spread.Median.ToString("0.0000", CultureInfo.InvariantCulture) : "–"));
             if (runs[0].Count == 0)

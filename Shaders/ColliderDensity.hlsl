@@ -1,0 +1,14 @@
+// What colliders add to the density of a sorted particle. Include after Solver.hlsl.
+#ifndef RILL_COLLIDER_DENSITY_INCLUDED
+#define RILL_COLLIDER_DENSITY_INCLUDED
+
+StructuredBuffer<float4> _Boundary;     // [kSorted], see Colliders.compute
+StructuredBuffer<float> _Insets;        // [kSorted]
+
+void AddColliders(uint i, inout float density, inout float3 gradient)
+{
+    if (_Insets[i] != kFar)
+        AddBoundary(_Boundary[i], density, gradient);
+}
+
+#endif
