@@ -89,7 +89,7 @@ namespace Rill
             foreach (FluidEmitter emitter in emitters)
             {
                 sources.keepsEmitters |= emitter != null;
-                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.Passed, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
             foreach (FluidForceField field in fields)
