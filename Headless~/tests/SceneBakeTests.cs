@@ -197,6 +197,9 @@ namespace Host.Tests
             Assert.That(SceneText.WithOverride(added, 8, 12, "field", "{fileID: 2}"), Is.EqualTo(added.Replace("{fileID: 1}", "{fileID: 2}")));
             Assert.That(SceneText.WithOverride(added, 8, 123, "field", "{fileID: 2}"), Is.EqualTo(added.Replace(entry.Replace("\n", newLine), (entry + entry.Substring(entry.IndexOf("    - ", StringComparison.Ordinal)).Replace("12,", "123,").Replace("1}", "2}")).Replace("\n", newLine))), "another component of the instance");
             Assert.That(SceneText.WithOverride(text, 7, 12, "field", "{fileID: 1}"), Is.EqualTo((other.Replace("objectReference: {fileID: 0}", "objectReference: {fileID: 1}") + empty + behind).Replace("\n", newLine)));
+            string longer = SceneText.WithOverride(text, 8, 123, "fields", "{fileID: 2}");
+            longer = SceneText.WithOverride(SceneText.WithOverride(longer, 8, 123, "field", "{fileID: 3}"), 8, 12, "field", "{fileID: 1}");
+            Assert.That(Enumerable.Range(1, 3).Select(i => longer.Split($"objectReference: {{fileID: {i}}}").Length), Is.All.EqualTo(2), "ids and names that begin alike are others");
             Assert.That(SceneText.WithOverride(text, 9, 12, "field", "{fileID: 1}"), Is.Null);
         }
 
