@@ -95,20 +95,43 @@ namespace Rill.Editor
         public static void Replace(SignedDistanceField field, SdfBake bake, Mesh source)
         {
             (string guid, long id) = SourceOf(source);
+            FieldUndo.Record(field);
             Texture3D replaced = field.Apply(bake, guid, id);
+            KeepTextureOf(field);
             if (replaced != null)
-            {
-                AssetDatabase.RemoveObjectFromAsset(replaced);
-                Object.DestroyImmediate(replaced, true);
-            }
-            if (AssetDatabase.Contains(field) && !AssetDatabase.Contains(field.Texture))
+                Object.DestroyImmediate(replaced, true);        // of a field that is no asset
+            FieldUndo.Watch(field);
+        }
+
+        /// <summary>The texture of distances in a field's file; null for none. Not always the field's: undo knows no file.</summary>
+        public static Texture3D TextureIn(string path)
+        {
+            foreach (Object part in AssetDatabase.LoadAllAssetsAtPath(path))
+                if (part is Texture3D texture)
+                    return texture;
+            return null;
+        }
+
+        /// <summary>Writes a field that is an asset, with its texture and no other.</summary>
+        public static void KeepTextureOf(SignedDistanceField field)
+        {
+            if (!AssetDatabase.Contains(field))
+                return;
+            foreach (Object part in AssetDatabase.LoadAllAssetsAtPath(AssetDatabase.GetAssetPath(field)))
+                if (part is Texture3D && part != field.Texture)
+                {
+                    AssetDatabase.RemoveObjectFromAsset(part);
+                    Object.DestroyImmediate(part, true);
+                }
+            if (field.Texture != null && !AssetDatabase.Contains(field.Texture))
                 AssetDatabase.AddObjectToAsset(field.Texture, field);
             Save(field);
         }
 
         static void Save(SignedDistanceField field)
         {
-            EditorUtility.SetDirty(field.Texture);
+            if (field.Texture != null)
+                EditorUtility.SetDirty(field.Texture);
             EditorUtility.SetDirty(field);
             AssetDatabase.SaveAssetIfDirty(field);
         }

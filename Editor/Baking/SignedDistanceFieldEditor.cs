@@ -17,6 +17,7 @@ namespace Rill.Editor
         [SerializeField] Vector2 turn = new Vector2(30f, 20f);
 
         SerializedObject self;
+        MeshSdfSettings baked;      // with these, as far as is known here
         readonly int[] layers = new int[3];
         readonly FieldPicture slice = new FieldPicture("Slice"), surface = new FieldPicture("Surface");
         SdfVolume volume;
@@ -29,7 +30,8 @@ namespace Rill.Editor
         void OnEnable()
         {
             self = new SerializedObject(this);
-            settings = Field.Settings;
+            Undo.undoRedoPerformed += Follow;
+            settings = baked = Field.Settings;
             Look();
             for (int i = 0; i < layers.Length; i++)
                 layers[i] = volume != null ? volume.Resolution[i] / 2 : 0;
@@ -37,8 +39,19 @@ namespace Rill.Editor
 
         void OnDisable()
         {
+            Undo.undoRedoPerformed -= Follow;
             slice.Release();
             surface.Release();
+        }
+
+        // An undo may have brought back an earlier bake, or only what was typed here.
+        void Follow()
+        {
+            if (target == null)
+                return;
+            if (!baked.Equals(Field.Settings))
+                settings = baked = Field.Settings;
+            Look();
         }
 
         // What a bake, this one's or the window's, changes.
@@ -107,6 +120,7 @@ namespace Rill.Editor
                 EditorUtility.ClearProgressBar();
             }
             outcome = item.Outcome;
+            baked = Field.Settings;
             Look();
         }
 

@@ -53,7 +53,9 @@ namespace Rill.Editor
                     DrawDisc(emitter.transform, emitter.Radius, color);
                     break;
             }
-            DrawArrow(emitter.transform, ArrowTime * emitter.Speed, color);
+            Vector3 leaves = emitter.LeavingVelocity;       // aside where the emitter moves
+            Gizmos.matrix = Matrix4x4.TRS(emitter.transform.position, leaves == Vector3.zero ? emitter.transform.rotation : Quaternion.LookRotation(leaves, emitter.transform.up), Vector3.one);
+            DrawArrow(ArrowTime * leaves.magnitude);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
@@ -138,6 +140,12 @@ namespace Rill.Editor
         static void DrawArrow(Transform at, float length, Color color)
         {
             Place(at, Vector3.one, color);
+            DrawArrow(length);
+        }
+
+        // Along the forward axis of what is drawn in.
+        static void DrawArrow(float length)
+        {
             Vector3 tip = Vector3.forward * length;
             Gizmos.DrawLine(Vector3.zero, tip);
             Gizmos.DrawLine(tip, tip + new Vector3(0.1f, 0f, -0.2f) * length);

@@ -60,6 +60,7 @@ namespace Host.Tests
             Assert.That(FieldAssets.TryMakeFolder(Folder));
             AssetDatabase.CreateAsset(mesh, Folder + "/Cube.mesh");
             SignedDistanceField field = Field(mesh);
+            Undo.ClearAll();
             Editor editor = Editor.CreateEditor(field);
             Assert.That(editor, Is.InstanceOf<SignedDistanceFieldEditor>());
             editor.OnInspectorGUI();
@@ -68,8 +69,16 @@ namespace Host.Tests
             var serialized = new SerializedObject(editor);
             serialized.FindProperty("settings.resolution").intValue = 20;
             serialized.ApplyModifiedProperties();
+            Undo.IncrementCurrentGroup();
             Draw(editor, "Bake");
             Assert.That(field.Resolution, Is.EqualTo(20 * Vector3Int.one));
+            editor.OnInspectorGUI();
+            editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
+
+            Undo.PerformUndo();
+            serialized.Update();
+            Assert.That(field.Resolution, Is.EqualTo(12 * Vector3Int.one));
+            Assert.That(serialized.FindProperty("settings.resolution").intValue, Is.EqualTo(12), "what was baked with, for the next bake");
             editor.OnInspectorGUI();
             editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
             Object.DestroyImmediate(editor);

@@ -123,6 +123,77 @@ namespace Host.Tests
             Assert.That(Story.Take(), Is.EqualTo(new[] { "valid 9", "valid 3" }));
         }
 
+        [Test]
+        public void What_was_undone_is_redone_until_something_new_is_recorded_and_both_are_told()
+        {
+            Undo.ClearAll();
+            int told = 0;
+            Undo.UndoRedoCallback count = () => told++;
+            Undo.undoRedoPerformed += count;
+            Settings settings = Add<Settings>();
+            Undo.PerformUndo();
+            Undo.PerformRedo();
+            Assert.That(told, Is.Zero, "nothing to do");
+            for (int i = 0; i < 2; i++)
+            {
+                Undo.IncrementCurrentGroup();
+                Undo.RegisterCompleteObjectUndo(settings, "Mode");
+                settings.mode = i == 0 ? Mode.First : Mode.Second;
+                Undo.RecordObject(settings.transform, "Move");
+                settings.transform.localPosition = (i + 1) * Vector3.one;
+                Undo.RecordObject(settings.transform, "Move on");
+                settings.transform.localPosition += Vector3.up;
+            }
+            Undo.PerformUndo();
+            Assert.That((settings.mode, settings.transform.localPosition), Is.EqualTo((Mode.First, new Vector3(1f, 2f, 1f))));
+            Undo.PerformUndo();
+            Assert.That(settings.transform.localPosition, Is.EqualTo(Vector3.zero));
+            Undo.PerformRedo();
+            Assert.That((settings.mode, settings.transform.localPosition), Is.EqualTo((Mode.First, new Vector3(1f, 2f, 1f))));
+            Undo.PerformRedo();
+            Assert.That((settings.mode, settings.transform.localPosition), Is.EqualTo((Mode.Second, new Vector3(2f, 3f, 2f))));
+            Undo.PerformRedo();
+            Assert.That(told, Is.EqualTo(4), "nothing is left to redo");
+            Undo.PerformUndo();
+            Assert.That(settings.mode, Is.EqualTo(Mode.First));
+            Undo.IncrementCurrentGroup();
+            Undo.RecordObject(settings.transform, "Elsewhere");
+            settings.transform.localPosition = Vector3.zero;
+            Undo.PerformRedo();
+            Assert.That((settings.mode, told), Is.EqualTo((Mode.First, 5)));
+            Undo.undoRedoPerformed -= count;
+        }
+
+        [Test]
+        public void A_creation_that_was_undone_is_not_redone_in_silence()
+        {
+            Undo.ClearAll();
+            Undo.IncrementCurrentGroup();
+            Undo.RegisterCreatedObjectUndo(new GameObject("made"), "Create made");
+            Undo.PerformUndo();
+            Assert.That(() => Undo.PerformRedo(), Throws.TypeOf<NotSupportedException>().With.Message.Contains("'made'"));
+        }
+
+        [InitializeOnLoadMethod]
+        static void OnLoad() => loads++;
+        static int loads;
+
+        [Test]
+        public void Methods_that_run_when_scripts_are_loaded_have_run_once()
+        {
+            Assert.That(loads, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Temporary_files_lie_in_the_projects_Temp_folder_each_with_a_name_of_its_own()
+        {
+            string one = FileUtil.GetUniqueTempPathInProject(), two = FileUtil.GetUniqueTempPathInProject();
+            Assert.That(one, Is.Not.EqualTo(two));
+            Assert.That(System.IO.Path.GetFileName(System.IO.Path.GetDirectoryName(one)), Is.EqualTo("Temp"));
+            Assert.That(System.IO.File.Exists(one), Is.False);
+            System.IO.File.WriteAllText(one, "kept until the process ends");
+        }
+
         [TestCase("maxSteps", "Max Steps")]
         [TestCase("m_mesh", "Mesh")]
         [TestCase("mesh", "Mesh")]

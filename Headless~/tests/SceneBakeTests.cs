@@ -103,6 +103,56 @@ namespace Host.Tests
             Assert.That(File.ReadAllText(Path.Combine(root, "Assets/Quay/Cube Distances.asset.meta")), Is.EqualTo(meta), "it keeps its GUID");
         });
 
+        const string PierPrefab = "a0000000000000000000000000000002", RowPrefab = "a0000000000000000000000000000003", ThickPrefab = "a0000000000000000000000000000004";
+
+        /// <param name="changes">The list as Unity writes it, from behind its name on.</param>
+        static string Instance(long id, string prefab, string changes = " []\n") =>
+            $"--- !u!1001 &{id}\nPrefabInstance:\n  m_ObjectHideFlags: 0\n  serializedVersion: 2\n  m_Modification:\n    serializedVersion: 3\n    m_TransformParent: {{fileID: 0}}\n    m_Modifications:{changes}"
+            + $"    m_RemovedComponents: []\n    m_AddedComponents: []\n  m_SourcePrefab: {{fileID: 100100000, guid: {prefab}, type: 3}}\n";
+
+        static string Change(long target, string prefab, string path, string value, string reference = "{fileID: 0}") =>
+            $"    - target: {{fileID: {target}, guid: {prefab},\n        type: 3}}\n      propertyPath: {path}\n      value: {value}\n      objectReference: {reference}\n";
+
+        // A prefab, one with an instance of it, and a variant of it; the scene has what it should have of each.
+        [Test]
+        public void Colliders_out_of_prefabs_are_given_their_field_as_overrides_of_their_instances() => WithDevice(() =>
+        {
+            string pier = TemporaryProject.Header + Solid(100, "Pier", 4, Cube);
+            string row = TemporaryProject.Header + Solid(500, "Row", 1, 0) + Instance(700, PierPrefab, "\n" + Change(100, PierPrefab, "m_Name", "Pier of the row"));
+            string thick = TemporaryProject.Header + Instance(800, PierPrefab, "\n" + Change(100, PierPrefab, "m_Name", "Thick") + Change(103, PierPrefab, "m_Mesh", "", $"{{fileID: {Sphere}, guid: 0000000000000000e000000000000000, type: 0}}"));
+            string solids = Instance(1000, PierPrefab) + Solid(200, "Pole", 4, Cube)
+                + Instance(2000, PierPrefab, "\n" + Change(100, PierPrefab, "m_Name", "Second") + Change(102, PierPrefab, "field", "") + Change(102, PierPrefab, "friction", "0.5"))
+                + Instance(3000, RowPrefab, "\n" + Change(500, RowPrefab, "m_Name", "Row here")) + Instance(4000, ThickPrefab);
+            string root = Project(solids).Write("Assets/Quay/Pier.prefab", pier, PierPrefab).Write("Assets/Quay/Row.prefab", row, RowPrefab).Write("Assets/Quay/Thick.prefab", thick, ThickPrefab).Root;
+            string scene = Path.Combine(root, "Assets/Quay/Main.unity"), before = File.ReadAllText(scene);
+
+            SceneBakeRun run = Bake(root, out string said);
+            Assert.That((run.Baked, run.Failures), Is.EqualTo((2, 0)));
+            foreach (string name in new[] { "Pier", "Second", "Pier of the row", "Thick" })
+                Assert.That(Line(said, name), Does.EndWith(", as an override of its prefab").Or.Contain(", as an override of its prefab;"));
+            foreach ((string file, string text) in new[] { ("Pier", pier), ("Row", row), ("Thick", thick) })
+                Assert.That(File.ReadAllText(Path.Combine(root, $"Assets/Quay/{file}.prefab")), Is.EqualTo(text), "prefabs stay as they are");
+
+            // What was there is there still, but for the pole's reference, an override of none and two lists that were empty.
+            string[] now = File.ReadAllText(scene).Split('\n');
+            var lost = before.Split('\n').ToList();
+            foreach (string line in now)
+                lost.Remove(line);
+            Assert.That(lost, Is.EquivalentTo(new[] { "    m_Modifications: []", "  field: {fileID: 0}", "      objectReference: {fileID: 0}", "    m_Modifications: []" }));
+            Assert.That(now.Count(line => line == "      propertyPath: field"), Is.EqualTo(4), "one for each instance");
+
+            SceneBakeRun second = Bake(root, out said);
+            Assert.That((second.Baked, second.Failures), Is.EqualTo((0, 0)));
+            FluidCollider[] colliders = UnityEngine.Object.FindObjectsOfType<FluidCollider>().Where(c => c.Shape == ColliderShape.Mesh).ToArray();
+            Assert.That(colliders.Select(c => c.name), Is.EquivalentTo(new[] { "Pier", "Second", "Pier of the row", "Thick", "Pole" }));
+            foreach (FluidCollider collider in colliders)
+            {
+                Assert.That(Line(said, collider.name == "Pier of the row" ? "Pier of the row" : collider.name), Does.Contain("up to date"));
+                Assert.That(collider.Field.SourceMeshId, Is.EqualTo(collider.name == "Thick" ? (long)Sphere : Cube));
+            }
+            Assert.That(colliders.Single(c => c.name == "Second").Friction, Is.EqualTo(0.5f), "other overrides stay");
+        });
+
         [Test]
         public void What_cannot_be_baked_is_named_with_the_remedy_and_the_others_are_baked() => WithDevice(() =>
         {
@@ -133,6 +183,24 @@ namespace Host.Tests
             Assert.That(Enumerable.Range(0, old.Length).Where(i => changed[i] != old[i]), Is.EqualTo(new[] { 5 }));
             Assert.That(changed[5], Is.EqualTo("  field: {fileID: 1}"));
             Assert.That(SceneText.WithReference(text, 88, "field", "{fileID: 2}"), Does.EndWith($"&88{newLine}MonoBehaviour:{newLine}  field: {{fileID: 2}}{newLine}"));
+        }
+
+        [TestCase("\n")]
+        [TestCase("\r\n")]
+        public void An_override_is_added_or_changed_in_its_own_instance_alone(string newLine)
+        {
+            string other = Instance(7, PierPrefab, "\n" + Change(12, PierPrefab, "field", "")), empty = Instance(8, PierPrefab), behind = Solid(100, "Pier", 4, Cube);
+            string text = (other + empty + behind).Replace("\n", newLine);
+            string added = SceneText.WithOverride(text, 8, 12, "field", "{fileID: 1}");
+            string entry = $"    m_Modifications:\n    - target: {{fileID: 12, guid: {PierPrefab}, type: 3}}\n      propertyPath: field\n      value: \n      objectReference: {{fileID: 1}}\n";
+            Assert.That(added, Is.EqualTo((other + empty.Replace("    m_Modifications: []\n", entry) + behind).Replace("\n", newLine)));
+            Assert.That(SceneText.WithOverride(added, 8, 12, "field", "{fileID: 2}"), Is.EqualTo(added.Replace("{fileID: 1}", "{fileID: 2}")));
+            Assert.That(SceneText.WithOverride(added, 8, 123, "field", "{fileID: 2}"), Is.EqualTo(added.Replace(entry.Replace("\n", newLine), (entry + entry.Substring(entry.IndexOf("    - ", StringComparison.Ordinal)).Replace("12,", "123,").Replace("1}", "2}")).Replace("\n", newLine))), "another component of the instance");
+            Assert.That(SceneText.WithOverride(text, 7, 12, "field", "{fileID: 1}"), Is.EqualTo((other.Replace("objectReference: {fileID: 0}", "objectReference: {fileID: 1}") + empty + behind).Replace("\n", newLine)));
+            string longer = SceneText.WithOverride(text, 8, 123, "fields", "{fileID: 2}");
+            longer = SceneText.WithOverride(SceneText.WithOverride(longer, 8, 123, "field", "{fileID: 3}"), 8, 12, "field", "{fileID: 1}");
+            Assert.That(Enumerable.Range(1, 3).Select(i => longer.Split($"objectReference: {{fileID: {i}}}").Length), Is.All.EqualTo(2), "ids and names that begin alike are others");
+            Assert.That(SceneText.WithOverride(text, 9, 12, "field", "{fileID: 1}"), Is.Null);
         }
 
         [Test]

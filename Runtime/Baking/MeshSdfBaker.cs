@@ -87,6 +87,9 @@ namespace Rill
             work = Work(isShell, !isShell && edges.IsClosed);
         }
 
+        /// <summary>Until the result is there.</summary>
+        internal MeshSdfPasses Passes => passes;
+
         /// <summary>Share of the work that is done, 0 to 1.</summary>
         public float Progress => IsDone ? 1f : (float)steps / totalSteps;
 

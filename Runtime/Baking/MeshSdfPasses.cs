@@ -90,6 +90,9 @@ namespace Rill
         /// <summary>Bits of floats, m, once everything is resolved.</summary>
         public GraphicsBuffer Distances => distances;
 
+        /// <summary>kOutside, kInside or kMixed of MeshSdf.compute for each brick, once <see cref="FindSides"/> has run.</summary>
+        public GraphicsBuffer Sides => sides;
+
         public void Gather(int first, int count)
         {
             Begin(first, count);

@@ -48,7 +48,7 @@ namespace Rill
         /// <summary>Emitter of the same fluid that lets the particles in again; null for none.</summary>
         public FluidEmitter RecycleTo { get => recycleTo; set => recycleTo = value; }
 
-        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago.</summary>
+        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago. Begins anew when this is disabled.</summary>
         public int Drained => Simulation != null && Number >= 0 ? Simulation.DrainedCount(Number) : 0;
 
         internal override void OnRestart()

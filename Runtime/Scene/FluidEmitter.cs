@@ -60,6 +60,10 @@ namespace Rill
         [Range(0f, 180f)]
         [SerializeField] float spread;
 
+        [Tooltip("Share of this object's own velocity, turning included, that the fluid takes along. 0 to 1. 1: as from a real nozzle. After putting the object somewhere else call Teleport().")]
+        [Range(0f, 1f)]
+        [SerializeField] float inheritVelocity = 1f;
+
         [Tooltip("Whether it begins by itself, with the fluid.")]
         [SerializeField] bool startsItself = true;
 
@@ -83,6 +87,7 @@ namespace Rill
         bool isOn;
         bool saysLast;              // one step after the last tells the GPU that nothing waits any more
         int searchSteps;            // until every place was tried
+        float3 takenAlong;          // velocity of its own that the fluid took along in the last step, d/s, in the domain's frame
 
         /// <summary>Where the fluid comes from.</summary>
         public EmitterShape Shape { get => shape; set { shape = value; Validate(); } }
@@ -100,6 +105,13 @@ namespace Rill
         public float Speed { get => speed; set { speed = value; Validate(); } }
         /// <summary>Largest angle between a particle's velocity and the axis, degrees.</summary>
         public float Spread { get => spread; set { spread = value; Validate(); } }
+        /// <summary>
+        /// Share of the object's own velocity that the fluid takes along, 0 to 1: of its way in the simulation's box since the last
+        /// steps over the time between, and of its turning at the place of the outlet. At most 1000 m/s; nothing after
+        /// <see cref="FluidPart.Teleport"/>. Out-of-range values are clamped with a warning.
+        /// </summary>
+        /// <remarks>1 by default: as from a real nozzle, whose jet leaves at rest density however it moves.</remarks>
+        public float InheritVelocity { get => inheritVelocity; set { inheritVelocity = value; Validate(); } }
         /// <summary>Whether it begins by itself, with the fluid.</summary>
         public bool StartsItself { get => startsItself; set => startsItself = value; }
         /// <summary>Fluid time from its start until it lets fluid in, s.</summary>
@@ -113,6 +125,9 @@ namespace Rill
 
         /// <summary>Whether it lets fluid in now: started, past its delay and within its duration.</summary>
         public bool IsEmitting => isOn && isActiveAndEnabled && clock.Time >= delay && clock.Time < End;
+
+        /// <summary>Velocity with which the fluid left the middle of the outlet in the last step, m/s, world space, but for the spread.</summary>
+        internal Vector3 LeavingVelocity => transform.forward * LeavingSpeed + (Simulation != null ? Simulation.DomainToWorld.MultiplyVector(takenAlong) : Vector3.zero);
 
         /// <summary>Volume that was due since its last start, m³: what it let in and what waits, was refused or was given up.</summary>
         public double DueVolume => clock.Due * ParticleVolume;
@@ -143,16 +158,19 @@ namespace Rill
             base.OnRestart();
             clock = default;
             isOn = startsItself;
+            takenAlong = float3.zero;
         }
 
         /// <summary>What it does in the next step, which it takes part in.</summary>
         /// <param name="from">Share of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
+        /// <param name="frameTime">Time in which this came from where it was at the last frame's steps, s, above 0.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>
         /// <returns>Whether it does anything.</returns>
-        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, bool isTarget, out EmitterStep result)
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, float frameTime, bool isTarget, out EmitterStep result)
         {
             result = default;
+            takenAlong = float3.zero;
             if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end) || !TryGetPlaces(spacing))
                 return false;
             EmissionClock.Share share = default;
@@ -185,6 +203,8 @@ namespace Rill
                 lifetimeSteps = lifetime > 0f ? math.max((int)math.round(lifetime / step), 1) : 0,
             };
             result.ChoosePlaces(perSecond, step);
+            result.Inherit(inheritVelocity, (to - from) * frameTime, MostSpeed / spacing);
+            takenAlong = result.velocity;
             searchSteps = result.StepsOfASearch;
             if (share.due > 0 && MustSay(TooFast, rate > 1.01f * MostRateOf(spacing, step)))
                 Say(RateProblem(spacing, step));
@@ -216,6 +236,7 @@ namespace Rill
             Limit.Clamp("rate", ref rate, 0f, MostRate, 0f, ref problem);
             Limit.Clamp("speed", ref speed, mode == EmitterMode.Fill ? 0f : LeastSpeed, MostSpeed, 1f, ref problem);
             Limit.Clamp("spread", ref spread, 0f, 180f, 0f, ref problem);
+            Limit.Clamp("inherit velocity", ref inheritVelocity, 0f, 1f, 1f, ref problem);
             Limit.Clamp("delay", ref delay, 0f, float.MaxValue, 0f, ref problem);
             Limit.Clamp("duration", ref duration, 0f, float.MaxValue, 0f, ref problem);
             Limit.Clamp("phase", ref phase, 0, 7, ref problem);

@@ -87,27 +87,8 @@ namespace Rill
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));
 
-            TextureFormat format = bake.Format == SdfFormat.Half ? TextureFormat.RHalf : TextureFormat.RFloat;
-            Texture3D replaced = null;
-            bool fits = texture != null && texture.isReadable && texture.format == format && texture.mipmapCount == 1 && Resolution == bake.Resolution;
-            if (!fits)
-            {
-                replaced = texture;
-                texture = new Texture3D(bake.Resolution.x, bake.Resolution.y, bake.Resolution.z, format, false)
-                {
-                    name = bake.Name + " Distances",
-                    wrapMode = TextureWrapMode.Clamp,
-                    filterMode = FilterMode.Bilinear,
-                };
-            }
-            if (format == TextureFormat.RHalf)
-                texture.SetPixelData(bake.ToHalf(), 0);
-            else
-                texture.SetPixelData(bake.Distances, 0);
-            // Stays readable: without its copy in memory the texture could not be saved, nor sampled by TrySample.
-            texture.Apply(false, false);
-
-            volumeIsKnown = false;
+            string textureName = bake.Name + " Distances";
+            Texture3D replaced = bake.Format == SdfFormat.Half ? Fill(textureName, bake.Resolution, TextureFormat.RHalf, bake.ToHalf()) : Fill(textureName, bake.Resolution, TextureFormat.RFloat, bake.Distances);
             version = CurrentVersion;
             bounds = bake.Bounds;
             voxelSize = bake.VoxelSize;
@@ -119,6 +100,37 @@ namespace Rill
             this.sourceMeshId = sourceMeshId;
             sourceHash = bake.SourceHash;
             return replaced;
+        }
+
+        /// <summary>Replaces the distances alone.</summary>
+        /// <param name="voxels">As the format has them, x fastest.</param>
+        /// <returns>As <see cref="Apply"/>.</returns>
+        internal Texture3D Fill<T>(string textureName, Vector3Int resolution, TextureFormat format, T[] voxels) where T : struct
+        {
+            Texture3D replaced = null;
+            bool fits = texture != null && texture.isReadable && texture.format == format && texture.mipmapCount == 1 && Resolution == resolution;
+            if (!fits)
+            {
+                replaced = texture;
+                texture = new Texture3D(resolution.x, resolution.y, resolution.z, format, false)
+                {
+                    name = textureName,
+                    wrapMode = TextureWrapMode.Clamp,
+                    filterMode = FilterMode.Bilinear,
+                };
+            }
+            texture.SetPixelData(voxels, 0);
+            // Stays readable: without its copy in memory the texture could not be saved, nor sampled by TrySample.
+            texture.Apply(false, false);
+            volumeIsKnown = false;
+            return replaced;
+        }
+
+        /// <summary>Leaves it without distances, which <see cref="Validate"/> then says. The caller destroys the texture.</summary>
+        internal void Empty()
+        {
+            texture = null;
+            volumeIsKnown = false;
         }
 
         /// <summary>Distance at a point, m, trilinear between the voxels' centres. Outside of the bounds: the distance to them, plus the value where they are nearest.</summary>
@@ -205,7 +217,11 @@ namespace Rill
 
         void ISerializationCallbackReceiver.OnBeforeSerialize() { }
 
-        void ISerializationCallbackReceiver.OnAfterDeserialize() => Migrate();
+        void ISerializationCallbackReceiver.OnAfterDeserialize()
+        {
+            volumeIsKnown = false;
+            Migrate();
+        }
 
         /// <summary>The texture's copy in memory.</summary>
         readonly struct Voxels

@@ -8,10 +8,13 @@ namespace Rill
         // Frame times summed in floating point fall a hair short of whole steps; without this the steps would stutter.
         const double Tolerance = 1e-4;
 
-        double accumulated;
+        double accumulated, passing;
 
         /// <summary>Time that the cap dropped since the start, s.</summary>
         public double Dropped { get; private set; }
+
+        /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps has moved.</summary>
+        public double Passed { get; private set; }
 
         /// <summary>Steps to take for a frame.</summary>
         /// <param name="frameTime">s, not negative.</param>
@@ -24,6 +27,12 @@ namespace Rill
             int steps = (int)Math.Min(due, mostSteps);
             Dropped += (due - steps) * step;
             accumulated = Math.Max(accumulated - due * step, 0.0);
+            passing += frameTime;
+            if (steps > 0)
+            {
+                Passed = passing > 0.0 ? passing : steps * step;        // a shorter step may be due without a frame's time
+                passing = 0.0;
+            }
             return steps;
         }
     }

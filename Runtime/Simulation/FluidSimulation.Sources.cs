@@ -78,16 +78,18 @@ namespace Rill
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             uint targets = 0;
             foreach (FluidDrain drain in drains)
-                if (drain != null && drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
-                {
-                    sources.Add(region);
-                    if (region.emitter != DrainRegion.NoEmitter)
-                        targets |= 1u << (int)region.emitter;
-                }
+            {
+                sources.keepsDrains |= drain != null;
+                if (drain == null || !drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
+                    continue;
+                sources.Add(region);
+                if (region.emitter != DrainRegion.NoEmitter)
+                    targets |= 1u << (int)region.emitter;
+            }
             foreach (FluidEmitter emitter in emitters)
             {
                 sources.keepsEmitters |= emitter != null;
-                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.Passed, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
             foreach (FluidForceField field in fields)

@@ -65,6 +65,7 @@ namespace Rill
         StepInput input;
         int stepsSinceStatistics;
         float3 lastPosition, lastVelocity;
+        float lastDuration;         // in which it had that velocity, s; 0 where it stood still
         bool layoutChanged;
 
         /// <summary>Fixed steps taken since the last restart.</summary>
@@ -245,14 +246,13 @@ namespace Rill
                 return;
 
             BeginBudgetFrame(frameTime);
-            double dropped = clock.Dropped;
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
-                Simulate(steps, steps * FixedStep + (float)(clock.Dropped - dropped));
+                Simulate(steps, (float)clock.Passed);
             budgeted?.EndFrame(steps);
         }
 
-        /// <param name="duration">Time in which the box moved: that of the steps and what the cap dropped, s.</param>
+        /// <param name="duration">Time in which the box moved: not that of the steps, since frames and steps differ, s.</param>
         void Simulate(int steps, float duration)
         {
             CollectColliders(steps * FixedStep);
@@ -310,9 +310,12 @@ namespace Rill
             GetPlace(out Vector3 place, out Quaternion rotation);
             float3 position = place;
             float3 velocity = (position - lastPosition) / duration;
-            float3 acceleration = (velocity - lastVelocity) / duration;
+            // Each velocity is that in the middle of its time.
+            float between = lastDuration > 0f ? 0.5f * (lastDuration + duration) : duration;
+            float3 acceleration = (velocity - lastVelocity) / between;
             lastPosition = position;
             lastVelocity = velocity;
+            lastDuration = duration;
 
             Vector3 felt = inertial ? gravity - (Vector3)acceleration : gravity;
             input = new StepInput
@@ -360,6 +363,7 @@ namespace Rill
             GetPlace(out Vector3 place, out _);
             lastPosition = place;
             lastVelocity = 0f;
+            lastDuration = 0f;
         }
 
         // What moved through the fluid's box since the last steps has not moved through the fluid.

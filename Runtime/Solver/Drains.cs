@@ -76,6 +76,14 @@ namespace Rill
         /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
         public void Forget(uint drains) => gone |= drains;
 
+        /// <summary>Records that the drains to forget have taken nothing, also where none takes anything in this step.</summary>
+        public void RecordForgotten(CommandBuffer cmd)
+        {
+            for (int number = 0; gone != 0; number++, gone >>= 1)
+                if ((gone & 1) != 0)
+                    RecordReset(cmd, number);
+        }
+
         /// <summary>Records what goes, from the particles at the start of a step.</summary>
         /// <param name="substeps">Of the last step.</param>
         /// <param name="emitters">Null where nothing is recycled.</param>
@@ -88,9 +96,6 @@ namespace Rill
             cmd.SetKeyword(shader, lifetimes, tags != null);
             cmd.SetKeyword(shader, recycling, emitters != null);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            for (int number = 0; gone != 0; number++, gone >>= 1)
-                if ((gone & 1) != 0)
-                    RecordReset(cmd, number);
             int count = sources?.drainCount ?? 0;
             cmd.SetComputeIntParam(shader, Ids.DrainCount, count);
             cmd.SetComputeFloatParam(shader, Ids.Substeps, substeps);

@@ -12,6 +12,8 @@ namespace Rill
         public RigidPose start, end;
         /// <summary>d/s, along each place's direction of flow.</summary>
         public float speed;
+        /// <summary>What particles take along of the emitter's own velocity, d/s, and of its angular velocity, rad/s.</summary>
+        public float3 velocity, spin;
         /// <summary>Of the largest angle between a particle's velocity and its direction of flow.</summary>
         public float cosSpread;
         /// <summary>Particles due in this step, and how many were before since the reset.</summary>
@@ -60,10 +62,29 @@ namespace Rill
             candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
         }
 
+        /// <summary>Lets particles take the emitter's own velocity along.</summary>
+        /// <param name="share">0 to 1.</param>
+        /// <param name="duration">Time in which it came from start to end, s, above 0; not that of the step where frames and steps differ.</param>
+        /// <param name="most">Most that a particle takes of each, d/s.</param>
+        public void Inherit(float share, float duration, float most)
+        {
+            float4 turn = math.mul(end.rotation, math.conjugate(start.rotation)).value;
+            turn = turn.w < 0f ? -turn : turn;
+            float angle = 2f * math.atan2(math.length(turn.xyz), turn.w);
+            velocity = share * AtMost((end.position - start.position) / duration, most);
+            spin = share * AtMost(math.normalizesafe(turn.xyz) * (angle / duration), most / math.max(places.Radius, 1f));
+        }
+
         /// <summary>Steps until every place was tried where none has room: the first tries those that the flow would use.</summary>
         public int StepsOfASearch => 1 + (places.Count + candidates - 1) / candidates;
 
         /// <summary>Radius of a ball around the end's position that holds all that this step can emit, d.</summary>
-        public float Reach(float step) => places.Radius + speed * step + math.distance(start.position, end.position) + 1f;
+        public float Reach(float step) => places.Radius + (speed + math.length(velocity) + math.length(spin) * places.Radius) * step + math.distance(start.position, end.position) + 1f;
+
+        static float3 AtMost(float3 vector, float length)
+        {
+            float own = math.length(vector);
+            return own > length ? vector * (length / own) : vector;
+        }
     }
 }

@@ -126,6 +126,8 @@ namespace Rill
             float4 rotation = emitter.end.rotation.value, lastRotation = emitter.start.rotation.value;
             cmd.SetComputeVectorParam(shader, Ids.Rotation, rotation);
             cmd.SetComputeVectorParam(shader, Ids.LastRotation, math.dot(rotation, lastRotation) < 0f ? -lastRotation : lastRotation);
+            cmd.SetComputeVectorParam(shader, Ids.Velocity, new float4(emitter.velocity, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.Spin, new float4(emitter.spin, 0f));
             cmd.SetComputeVectorParam(shader, Ids.Instants, new Vector4(emitter.firstAge, emitter.interval, step, emitter.cosSpread));
             cmd.SetComputeIntParam(shader, Ids.Emitter, emitter.number);
             cmd.SetComputeIntParam(shader, Ids.Due, emitter.due);
@@ -191,6 +193,8 @@ namespace Rill
             public static readonly int LastOrigin = Shader.PropertyToID("_LastOrigin");
             public static readonly int Rotation = Shader.PropertyToID("_Rotation");
             public static readonly int LastRotation = Shader.PropertyToID("_LastRotation");
+            public static readonly int Velocity = Shader.PropertyToID("_Velocity");
+            public static readonly int Spin = Shader.PropertyToID("_Spin");
             public static readonly int Instants = Shader.PropertyToID("_Instants");
             public static readonly int Emitter = Shader.PropertyToID("_Emitter");
             public static readonly int Due = Shader.PropertyToID("_Due");

@@ -44,7 +44,7 @@ namespace Rill
                 ReleaseEmitters();
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
                 drains ??= new Drains();
-            else if (drains != null && !drains.IsPending)
+            else if (drains != null && (sources == null || !sources.keepsDrains) && !drains.IsPending)
                 ReleaseDrains();
             drains?.Forget(sources?.goneDrains ?? 0);
             if (ForceFields.IsNeeded(sources))
@@ -59,6 +59,7 @@ namespace Rill
         void RecordDrains(CommandBuffer cmd, in StepInput input, RestingRegions resting)
         {
             StepSources sources = input.sources;
+            drains?.RecordForgotten(cmd);
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
                 drains.Record(cmd, constants, particles, sources, lastSubsteps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
         }

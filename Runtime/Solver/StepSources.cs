@@ -25,6 +25,8 @@ namespace Rill
         public uint goneDrains;
         /// <summary>Whether there are emitters, also such that do nothing in this step: what they have done is kept.</summary>
         public bool keepsEmitters;
+        /// <summary>Whether there are drains, also such that do nothing in this step: what they have taken is kept.</summary>
+        public bool keepsDrains;
         /// <summary>Whether an emitter gives its particles a phase or a lifetime.</summary>
         public bool needsTags;
         /// <summary>Whether an emitter gives its particles a lifetime.</summary>
@@ -47,7 +49,7 @@ namespace Rill
         {
             emitterCount = drainCount = fieldCount = 0;
             goneEmitters = goneDrains = 0;
-            keepsEmitters = needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
+            keepsEmitters = keepsDrains = needsTags = needsLifetimes = recycles = limitsDrains = hasWind = false;
         }
 
         public void Add(in EmitterStep emitter)

@@ -1,9 +1,11 @@
 using System;
 using System.Linq;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
 namespace Rill.Tests
@@ -112,6 +114,57 @@ namespace Rill.Tests
                 int drained = scene.AssertConserved().drained;
                 TestContext.Out.WriteLine($"{drained} of 64 taken");
                 Assert.That(drained, bounce > 0f && depth < 0.1f ? Is.InRange(16, 63) : Is.Zero);
+            }
+        }
+
+        [Test]
+        public void A_drain_that_stops_taking_keeps_its_number()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 5000).Fill(0.2f))
+            {
+                FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0f, -0.45f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.2f);
+                Pass(scene, 20);
+                int before = scene.Count(ParticleCounter.Drained);
+                Assert.That(before, Is.GreaterThan(50));
+                LogAssert.Expect(LogType.Warning, new Regex("has no size"));
+                drain.Size = Vector3.zero;
+                Pass(scene, 20);
+                Assert.That(drain.Drained, Is.EqualTo(before).And.EqualTo(scene.Count(ParticleCounter.Drained)));
+                drain.Size = Vector3.one * 0.2f;
+                Pass(scene, 20);
+                Assert.That(scene.Count(ParticleCounter.Drained), Is.GreaterThan(before));
+                scene.ReadBack();
+                Assert.That(drain.Drained, Is.EqualTo(scene.Count(ParticleCounter.Drained)));
+            }
+        }
+
+        [Test]
+        public void A_drain_has_nothing_of_the_one_that_had_its_number([Values] bool takes)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 5000).Fill(0.2f))
+            {
+                FluidDrain first = scene.Add<FluidDrain>(new Vector3(0f, -0.45f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.2f);
+                Pass(scene, 20);
+                Assert.That(first.Drained, Is.GreaterThan(50));
+                Object.DestroyImmediate(first.gameObject);
+                if (!takes)
+                    LogAssert.Expect(LogType.Warning, new Regex("has no size"));
+                FluidDrain second = scene.Add<FluidDrain>(new Vector3(0f, 0.4f, 0f), Vector3.forward, d => d.Size = Vector3.one * (takes ? 0.1f : 0f));
+                Pass(scene, 1);
+                Assert.That(second.Drained, Is.Zero);
+                Pass(scene, 20);
+                scene.ReadBack();
+                Assert.That(second.Drained, Is.Zero);
+            }
+        }
+
+        // Frames as they come: each brings back what was asked for before it.
+        static void Pass(SourceScene scene, int steps)
+        {
+            for (int i = 0; i < steps; i++)
+            {
+                scene.Step();
+                AsyncGPUReadback.WaitAllRequests();
             }
         }
 

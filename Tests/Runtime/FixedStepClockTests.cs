@@ -59,6 +59,23 @@ namespace Rill.Tests
             var clock = new FixedStepClock();
             Assert.That(clock.Advance(1.5 * Step, Step, 4), Is.EqualTo(1));
             Assert.That(clock.Advance(0.0, Step / 2.0, 4), Is.EqualTo(1));
+            Assert.That(clock.Passed, Is.EqualTo(Step / 2.0), "never 0: speeds are by this time");
+        }
+
+        [TestCase(0.3, 1.2)]
+        [TestCase(1.0, 1.0)]
+        [TestCase(40.0, 40.0)]
+        public void The_time_between_frames_that_step_is_that_of_all_frames_since(double frameSteps, double passedSteps)
+        {
+            var clock = new FixedStepClock();
+            Assert.That(clock.Passed, Is.Zero);
+            for (int frame = 0; clock.Advance(frameSteps * Step, Step, 4) == 0; frame++)
+                Assert.That(clock.Passed, Is.Zero, "no frame has stepped");
+            Assert.That(clock.Passed, Is.EqualTo(passedSteps * Step).Within(1e-9), "what the cap drops has passed too");
+            double before = clock.Passed;
+            while (clock.Advance(frameSteps * Step, Step, 4) == 0)
+                Assert.That(clock.Passed, Is.EqualTo(before), "of the last frame that stepped");
+            Assert.That(clock.Passed, Is.EqualTo(frameSteps < 1.0 ? 0.9 * Step : before).Within(1e-9));
         }
 
         [Test]

@@ -171,6 +171,8 @@ namespace Rill.Tests
                 FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.up);
                 Expect("speed NaN", () => emitter.Speed = float.NaN);
                 Expect("spread 200", () => emitter.Spread = 200f);
+                Expect("inherit velocity 1.5", () => emitter.InheritVelocity = 1.5f);
+                Expect("inherit velocity NaN", () => emitter.InheritVelocity = float.NaN);
                 Expect("delay -1", () => emitter.Delay = -1f);
                 Expect("duration NaN", () => emitter.Duration = float.NaN);
                 Expect("phase 9", () => emitter.Phase = 9);
@@ -183,6 +185,7 @@ namespace Rill.Tests
                 Expect("strength 2000", () => field.Strength = 2000f);
                 Expect("drag -1", () => field.Drag = -1f);
                 Assert.That(field.Strength, Is.EqualTo(1000f));
+                Assert.That(emitter.InheritVelocity, Is.EqualTo(1f));
                 LogAssert.NoUnexpectedReceived();
             }
 

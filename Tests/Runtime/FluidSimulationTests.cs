@@ -590,6 +590,27 @@ namespace Rill.Tests
             Assert.That(math.abs(fluid.Input.gravity.x), Is.LessThan(1f));
         }
 
+        // Frames and steps differ: at 144 Hz two or three frames pass between two steps.
+        [Test]
+        public void A_box_in_even_or_evenly_faster_motion_is_pushed_alike_at_any_frame_rate([Values(1f / 144f, 1f / 100f, 1f / 60f, 1f / 25f)] float frame, [Values(0f, 6f)] float acceleration)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.1f, 100))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                float worst = 0f;
+                for (int i = 0; i * frame < 1f; i++)
+                {
+                    float time = i * frame;
+                    scene.Fluid.transform.position = new Vector3(2f * time + 0.5f * acceleration * time * time, 0f, 0f);
+                    scene.Fluid.Advance(frame);
+                    if (time > 0.2f)
+                        worst = math.max(worst, math.abs(scene.Fluid.Input.gravity.x + acceleration));
+                }
+                TestContext.Out.WriteLine($"off by at most {worst:0.000} m/s²");
+                Assert.That(worst, Is.LessThan(0.05f));
+            }
+        }
+
         [UnityTest]
         public IEnumerator New_settings_go_on_with_the_fluid_as_it_is()
         {

@@ -112,6 +112,10 @@ namespace Host.Assets
         public long FileIdIn(string scenePath, Object found) =>
             scenes.TryGetValue(scenePath, out var scene) ? scene.Objects.FirstOrDefault(part => ReferenceEquals(part.Value, found)).Key : 0;
 
+        /// <summary>Which prefab instance of an opened scene brought an object; null for the scene's own.</summary>
+        public PrefabOrigin OriginIn(string scenePath, Object found) =>
+            scenes.TryGetValue(scenePath, out var scene) && scene.Origins.TryGetValue(FileIdIn(scenePath, found), out var origin) ? origin : null;
+
         public Shader FindShader(string name)
         {
             shaders ??= Index.Entries.Where(e => e.Extension == ".shader")

@@ -6,6 +6,7 @@ using System.Reflection;
 using System.Runtime.ExceptionServices;
 using Host.Assets;
 using Host.Vulkan;
+using UnityEditor;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.SceneManagement;
@@ -49,6 +50,8 @@ namespace Host
             ProjectSettings.Apply(root, path => assets.ResolvePath(path) != null);
             foreach (KeyValuePair<Type, int> order in assets.ExecutionOrders())
                 ExecutionOrder.FromMeta[order.Key] = order.Value;
+            if (foreign == null)
+                EditorInitializers.Run();
             Initializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
             Initializers.Run(RuntimeInitializeLoadType.BeforeSplashScreen);
             Initializers.Run(RuntimeInitializeLoadType.BeforeSceneLoad);

@@ -734,7 +734,6 @@ namespace UnityEditor
         public static bool isProcessing { get; }
         public static void ClearUndo(Object identifier) { }
         public static void FlushUndoRecordObjects() { }
-        public static void PerformRedo() { }
         public static void RegisterChildrenOrderUndo(Object objectToUndo, string name) { }
         public static void RegisterFullObjectHierarchyUndo(Object objectToUndo, string name) { }
         public static void RegisterImporterUndo(string path, string name) { }

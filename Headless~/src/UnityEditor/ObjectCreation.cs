@@ -60,10 +60,14 @@ namespace UnityEditor
     public class SessionState
     {
         static readonly Dictionary<string, bool> bools = new Dictionary<string, bool>();
+        static readonly Dictionary<string, string> strings = new Dictionary<string, string>();
 
         public static bool GetBool(string key, bool defaultValue) => bools.TryGetValue(key, out bool value) ? value : defaultValue;
         public static void SetBool(string key, bool value) => bools[key] = value;
         public static void EraseBool(string key) => bools.Remove(key);
+        public static string GetString(string key, string defaultValue) => strings.TryGetValue(key, out string value) ? value : defaultValue;
+        public static void SetString(string key, string value) => strings[key] = value;
+        public static void EraseString(string key) => strings.Remove(key);
     }
 }
 

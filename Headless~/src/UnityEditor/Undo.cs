@@ -9,8 +9,8 @@ using Object = UnityEngine.Object;
 namespace UnityEditor
 {
     /// <summary>
-    /// Values and creations can be undone; a group ends where the caller says so, since no events end one here. There is no redo,
-    /// and what was destroyed does not come back.
+    /// Values, places and creations can be undone, and values and places redone; a group ends where the caller says so, since no
+    /// events end one here. What was destroyed does not come back: to redo a creation throws.
     /// </summary>
     public partial class Undo
     {
@@ -25,9 +25,17 @@ namespace UnityEditor
             /// <summary>Whether undoing it would change anything.</summary>
             public abstract bool Counts { get; }
             public abstract void Revert();
+            /// <summary>What brings the present state back after a revert.</summary>
+            public abstract Step Opposite();
         }
 
+        public delegate void UndoRedoCallback();
+
+        /// <summary>After an undo or a redo that had something to do.</summary>
+        public static UndoRedoCallback undoRedoPerformed;
+
         static readonly List<Group> groups = new List<Group> { new Group() };
+        static readonly List<Group> undone = new List<Group>();     // newest last
 
         static Group Current => groups[groups.Count - 1];
 
@@ -52,6 +60,7 @@ namespace UnityEditor
         public static void ClearAll()
         {
             groups.Clear();
+            undone.Clear();
             groups.Add(new Group());
         }
 
@@ -60,12 +69,37 @@ namespace UnityEditor
         {
             while (groups.Count > 1 && !Current.Steps.Any(step => step.Counts))
                 groups.RemoveAt(groups.Count - 1);
-            Group undone = Current;
+            Group last = Current;
             groups.RemoveAt(groups.Count - 1);
             if (groups.Count == 0)
                 groups.Add(new Group());
-            for (int i = undone.Steps.Count - 1; i >= 0; i--)
-                undone.Steps[i].Revert();
+            if (!last.Steps.Any(step => step.Counts))
+                return;
+            undone.Add(Revert(last));
+            undoRedoPerformed?.Invoke();
+        }
+
+        /// <summary>Does again what was undone last; nothing where something was recorded since.</summary>
+        public static void PerformRedo()
+        {
+            if (undone.Count == 0)
+                return;
+            Group last = undone[undone.Count - 1];
+            undone.RemoveAt(undone.Count - 1);
+            groups.Add(Revert(last));
+            undoRedoPerformed?.Invoke();
+        }
+
+        // The newest step first; the group that takes it back.
+        static Group Revert(Group group)
+        {
+            var opposite = new Group { Name = group.Name };
+            for (int i = group.Steps.Count - 1; i >= 0; i--)
+            {
+                opposite.Steps.Add(group.Steps[i].Opposite());
+                group.Steps[i].Revert();
+            }
+            return opposite;
         }
 
         public static void RecordObject(Object objectToUndo, string name)
@@ -116,6 +150,7 @@ namespace UnityEditor
             if (Current.Steps.Count == 0 && Current.Name.Length == 0)
                 Current.Name = name;
             Current.Steps.Add(step);
+            undone.Clear();
         }
 
         sealed class Created : Step
@@ -129,6 +164,17 @@ namespace UnityEditor
                 if (made)
                     Object.DestroyImmediate(made);
             }
+            public override Step Opposite() => new Gone(made ? made.name : "");
+        }
+
+        sealed class Gone : Step
+        {
+            readonly string name;
+
+            public Gone(string name) => this.name = name;
+            public override bool Counts => true;
+            public override void Revert() => throw new NotSupportedException($"Undo destroyed '{name}', and the host does not bring back what was destroyed.");
+            public override Step Opposite() => this;
         }
 
         sealed class Placed : Step
@@ -145,6 +191,8 @@ namespace UnityEditor
                 rotation = transform.localRotation;
                 scale = transform.localScale;
             }
+
+            public override Step Opposite() => transform ? (Step)new Placed(transform) : this;
 
             public override bool Counts => transform && (transform.parent != parent || transform.localPosition != position || transform.localRotation != rotation || transform.localScale != scale);
 
@@ -170,6 +218,8 @@ namespace UnityEditor
                 before = SerializedFields.Of(target.GetType()).Select(field => (field, SerializedCopy.Of(field, field.GetValue(target)))).ToArray();
             }
 
+            public override Step Opposite() => target ? new Values(target) : this;
+
             public override bool Counts => target && before.Any(kept => !SerializedValues.Same(kept.value, kept.field.GetValue(target)));
 
             public override void Revert()
@@ -178,6 +228,7 @@ namespace UnityEditor
                     return;
                 foreach ((FieldInfo field, object value) in before)
                     field.SetValue(target, value);
+                (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
                 Messages.Send(target, Message.OnValidate);
             }
         }

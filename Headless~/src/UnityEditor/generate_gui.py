@@ -30,7 +30,7 @@ HIDES = {("EditorGUIUtility", "systemCopyBuffer")}
 BY_HAND = {("Undo", "AddComponent"), ("Undo", "DestroyObjectImmediate"), ("Undo", "SetTransformParent"), ("Undo", "SetSiblingIndex"),
            ("Undo", "MoveGameObjectToScene"), ("Undo", "RecordObject"), ("Undo", "RecordObjects"), ("Undo", "RegisterCompleteObjectUndo"),
            ("Undo", "RegisterCreatedObjectUndo"), ("Undo", "IncrementCurrentGroup"), ("Undo", "GetCurrentGroup"), ("Undo", "GetCurrentGroupName"),
-           ("Undo", "SetCurrentGroupName"), ("Undo", "CollapseUndoOperations"), ("Undo", "PerformUndo"), ("Undo", "ClearAll"),
+           ("Undo", "SetCurrentGroupName"), ("Undo", "CollapseUndoOperations"), ("Undo", "PerformUndo"), ("Undo", "PerformRedo"), ("Undo", "ClearAll"),
            ("GUILayout", "Width"), ("GUILayout", "Height"), ("EditorGUI", "BeginChangeCheck"), ("EditorGUI", "EndChangeCheck"),
            ("EditorGUILayout", "PropertyField"), ("EditorGUILayout", "HelpBox")}
 

@@ -91,6 +91,55 @@ namespace Rill.Tests
             HoldsTheBars(shape, BakeError.OfTriangles(bake, mesh, every, signs: false));
         }
 
+        // Before the flood, which hides what is missing: it finds most of that as well.
+        [TestCase("soup", 40)]
+        [TestCase("needles", 40)]
+        [TestCase("slivers", 200)]
+        [TestCase("small parts", 48)]
+        [TestCase("sheets", 48)]
+        public void Every_voxel_within_two_of_a_triangle_is_found_near_it_and_no_other(string shape, int resolution)
+        {
+            TriangleMesh mesh = shape == "sheets" ? Sheets() : Shape(shape);
+            var triangles = new BakedTriangles(mesh);
+            var grid = new SdfGrid(triangles.Bounds, Settings(resolution), isShell: shape == "sheets");
+            var geometry = new BakeGeometry(mesh, TriangleOrder.Of(triangles), null, grid, turnAll: false);
+            uint[] found;
+            using (var passes = new MeshSdfPasses(geometry, grid))
+            {
+                passes.Gather(0, geometry.TriangleCount);
+                passes.Clear();
+                passes.SplatDistances(0, geometry.TriangleCount);
+                foreach (BakeGeometry.Slice slice in geometry.Slices(1 << 19))
+                    passes.SplatDistances(slice);
+                found = GpuTest.Read<uint>(passes.Distances, (int)grid.VoxelCount);
+            }
+            int near = 0;
+            double worst = 0;
+            for (int i = 0; i < found.Length; i++)
+            {
+                int3 at = new int3(i % grid.Resolution.x, i / grid.Resolution.x % grid.Resolution.y, i / grid.Resolution.x / grid.Resolution.y);
+                double exact = MeshDistance.Unsigned(mesh, (double3)grid.Min + (double)grid.VoxelSize * ((double3)at + 0.5)) / grid.VoxelSize;
+                bool isFound = found[i] != uint.MaxValue;
+                if (Math.Abs(exact - 2.0) > Band)
+                    Assert.That(isFound, Is.EqualTo(exact < 2.0), $"voxel {at}, {exact} from the nearest triangle");
+                if (!isFound)
+                    continue;
+                near++;
+                worst = Math.Max(worst, Math.Abs(Math.Sqrt(math.asfloat(found[i])) - exact));
+            }
+            TestContext.WriteLine($"{near} of {found.Length} voxels, {geometry.Large.Length} of {geometry.TriangleCount} triangles are large, {worst:E1} off");
+            Assert.That(worst, Is.LessThanOrEqualTo(Band));
+            Assert.That(near, Is.InRange(300, found.Length - 300));
+            Assert.That(geometry.Large.Length, shape == "small parts" ? Is.Zero : Is.GreaterThan(0));
+        }
+
+        // Open, large and across the diagonal of the bricks, each a little further on than the last: some bricks touch them with a corner alone.
+        static TriangleMesh Sheets()
+        {
+            TriangleMesh sheet = TestMeshes.Sheet(0.5f);
+            return TriangleMesh.Combine("Sheets", Enumerable.Range(0, 9).Select(i => sheet.Transformed(Matrix4x4.TRS(0.21f * i * Vector3.one.normalized, Quaternion.FromToRotation(Vector3.up, Vector3.one), Vector3.one))).ToArray());
+        }
+
         // Flat faces lie inside of the round shape: what the mesh itself is off by comes on top.
         [Test]
         public void A_sphere_has_the_distances_of_a_sphere()
@@ -180,6 +229,105 @@ namespace Rill.Tests
             BakeError error = BakeError.OfTriangles(MeshSdfBaker.Bake(mesh, Settings(32, MeshSdfSign.WindingNumber)), mesh, 5);
             Assert.That(error.Signs, Is.GreaterThan(2000));
             Assert.That(error.WrongSigns, Is.LessThanOrEqualTo(error.Signs / 1000), error.ToString());
+        }
+
+        // What a brick as a whole is told by its middle has to hold in its corners. Two surfaces of which that is least true: a stack
+        // of small triangles, seen from its side, where the winding number is 0 however large it is a little further on; and
+        // sheets above one another with a hole through all of them, about whose middle it is the same.
+        [TestCase(200, 0f, 4.8f, 30f)]
+        [TestCase(8, 7f, 0f, 0f)]
+        public void No_voxel_of_a_brick_beside_open_sheets_is_on_another_side_than_the_winding_number_says(int layers, float hole, float away, float aslant)
+        {
+            int inside = 0, most = 0;
+            foreach (int corner in new[] { 0, 3, 5 })
+                foreach (float facing in new[] { -1f, 1f })
+                {
+                    float3 diagonal = math.normalize(new float3(corner & 1, corner >> 1 & 1, corner >> 2) - 0.5f), aside = math.normalize(math.cross(diagonal, new float3(0.3f, 1f, 0.1f)));
+                    math.sincos(math.radians(aslant), out float sin, out float cos);
+                    float3 middle = 18f, at = middle + away * (cos * diagonal + sin * aside), normal = hole > 0f ? diagonal : cos * aside - sin * diagonal;
+                    TriangleMesh sheet = hole > 0f ? Washer(hole, 15f) : Washer(0f, 0.8f);
+                    Quaternion turn = Quaternion.FromToRotation(Vector3.up, facing * normal);
+                    TriangleMesh mesh = TriangleMesh.Combine("Stack", Enumerable.Range(0, layers).Select(i => sheet.Transformed(Matrix4x4.TRS(at + 0.001f * (i - 0.5f * layers) * normal, turn, Vector3.one))).Append(Corners(40f)).ToArray());
+                    MeshSdfSettings settings = Settings(8, MeshSdfSign.WindingNumber);
+                    settings.voxelSize = 1f;
+                    settings.padding = 1;
+                    SdfBake bake = MeshSdfBaker.Bake(mesh, settings);
+                    Assert.That((float3)bake.Bounds.min, Is.EqualTo(float3.zero), "bricks are where they are meant to be");
+                    bool isTurned = new MeshEdges(new BakedTriangles(mesh)).SignedVolume < 0;
+
+                    int here = 0;
+                    for (int i = 0; i < 64; i++)
+                    {
+                        int3 voxel = (int3)middle - 2 + new int3(i % 4, i / 4 % 4, i / 16);
+                        double winding = MeshDistance.Winding(mesh, (float3)voxel + 0.5f) * (isTurned ? -1 : 1);
+                        here += winding > 0.5 ? 1 : 0;
+                        if (Math.Abs(winding - 0.5) > 0.1)
+                            Assert.That(bake.Distances[(voxel.z * bake.Resolution.y + voxel.y) * bake.Resolution.x + voxel.x] < 0, Is.EqualTo(winding > 0.5), $"voxel {voxel}, winding number {winding}, in its middle {MeshDistance.Winding(mesh, middle)}");
+                    }
+                    inside += here;
+                    most = Math.Max(most, here);
+                }
+            TestContext.WriteLine($"{inside} voxels inside, at most {most} of a brick");
+            Assert.That(most, Is.InRange(1, 63), "some bricks have both sides");
+        }
+
+        // Up to half the way to the surface the middle speaks for a brick, as long as the winding number is nearly whole there.
+        [TestCase("half a sphere")]
+        [TestCase("tube")]
+        [TestCase("sphere without a triangle")]
+        public void Bricks_of_an_open_mesh_are_told_as_a_whole_up_to_half_the_way_to_it_and_no_further(string shape)
+        {
+            const double corner = 2.598;        // from a brick's middle to its last voxel
+            TriangleMesh sphere = TestMeshes.Sphere(1f, 12), mesh = shape == "tube" ? TestMeshes.Tube(1f, 2f, 20, 2) : shape == "half a sphere" ? sphere.Without(t => sphere.CenterOf(t).y < 0f) : sphere.Without(t => t == 200);
+            MeshSdfSettings settings = Settings(56, MeshSdfSign.WindingNumber);
+            settings.padding = 12;
+            var triangles = new BakedTriangles(mesh);
+            var grid = new SdfGrid(triangles.Bounds, settings, isShell: false);
+            int3 bricks = (grid.Resolution + 3) / 4;
+            uint[] sides;
+            using (var baker = new MeshSdfBaker(mesh, settings))
+            {
+                while (baker.Stage != "Inside and outside")
+                    baker.Step();
+                for (int level = 0; level < baker.Passes.LevelCount; level++)      // and the sides after the last of them
+                    baker.Step();
+                sides = GpuTest.Read<uint>(baker.Passes.Sides, bricks.x * bricks.y * bricks.z);
+            }
+            bool isTurned = new MeshEdges(triangles).SignedVolume < 0;
+            var told = new int[3];
+            int near = 0;
+            for (int i = 0; i < sides.Length; i++)
+            {
+                double3 middle = 4 * new double3(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y) + 2, place = (double3)grid.Min + (double)grid.VoxelSize * middle;
+                double distance = MeshDistance.Unsigned(mesh, place) / grid.VoxelSize, winding = MeshDistance.Winding(mesh, place) * (isTurned ? -1 : 1);
+                double whole = Math.Abs(winding - Math.Round(winding));
+                told[sides[i]]++;
+                near += distance < 2 * corner ? 1 : 0;
+                if (sides[i] != 2)
+                {
+                    Assert.That(distance, Is.GreaterThanOrEqualTo(2 * corner), $"brick {i} is told as a whole");
+                    Assert.That(sides[i] == 1, Is.EqualTo(winding > 0.5), $"brick {i}, winding number {winding}");
+                }
+                // Its distance is that of a voxel beside the middle, which counts as too large by half a voxel.
+                else if (distance > 2 * (corner + Math.Sqrt(0.75)) + 0.5 && whole < 0.04)
+                    Assert.Fail($"brick {i} is not told as a whole: {distance} voxels away, winding number {winding}");
+            }
+            TestContext.WriteLine($"of {sides.Length} bricks {told[0]} are outside, {told[1]} inside, {told[2]} in doubt, {near} of them too near");
+            Assert.That(told[0], Is.GreaterThan(200));
+            Assert.That(told[1], shape == "sphere without a triangle" ? Is.GreaterThan(20) : Is.Zero);
+            Assert.That(told[2], Is.GreaterThan(near / 2).And.LessThan(sides.Length - 200));
+        }
+
+        // A triangle without a hole, a ring of them with one, about the y axis.
+        static TriangleMesh Washer(float hole, float radius) => hole > 0f
+            ? TestMeshes.Make("Washer", (u, v) => (hole + (radius - hole) * v) * new double3(Math.Cos(2 * Math.PI * u), 0, Math.Sin(2 * Math.PI * u)), 12, 1, wrapsAlong: false)
+            : new TriangleMesh("Triangle", new[] { radius * Vector3.right, radius * new Vector3(-0.5f, 0f, 0.8660254f), radius * new Vector3(-0.5f, 0f, -0.8660254f) }, new[] { 0, 1, 2 });
+
+        // Next to nothing, at both ends of a box of that many voxels with a padding of one.
+        static TriangleMesh Corners(float size)
+        {
+            Vector3 low = Vector3.one, high = (size - 1f) * Vector3.one;
+            return new TriangleMesh("Corners", new[] { low, low + 0.01f * Vector3.right, low + 0.01f * Vector3.up, high, high - 0.01f * Vector3.right, high - 0.01f * Vector3.up }, new[] { 0, 1, 2, 3, 4, 5 });
         }
 
         // Why not the cheaper rays: what they cross through a hole is missing all along them.

@@ -12,6 +12,8 @@ namespace Host.Assets
         /// <summary>What the project window shows and Resources.Load returns.</summary>
         public Object Main;
         public readonly Dictionary<long, Object> Objects = new Dictionary<long, Object>();
+        /// <summary>By file id, of the objects that prefab instances brought.</summary>
+        public readonly Dictionary<long, PrefabOrigin> Origins = new Dictionary<long, PrefabOrigin>();
         /// <summary>In the file, but of a class that the host does not have; a note was given.</summary>
         public readonly HashSet<long> LeftOut = new HashSet<long>();
 

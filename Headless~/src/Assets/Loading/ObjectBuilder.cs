@@ -39,6 +39,8 @@ namespace Host.Assets
             isScene = scene.IsValid();
             this.whenAllIsRead = whenAllIsRead;
             result.LeftOut.UnionWith(documents.LeftOut);
+            foreach (var document in documents.Documents)
+                if (document.Origin != null) result.Origins[document.FileId] = document.Origin;
             childrenOf = documents.Documents.Where(PrefabExpander.IsTransform).ToLookup(ParentOf);
             componentsOf = documents.Documents.Where(d => d.ClassId != PrefabExpander.GameObject).ToLookup(d => d.Fields.Reference("m_GameObject").FileId);
         }

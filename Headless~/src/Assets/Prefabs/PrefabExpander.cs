@@ -70,6 +70,7 @@ namespace Host.Assets
                 foreach (var id in prefab.LeftOut) result.LeftOut.Add(IdHere(id));
 
                 var kept = prefab.Documents.Where(d => !Removed(prefab).Contains(d.FileId)).ToDictionary(d => d.FileId, d => d.Clone(IdHere(d.FileId)));
+                foreach (var (target, document) in kept) document.Origin = new PrefabOrigin(instance.FileId, target);
                 foreach (var document in kept.Values) Relink(document.Fields, kept);
                 foreach (var document in kept.Values)
                     if (IsTransform(document) && document.Fields.Reference("m_Father").IsNone)

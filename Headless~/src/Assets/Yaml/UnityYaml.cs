@@ -17,11 +17,24 @@ namespace Host.Assets
         public string TypeName;
         public YamlMapping Fields;
         public SourcePlace Place;
+        /// <summary>Where a prefab instance of this file has it from; null for the file's own.</summary>
+        public PrefabOrigin Origin;
 
         public UnityDocument Clone(long fileId) =>
             new UnityDocument { ClassId = ClassId, FileId = fileId, Stripped = Stripped, TypeName = TypeName, Fields = (YamlMapping)Fields.Clone(), Place = Place };
 
         public override string ToString() => $"{TypeName} &{FileId}";
+    }
+
+    /// <summary>What an override of an object is addressed to.</summary>
+    internal sealed class PrefabOrigin
+    {
+        /// <summary>File id of the instance in the file that overrides.</summary>
+        public readonly long Instance;
+        /// <summary>File id of the object in the instance's prefab, which may have it from another.</summary>
+        public readonly long Target;
+
+        public PrefabOrigin(long instance, long target) => (Instance, Target) = (instance, target);
     }
 
     /// <summary>A .unity, .prefab, .asset or .mat file as its documents.</summary>

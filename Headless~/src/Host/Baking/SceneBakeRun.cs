@@ -155,18 +155,21 @@ namespace Host.Baking
             }
         }
 
-        // The one line of the scene's file that changes; everything else stays as Unity wrote it.
+        // Only the reference changes in the scene's file; everything else stays as Unity wrote it. What a prefab brought is overridden
+        // there, as by the window in the editor: the prefab may be a package's, and other scenes have it too.
         string Assign(FluidCollider collider, string guid)
         {
-            long id = assets.FileIdIn(scene.AssetPath, collider);
-            string text = File.ReadAllText(scene.File), changed = SceneText.WithReference(text, id, "field", $"{{fileID: 11400000, guid: {guid}, type: 2}}");
+            string reference = $"{{fileID: 11400000, guid: {guid}, type: 2}}", text = File.ReadAllText(scene.File);
+            PrefabOrigin origin = assets.OriginIn(scene.AssetPath, collider);
+            string changed = origin != null ? SceneText.WithOverride(text, origin.Instance, origin.Target, "field", reference)
+                : SceneText.WithReference(text, assets.FileIdIn(scene.AssetPath, collider), "field", reference);
             if (changed == null)
             {
                 Failures++;
-                return "NOT ASSIGNED: the collider is a prefab's: assign the field there";
+                return "NOT ASSIGNED: the scene's file does not have the collider: assign the field by hand";
             }
             File.WriteAllText(scene.File, changed);
-            return "assigned in " + Path.GetFileName(scene.File);
+            return $"assigned in {Path.GetFileName(scene.File)}{(origin != null ? ", as an override of its prefab" : "")}";
         }
 
         static string NameOf(Transform at) => (at.parent != null ? NameOf(at.parent) + "/" : "") + at.name;
