@@ -34,12 +34,4 @@ void CountInStep(uint i, float3 predicted)
         InterlockedAdd(_Counters[kNonFinite], 1);
 }
 
-void BeginCount(uint i)
-{
-    if (i != 0)
-        return;
-    _Counters[kOverflow] = 0;
-    _Counters[kMostNeighbors] = 0;
-}
-
 #endif

@@ -2,21 +2,10 @@
 #ifndef RILL_COLLIDER_CONTACTS_INCLUDED
 #define RILL_COLLIDER_CONTACTS_INCLUDED
 
-StructuredBuffer<uint> _ColliderMasks;      // [cells * words], see ColliderCell
+#include "ColliderBins.hlsl"
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
 static const uint kSettleSteps = 8;
-static const float kUnhinderedWay = 2.0;    // d: a way no longer than this, from where no collider is near, meets none; = what bins reach, less kWallInset
-
-// Whether a collider comes near the cell of p within the substep. Most water is far from all of them and is done with this.
-bool IsNear(float3 p)
-{
-    uint cell = ColliderCell(p);
-    uint bits = 0;
-    for (uint word = 0; word < _ColliderWords; word++)
-        bits |= _ColliderMasks[cell + word];
-    return bits != 0;
-}
 
 // ---- density
 
@@ -150,14 +139,14 @@ Surfaces WallSurfaces(float3 p, out float free)
 struct Surroundings
 {
     float4 boundary;        // xyz gradient of the density added, 1/d; w the density, relative to rest
-    float4 contact;         // of the nearest: xyz normal, w distance, d; at most kSupport
-    uint nearest;           // kNoCollider: none within kSupport
+    float4 contact;         // of the nearest: xyz normal, w distance, d; at most _ColliderReach
+    uint nearest;           // kNoCollider: none within _ColliderReach
 };
 
 Surroundings FindSurroundings(float3 p)
 {
     Surroundings result;
-    result.contact = float4(0.0, 1.0, 0.0, kSupport);
+    result.contact = float4(0.0, 1.0, 0.0, _ColliderReach);
     result.nearest = kNoCollider;
     float free = 1.0;
     Surfaces surfaces = (Surfaces)0;
@@ -170,7 +159,7 @@ Surroundings FindSurroundings(float3 p)
         {
             uint index = word * 32 + firstbitlow(bits);
             Collider collider = _Colliders[index];
-            float4 contact = DomainDistance(collider, p, kSupport);
+            float4 contact = DomainDistance(collider, p);
             if (contact.w < result.contact.w)
             {
                 result.contact = contact;
@@ -212,7 +201,7 @@ uint Deepest(float3 p, float inset, out float4 contact)
         for (uint bits = _ColliderMasks[cell + word]; bits != 0; bits &= bits - 1)
         {
             uint index = word * 32 + firstbitlow(bits);
-            float4 own = DomainDistance(_Colliders[index], p, contact.w);
+            float4 own = DomainDistance(_Colliders[index], p);
             if (own.w < contact.w)
             {
                 contact = own;

@@ -35,7 +35,7 @@ cbuffer RillColliders
     float _InverseColliderCellSize; // 1/d
     uint _ColliderCount;
     uint _Rests;                    // whether what rests sleeps: _RegionStates holds something
-    float _ColliderReach;           // d, as far as a collider can matter to a particle in a substep, once it is sorted
+    float _ColliderReach;           // d, as far as a collider can matter to a particle in a substep, once it is sorted; at least kSupport
     float3 _ColliderPadding;
 };
 
@@ -220,23 +220,6 @@ float4 DomainDistance(Collider collider, float3 p)
 {
     float4 local = LocalDistance(collider, ToCollider(collider, p));
     return float4(Rotate(collider.rotation, local.xyz), local.w);
-}
-
-// The same within 'most'; what is no nearer counts as that far away. Most of what a bin holds is, and the normals of fields are costly.
-float4 DomainDistance(Collider collider, float3 p, float most)
-{
-    float4 result = float4(0.0, 1.0, 0.0, most);
-    if (collider.shape < kMesh || LeastDistance(collider, ToCollider(collider, p)) < most)
-        result = DomainDistance(collider, p);
-    return result;
-}
-
-// ---- bins: a bit for each collider that comes near a cell within the substep
-
-uint ColliderCell(float3 p)
-{
-    uint3 cell = min(uint3(max(p * _InverseColliderCellSize, 0.0)), _ColliderCells - 1);
-    return ((cell.z * _ColliderCells.y + cell.y) * _ColliderCells.x + cell.x) * _ColliderWords;
 }
 
 #endif

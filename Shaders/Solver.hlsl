@@ -163,7 +163,9 @@ void WallDensity(float3 p, out float density, out float3 gradient)
     gradient = float3(free.y * free.z, free.x * free.z, free.x * free.y) * (lowSlope * (1.0 - high) - highSlope * (1.0 - low));
 }
 
-static const float kFar = 1.0;              // in place of what a particle keeps from colliders, d: none comes near it in the substep
+// In place of what a particle keeps from colliders, d:
+static const float kFar = 1.0;              // none comes near it in the substep
+static const float kAwaited = 2.0;          // one may: CollidePaths finds out
 
 // The same with what colliders add: xyz its gradient, w the density.
 void AddBoundary(float4 boundary, inout float density, inout float3 gradient)

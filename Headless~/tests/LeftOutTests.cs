@@ -62,10 +62,10 @@ namespace Host.Tests
             }),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {
-                "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePathsDeep",
+                "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths",
                 $"+{Iterations - 1} Colliders.compute Collide", "+1 Colliders.compute CollideLast",
                 "+1 Rill.Coarse.OpenShares *", "+1 Rill.Coarse.SolidFlow *", "+1 Rill.Coarse.SolidSurfaces *",
-                "-1 NeighborSearch.compute CountCellsDeep", "-1 NeighborSearch.compute Gather", "+1 NeighborSearch.compute GatherBeside",
+                "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCellsDeepBeside", "-1 NeighborSearch.compute Gather", "+1 NeighborSearch.compute GatherBeside",
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepBeside",
             }
                 .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside")).Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside"))
@@ -206,10 +206,10 @@ namespace Host.Tests
         {
             return new[]
             {
-                "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths" + react, "-1 NeighborSearch.compute CountCells",
+                "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths" + react,
                 $"+{Iterations - 1} Colliders.compute Collide" + react, "+1 Colliders.compute CollideLast" + react,
             }
-                .Concat(Instead(1, "NeighborSearch.compute Gather", "Beside")).Concat(Instead(1, "DensityConstraint.compute BuildList", "Beside")).Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside"))
+                .Concat(Instead(1, "NeighborSearch.compute CountCells", "Beside")).Concat(Instead(1, "NeighborSearch.compute Gather", "Beside")).Concat(Instead(1, "DensityConstraint.compute BuildList", "Beside")).Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside"))
                 .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside")).ToArray();
         }
 

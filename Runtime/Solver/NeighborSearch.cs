@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags;
+        readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags;
         readonly LocalKeyword sleep;
         readonly int cells;
         readonly PrefixSum prefixSum;
@@ -23,6 +23,8 @@ namespace Rill
         {
             countCells = shader.FindKernel("CountCells");
             countCellsDeep = shader.FindKernel("CountCellsDeep");
+            countCellsBeside = shader.FindKernel("CountCellsBeside");
+            countCellsDeepBeside = shader.FindKernel("CountCellsDeepBeside");
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel("Gather");
@@ -51,12 +53,14 @@ namespace Rill
         /// <param name="colliders">End the ways that meet them; null for none.</param>
         public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
-            colliders?.RecordPaths(cmd, particles, cellHistogram, cellRanks, coarse, resting);
             cmd.BeginSample(Marker);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            if (colliders == null)
-                RecordCount(cmd, particles, coarse, resting);
+            RecordCount(cmd, particles, coarse, resting, colliders);
+            cmd.EndSample(Marker);
+            colliders?.RecordPaths(cmd, particles, cellHistogram, cellRanks, resting);
+
+            cmd.BeginSample(Marker);
             RecordOrder(cmd, particles);
 
             int kernel = colliders == null ? gather : gatherBeside;
@@ -115,11 +119,11 @@ namespace Rill
         public StageDescription Describe(in SolverSettings settings, bool deep, RestingRegions resting, Colliders colliders)
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
-            if (colliders == null)
-                stage.Kernel("NeighborSearch", deep ? "CountCellsDeep" : "CountCells", settings.substeps, RestingRegions.Variant(null, resting));
+            string beside = colliders != null ? "Beside" : "";
+            stage.Kernel("NeighborSearch", (deep ? "CountCellsDeep" : "CountCells") + beside, settings.substeps, RestingRegions.Variant(null, resting));
             prefixSum.Describe(stage, settings.substeps);
             stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps, RestingRegions.Variant(null, resting));
-            stage.Kernel("NeighborSearch", colliders == null ? "Gather" : "GatherBeside", settings.substeps, RestingRegions.Variant(null, resting));
+            stage.Kernel("NeighborSearch", "Gather" + beside, settings.substeps, RestingRegions.Variant(null, resting));
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);
@@ -127,10 +131,11 @@ namespace Rill
             return stage;
         }
 
-        void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting)
+        void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)
         {
-            int kernel = coarse != null ? countCellsDeep : countCells;
+            int kernel = colliders == null ? coarse != null ? countCellsDeep : countCells : coarse != null ? countCellsDeepBeside : countCellsBeside;
             resting?.Bind(cmd, shader, kernel);
+            colliders?.BindCount(cmd, shader, kernel);
             if (coarse != null)
             {
                 cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);

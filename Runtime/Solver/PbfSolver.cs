@@ -199,7 +199,7 @@ namespace Rill
                 RestingRegions.Describe(restingRegions, input),
                 ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
-                Rill.Colliders.Describe(colliders, input, coarseCorrection != null),
+                Rill.Colliders.Describe(colliders, input),
                 neighborSearch.Describe(input.settings, coarseCorrection != null, restingRegions, colliders),
                 ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),

@@ -11,7 +11,7 @@ namespace Rill.Editor.Tests
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "Displace", "DisplaceWithPressure", "DisplaceDeep", "DisplaceDeepWithPressure")]
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
-        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside")]
+        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsBeside", "CountCellsDeepBeside", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
         [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]
         [TestCase("Statistics", "Measure", "Reduce")]

@@ -61,6 +61,29 @@ namespace Rill.Tests
             }
         }
 
+        // A pass moves a particle by half a spacing at most, the coarse grid by two; who is not near is not kept out in the passes.
+        [Test]
+        public void Near_a_shape_is_whom_the_passes_of_a_step_can_drive_into_it([Values(2, 8)] int iterations, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            using (TestFluid fluid = Box(deepWater).AddBlock(0f, 18f * Spacing))
+            {
+                fluid.Input.settings.iterations = iterations;
+                fluid.Input.gravity = 0f;
+                ColliderMotion ball = Still(ColliderShape.Sphere, 2f, 3f, quaternion.identity);
+                Use(fluid, ball);
+                fluid.Step();
+                ParticleState state = fluid.Read();
+                float[] insets = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float reach = math.max(2f, 0.5f + 0.5f * iterations + (deepWater == DeepWater.On ? 2f : 0f));
+                for (int i = 0; i < state.Count; i++)
+                {
+                    float distance = (float)Reference.Shapes.Distance(ball, state.positions[i].xyz);
+                    if (distance > 1f && math.abs(distance - reach) > 0.3f)       // they move a little
+                        Assert.That(insets[i], Is.EqualTo(distance < reach ? 0.5f : 1f).Within(1e-3f), $"{distance} d away");
+                }
+            }
+        }
+
         [Test]
         public void A_collider_adds_the_density_of_what_lies_behind_its_surface([Values(ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule, ColliderShape.Plane, ColliderShape.Mesh)] ColliderShape shape, [Values] bool insideOut)
         {

@@ -98,7 +98,7 @@ namespace Rill.Tests
         }
 
         static long Bytes(TestFluid fluid, string atlas) =>
-            Colliders.Describe(fluid.Solver.Colliders, fluid.Input, false).Buffers.Where(buffer => buffer.name == "Rill.Colliders." + atlas).Sum(buffer => buffer.bytes);
+            Colliders.Describe(fluid.Solver.Colliders, fluid.Input).Buffers.Where(buffer => buffer.name == "Rill.Colliders." + atlas).Sum(buffer => buffer.bytes);
 
         static long BytesAlive(string atlas) => Resources.FindObjectsOfTypeAll<RenderTexture>()
             .Where(texture => texture.name == "Rill.Colliders." + atlas && texture.IsCreated()).Sum(texture => HalfFloat * texture.width * texture.height * texture.volumeDepth);

@@ -19,7 +19,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly int binColliders, findBoundary;
-        readonly int[] collidePaths, collidePathsDeep, collide, collideLast;        // without and with reactions
+        readonly int[] collidePaths, collide, collideLast;        // without and with reactions
         readonly FieldAtlas meshes, heights;
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
@@ -36,7 +36,6 @@ namespace Rill
         {
             binColliders = shader.FindKernel("BinColliders");
             collidePaths = Kernels("CollidePaths");
-            collidePathsDeep = Kernels("CollidePathsDeep");
             findBoundary = shader.FindKernel("FindBoundary");
             collide = Kernels("Collide");
             collideLast = Kernels("CollideLast");
@@ -124,13 +123,12 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Records the begin of the sort: ends the ways of the particles at the surfaces they meet and counts the particles into the cells there.</summary>
+        /// <summary>Records that the ways of the particles which the sort has left end at the surfaces they meet, and are counted into the cells there.</summary>
         /// <param name="cellHistogram">uint [cells + 1], particles in a cell.</param>
         /// <param name="cellRanks">uint2 [capacity], cell of a particle and its number there; see CellCount.hlsl.</param>
-        /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
-        public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer cellHistogram, GraphicsBuffer cellRanks, CoarseCorrection coarse, RestingRegions resting)
+        public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer cellHistogram, GraphicsBuffer cellRanks, RestingRegions resting)
         {
-            int kernel = (coarse != null ? collidePathsDeep : collidePaths)[reactions != null ? 1 : 0];
+            int kernel = collidePaths[reactions != null ? 1 : 0];
             cmd.BeginSample(Marker);
             Bind(cmd, kernel, particles, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
@@ -139,11 +137,6 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.PathInsets, pathInsets);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
-            if (coarse != null)
-            {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
-            }
             cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -195,8 +188,7 @@ namespace Rill
         }
 
         /// <param name="colliders">The stage, or null where none was made.</param>
-        /// <param name="deep">Whether a coarse correction runs.</param>
-        public static StageDescription Describe(Colliders colliders, in StepInput input, bool deep)
+        public static StageDescription Describe(Colliders colliders, in StepInput input)
         {
             bool needed = IsNeeded(input);
             var description = new StageDescription("Colliders", needed, needed ? $"{input.colliders.Count} of them in the domain" : "no collider is in the domain");
@@ -206,7 +198,7 @@ namespace Rill
             string variant = colliders.reactions != null ? "React" : "";
             if (colliders.binned)
                 description.Kernel("Colliders", "BinColliders", substeps);
-            description.Kernel("Colliders", (deep ? "CollidePathsDeep" : "CollidePaths") + variant, substeps);
+            description.Kernel("Colliders", "CollidePaths" + variant, substeps);
             if (input.settings.iterations > 1)
                 description.Kernel("Colliders", "Collide" + variant, substeps * (input.settings.iterations - 1));
             description.Kernel("Colliders", "CollideLast" + variant, substeps);
@@ -243,6 +235,14 @@ namespace Rill
             cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderMasks, masks);
             BindField(cmd, reader, kernel, Ids.Fields, meshes);
             BindField(cmd, reader, kernel, Ids.Heights, heights);
+        }
+
+        /// <summary>Records what the sort needs to know which particles to leave.</summary>
+        public void BindCount(CommandBuffer cmd, ComputeShader sort, int kernel)
+        {
+            cmd.SetComputeConstantBufferParam(sort, Ids.Constants, constants, 0, constants.stride);
+            cmd.SetComputeBufferParam(sort, kernel, Ids.ColliderMasks, masks);
+            cmd.SetComputeBufferParam(sort, kernel, Ids.PathInsets, pathInsets);
         }
 
         /// <summary>Records what the sort moves with the particles.</summary>

@@ -21,6 +21,7 @@ namespace Host.Fluids
         const float ShareOfWater = 0.03f;       // of the block's volume that the most colliders take
         const float LeastRadius = 1.5f;         // d
         const float Voxel = 0.5f;               // d
+        static readonly (string Name, int First, int Last)[] Windows = StepTimes.Windows.Append(StepTimes.Settled).ToArray();
         static readonly ColliderShape[] Mixed = { ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule, ColliderShape.Mesh };
 
         public static Command Create()
@@ -31,7 +32,7 @@ namespace Host.Fluids
             var iterations = new Option<int>("--iterations") { Description = "Iterations of a substep.", DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
-            var window = new Option<string>("--window") { Description = $"{string.Join(" or ", StepTimes.Windows.Select(w => w.Name))}.", DefaultValueFactory = _ => StepTimes.Windows[0].Name };
+            var window = new Option<string>("--window") { Description = $"{string.Join(" or ", Windows.Select(w => w.Name))}.", DefaultValueFactory = _ => Windows[0].Name };
             var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
@@ -56,9 +57,9 @@ namespace Host.Fluids
                     throw new HostException($"--counts {string.Join(" ", parsed.GetValue(counts))}: give 0 to {ColliderSet.Most}.");
                 if (parsed.GetValue(steps) < StepTimes.LeastSteps)
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.LeastSteps}.");
-                (string Name, int, int) played = StepTimes.Windows.FirstOrDefault(w => w.Name == parsed.GetValue(window));
+                (string Name, int First, int Last) played = Windows.FirstOrDefault(w => w.Name == parsed.GetValue(window));
                 if (played.Name == null)
-                    throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(" or ", StepTimes.Windows.Select(w => w.Name))}.");
+                    throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(" or ", Windows.Select(w => w.Name))}.");
                 Execute(parsed.GetValue(particles), parsed.GetValue(counts), shapes, settings, played, parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
                 return 0;
             });

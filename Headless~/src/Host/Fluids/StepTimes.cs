@@ -21,6 +21,9 @@ namespace Host.Fluids
         // Steps 3-10 of the fresh block and 20-60 of the moving one.
         public static readonly (string Name, int First, int Last)[] Windows = { ("initial", 3, 10), ("moving", 20, 60) };
 
+        // Long after: the lattice that the block began as, which is quicker to search than water, is gone with and without obstacles.
+        public static readonly (string Name, int First, int Last) Settled = ("settled", 600, 700);
+
         /// <param name="fill">Fills the solver, which was just cleared.</param>
         /// <param name="after">Recorded after each step and timed with it; null for nothing.</param>
         /// <returns>By stage.</returns>

@@ -1,0 +1,36 @@
+// Bins: which colliders come near a cell of a few spacings within the substep. Include after Solver.hlsl and Colliders.hlsl.
+#ifndef RILL_COLLIDER_BINS_INCLUDED
+#define RILL_COLLIDER_BINS_INCLUDED
+
+StructuredBuffer<uint> _ColliderMasks;      // [cells * words], a bit for each collider
+
+static const float kUnhinderedWay = 2.0;    // d: no further than this from where no collider is near, none is met; = what bins reach, less kWallInset
+
+uint ColliderCell(float3 p)
+{
+    uint3 cell = min(uint3(max(p * _InverseColliderCellSize, 0.0)), _ColliderCells - 1);
+    return ((cell.z * _ColliderCells.y + cell.y) * _ColliderCells.x + cell.x) * _ColliderWords;
+}
+
+// Whether a collider comes near the cell of p within the substep. Most water is far from all of them and is done with this.
+bool IsNear(float3 p)
+{
+    uint cell = ColliderCell(p);
+    uint bits = 0;
+    for (uint word = 0; word < _ColliderWords; word++)
+        bits |= _ColliderMasks[cell + word];
+    return bits != 0;
+}
+
+// Whether a collider comes near a way.
+bool IsHindered(float3 from, float3 to)
+{
+    float3 way = to - from;
+    uint parts = uint(length(way) / (2.0 * kUnhinderedWay)) + 1;
+    bool isNear = false;
+    for (uint part = 0; part <= parts && !isNear; part++)
+        isNear = IsNear(from + way * (part / float(parts)));
+    return isNear;
+}
+
+#endif
