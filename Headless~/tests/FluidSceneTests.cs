@@ -21,6 +21,8 @@ namespace Host.Tests
             ("everything off", Both(WithDeepWater((ref SolverSettings s) => s.deepWater = DeepWater.Off), WithMaterial((ref FluidMaterial m) => { })), false, false),
             ("viscosity", WithMaterial((ref FluidMaterial m) => m.viscosity = 0.01f), false, false),
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
+            ("elasticity", WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f), false, false),
+            ("elasticity and sleep in deep water, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f)), false, false),
             ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
             ("three substeps of one iteration", s => s.Settings = WithCounts(s.Settings, substeps: 3, iterations: 1), false, false),
             ("deep water", WithDeepWater((ref SolverSettings s) => { }), false, false),

@@ -14,7 +14,7 @@ namespace Rill
     sealed class Viscoelasticity : IDisposable
     {
         /// <summary>kMostStiffness of Viscoelasticity.compute over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
-        public static readonly double MostStiffness = 1.0 / (3.0 * Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
+        public static readonly double MostStiffness = 1.0 / (2.0 * Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Viscoelasticity");
 

@@ -102,7 +102,7 @@ namespace Rill.Tests.Reference
             double weights = 0.0;
             foreach (int j in neighbors[i])
                 weights += Weight(i, j);
-            return 1.0 / (3.0 * inverseMoments[i].Length * Math.Max(weights, 1.0) * (1.0 + Math.Max(after.Trace, 0.0)));
+            return 1.0 / (2.0 * inverseMoments[i].Length * Math.Max(weights, 1.0) * (1.0 + Math.Max(after.Trace, 0.0)));
         }
 
         /// <summary>T of the particle for a stiffness G Δt² / (ρ d²).</summary>
