@@ -25,7 +25,7 @@ namespace Rill
         [Tooltip("Negative density error that is still pulled together. 0 (off) to 0.5; more makes strings and clumps.")]
         [Range(0f, 0.5f)] public float allowedTension;
 
-        [Tooltip("Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. Waves are limited to a third of a spacing a substep.")]
+        [Tooltip("Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At any value waves get 0.4 of a spacing in a substep at most.")]
         [Min(0f)] public float shearModulus;
 
         [Tooltip("Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.")]

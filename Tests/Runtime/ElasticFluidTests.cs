@@ -226,6 +226,39 @@ namespace Rill.Tests
             }
         }
 
+        // A long pool of gel with a drop at one end: the far end falls asleep first.
+        [Test]
+        public void What_sleeps_beside_what_swings_is_not_pushed()
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.sleepSpeed = 0.1f;
+            int3 regions = new int3(8, 3, 1);
+            using (var fluid = new TestFluid(new float3(64f, 24f, 8f) * Spacing, Spacing, 3000, settings).AddBlock(0f, new float3(64f, 4f, 8f) * Spacing).AddBlock(new float3(0f, 6f, 0f) * Spacing, new float3(4f, 4f, 8f) * Spacing))
+            {
+                fluid.Input.material.shearModulus = 1000f;
+                fluid.Input.material.relaxationTime = 10f;
+                int asleep = 0, moving = 0;
+                for (int part = 0; part < 12; part++)
+                {
+                    uint[] states = ReadStates(fluid.Step(5));
+                    if (states.All(state => state != 1))
+                        continue;       // nothing sleeps beside what does not
+                    ParticleState state = fluid.Read();
+                    for (int i = 0; i < state.Count; i++)
+                    {
+                        int3 region = (int3)(state.positions[i].xyz / RestingRegions.RegionSize);
+                        if (states[(region.z * regions.y + region.y) * regions.x + region.x] != 1)
+                            continue;
+                        asleep++;
+                        moving += math.any(state.velocities[i].xyz != 0f) ? 1 : 0;
+                    }
+                }
+                TestContext.Out.WriteLine($"{moving} of {asleep} move");
+                Assert.That(asleep, Is.GreaterThan(200));
+                Assert.That(moving, Is.LessThan(0.05f * asleep), "but for what came from beside in that step");
+            }
+        }
+
         [Test]
         public void A_gel_stays_outside_an_obstacle()
         {
