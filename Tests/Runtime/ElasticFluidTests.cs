@@ -187,6 +187,47 @@ namespace Rill.Tests
             double Off(uint id, Tensor stretch) => (stretch - Tensor.Symmetric(id < first ? Mark(id) : 0f, 0.0)).Length;
         }
 
+        // A cube of half a metre under its own weight. Where it slides freely, an incompressible neo-Hookean column is shortened by λ
+        // with 1/λ² − λ = ρ g (H − Z) / G, and its middle lies as high as the mean of (H − Z) λ / H: 3.34 d, 5 d unloaded.
+        [TestCase(DeepWater.Off)]
+        [TestCase(DeepWater.On)]
+        public void A_gel_stands_where_water_runs_out(DeepWater deepWater)
+        {
+            float gel = MiddleAfterTwoSeconds(2000f), water = MiddleAfterTwoSeconds(0f);
+            TestContext.Out.WriteLine($"the middle is {gel:0.00} d high, without elasticity {water:0.00} d");
+            Assert.That(gel, Is.EqualTo(3.34f).Within(0.25f * 3.34f), "it gives way by what the passes leave of compression, and creeps");
+            Assert.That(water, Is.LessThan(1.7f));
+
+            float MiddleAfterTwoSeconds(float modulus)
+            {
+                SolverSettings settings = SolverSettings.Default;
+                settings.substeps = 2;
+                settings.deepWater = deepWater;
+                using (var fluid = new TestFluid(24f * Spacing, Spacing, 1000, settings).AddBlock(new float3(7f, 0f, 7f) * Spacing, 10f * Spacing))
+                {
+                    fluid.Input.material.shearModulus = modulus;
+                    fluid.Input.material.relaxationTime = 1000f;
+                    fluid.Input.material.allowedTension = 0.05f;
+                    fluid.Input.material.artificialPressure = 0.1f;
+                    return fluid.Step(120).MeasureWhole().centerOfMass.y / Spacing;
+                }
+            }
+        }
+
+        [Test]
+        public void What_is_no_number_is_removed_and_spoils_nothing()
+        {
+            using (var fluid = Ball(500f, 1000f, true))
+            {
+                int count = fluid.Alive;
+                fluid.Add(new[] { new float3(float.NaN, 1f, 1f), new float3(1f, 1f, 1f) }, p => float.PositiveInfinity);
+                FluidStatistics statistics = fluid.Step(5).MeasureWhole();
+                Assert.That(statistics.nonFinite, Is.EqualTo(2));
+                Assert.That(fluid.Alive, Is.EqualTo(count));
+                Assert.That(ReadStretch(fluid.Solver).Values.All(b => (Tensor.Identity + b).IsPositive));
+            }
+        }
+
         [Test]
         public void It_takes_buffers_only_while_it_is_on()
         {
