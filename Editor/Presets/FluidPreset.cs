@@ -21,18 +21,18 @@ namespace Rill.Editor
         // Keep an elastic fluid whole: without tension it swells where it is drawn out, and tension without pressure between near ones makes clumps.
         const float ElasticTension = 0.05f, ElasticPressure = 0.1f;
 
-        // Once and no more often is what the limit on the modulus is for fluid at rest; this often for one of twice its length, whose B has the trace 5.
+        // The largest modulus is that of fluid at rest; drawn out to twice its length, where B has the trace 5, it is this much less.
         const float DrawnOut = 3f;
 
         const float UsualStep = 1f / 60f;
 
         public FluidPreset(string name, float density, float viscosity, string conditions, float shearModulus = 0f, float relaxationTime = 1f)
         {
-            ShearModulus = shearModulus;
-            RelaxationTime = relaxationTime;
             Name = name;
             Density = density;
             Viscosity = viscosity;
+            ShearModulus = shearModulus;
+            RelaxationTime = relaxationTime;
             Conditions = conditions;
         }
 

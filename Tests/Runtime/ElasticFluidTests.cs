@@ -106,6 +106,25 @@ namespace Rill.Tests
             AssertBounded(modulus, relaxationTime, timeStep, DeepWater.Off, m => m);
         }
 
+        // Noise of the particles stretches what is stretched, which would push them on: a film that never forgets would boil.
+        [TestCase(200f)]
+        [TestCase(1e6f)]
+        public void What_is_dropped_comes_to_rest(float modulus)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.Off;
+            settings.substeps = 8;
+            using (var fluid = new TestFluid(16f * Spacing, Spacing, 512, settings).AddBlock(4f * Spacing, 8f * Spacing, new float3(0.5f, -3f, 0f)))
+            {
+                fluid.Input.timeStep = 1f / 15f;
+                fluid.Input.material.shearModulus = modulus;
+                fluid.Input.material.relaxationTime = 1000f;
+                float start = fluid.Measure().Energy, left = fluid.Step(120).MeasureWhole().kineticEnergy;
+                TestContext.Out.WriteLine($"after 8 s {left / start:0.0000} of the energy is motion");
+                Assert.That(left, Is.LessThan(0.01f * start));
+            }
+        }
+
         [TestCase(DeepWater.On, 0f, 0f)]
         [TestCase(DeepWater.Off, 0.1f, 0f)]
         [TestCase(DeepWater.Off, 0f, 0.1f)]
@@ -132,16 +151,17 @@ namespace Rill.Tests
                 fluid.Input.material.shearModulus = modulus;
                 fluid.Input.material.relaxationTime = relaxationTime;
                 fluid.Input.material = change(fluid.Input.material);
-                float start = fluid.Measure().Energy, highest = 0f;
+                float start = fluid.Measure().Energy, highest = 0f, fastest = 0f;
                 for (int part = 0; part < 6; part++)
                 {
                     FluidStatistics s = fluid.Step(10).MeasureWhole();
                     highest = math.max(highest, s.Energy);
-                    Assert.That(s.speedMax, Is.LessThan(12f), "m/s");
+                    fastest = math.max(fastest, s.speedMax);
                     Assert.That(ReadStretch(fluid.Solver).Values.All(b => (Tensor.Identity + b).IsPositive));
                 }
-                TestContext.Out.WriteLine($"{modulus} Pa, {relaxationTime} s, {timeStep:0.0000} s a step: highest energy {highest / start:0.000} of the start's, {fluid.Measure().Energy / start:0.000} at the end");
+                TestContext.Out.WriteLine($"{modulus} Pa, {relaxationTime} s, {timeStep:0.0000} s a step: highest energy {highest / start:0.000} of the start's, {fluid.Measure().Energy / start:0.000} at the end; fastest {fastest:0.0} m/s");
                 Assert.That(highest, Is.LessThan(1.02f * start), "what was put into it is all that there is");
+                Assert.That(fastest, Is.LessThan(12f), "m/s; it falls at 3");
             }
         }
 
@@ -253,8 +273,8 @@ namespace Rill.Tests
                 fluid.Input.material.shearModulus = 300f;
                 fluid.Input.material.relaxationTime = 0.5f;
                 int steps = 0;
-                while (ReadStates(fluid).Any(state => state != 0) && steps < 300)
-                    steps += fluid.Step(10) != null ? 10 : 0;
+                for (; ReadStates(fluid).Any(state => state != 0) && steps < 300; steps += 10)
+                    fluid.Step(10);
                 TestContext.Out.WriteLine($"asleep after {steps} steps, largest stretch {ReadStretch(fluid.Solver).Values.Max(b => b.Length):0.000}");
                 Assert.That(steps, Is.LessThan(300));
                 Dictionary<uint, Tensor> before = ReadStretch(fluid.Solver);

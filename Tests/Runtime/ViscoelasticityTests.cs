@@ -120,9 +120,9 @@ namespace Rill.Tests
 
         // A flow of up to half a spacing to the next one, back and forth at random: harder than any that the solver lets through.
         [Test]
-        public void However_it_is_torn_the_stretch_stays_finite_and_positive([Values(0.001f, 1000f)] float relaxationTime)
+        public void However_it_is_torn_the_stretch_stays_finite_and_positive([Values(0.001f, 1000f)] float relaxationTime, [Values(1f, 1e6f)] float modulus)
         {
-            using (var stage = new Stage(ParticleState.Lattice(20f, 5f, 8, jitter: 0.1f), 1e6f, relaxationTime))
+            using (var stage = new Stage(ParticleState.Lattice(20f, 5f, 8, jitter: 0.1f), modulus, relaxationTime))
             {
                 var random = new Unity.Mathematics.Random(3);
                 double most = 0.0, fastest = 0.0;
@@ -133,7 +133,7 @@ namespace Rill.Tests
                     most = Math.Max(most, stage.Stretch.Max(b => b.Trace));
                 }
                 TestContext.Out.WriteLine($"largest trace {most:g3}, fastest {fastest * TimeStep:g3} d a substep");
-                Assert.That(most, Is.LessThanOrEqualTo(30.0 * (1.0 + 1e-5)));
+                Assert.That(most, Is.LessThanOrEqualTo((modulus > 1f ? 2.0 : 10.0) * (1.0 + 1e-5)), "soft fluid is drawn out far, one as stiff as may be to twice its length");
                 Assert.That(fastest * TimeStep, Is.LessThanOrEqualTo(0.5 * (1.0 + 1e-5)));
             }
         }
