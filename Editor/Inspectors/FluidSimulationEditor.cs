@@ -27,6 +27,8 @@ namespace Rill.Editor
                 new InspectorField("material.artificialPressure"),
                 new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),
                 new InspectorField("material.allowedTension"),
+                new InspectorField("material.shearModulus", "Pa"),
+                new InspectorField("material.relaxationTime", "s", When.IsPositive("material.shearModulus")),
                 new InspectorField("gravity", "m/s²")),
             new InspectorSection(SolverTitle, true,
                 new InspectorField("solver.deepWater"),
@@ -109,6 +111,8 @@ namespace Rill.Editor
             if (targets.Length > 1)
                 return;
             EditorGUILayout.LabelField("Acts like", FluidPresets.ViscosityText(Simulation.Material, Simulation.ParticleSpacing));
+            if (Simulation.Material.shearModulus > 0f)
+                EditorGUILayout.LabelField("Elastic", FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing, Simulation.FixedStep / Simulation.Settings.substeps));
             if (current >= 0)
                 EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
         }

@@ -20,6 +20,8 @@ namespace Rill.Editor
             new FluidPreset("Glycerol", 1260f, 1.41f, "20 °C, pure"),
             new FluidPreset("Honey", 1420f, 10f, "20 °C, typical; 2 to 20 by its water"),
             new FluidPreset("Basaltic lava", 2700f, 100f, "1200 °C, typical; 10 to 1000"),
+            new FluidPreset("Viscoelastic slime", 1000f, 0.001f, "an order of magnitude, by its glue and borax", shearModulus: 300f, relaxationTime: 0.5f),
+            new FluidPreset("Pectin gel", 1000f, 0.001f, "as jam is graded by, 150° SAG", shearModulus: 400f, relaxationTime: 1000f),
         };
 
         /// <summary>As a popup shows them, after what is none of them.</summary>
@@ -49,6 +51,8 @@ namespace Rill.Editor
                     property.FindPropertyRelative("artificialPressure").floatValue = material.artificialPressure;
                     property.FindPropertyRelative("artificialPressureDistance").floatValue = material.artificialPressureDistance;
                     property.FindPropertyRelative("allowedTension").floatValue = material.allowedTension;
+                    property.FindPropertyRelative("shearModulus").floatValue = material.shearModulus;
+                    property.FindPropertyRelative("relaxationTime").floatValue = material.relaxationTime;
                     one.ApplyModifiedProperties();
                 }
             Undo.SetCurrentGroupName($"Fluid preset {preset.Name}");
@@ -56,10 +60,17 @@ namespace Rill.Editor
 
         public static string ViscosityText(in FluidMaterial material, float spacing) => $"{material.DynamicViscosity(spacing):G3} Pa s at this spacing (water 0.001, honey about 10)";
 
+        /// <param name="substep">s.</param>
+        public static string ElasticityText(in FluidMaterial material, float spacing, float substep)
+        {
+            return $"up to {material.LargestShearModulus(spacing, substep):G3} Pa at this spacing, step rate and substeps; less where it is drawn out";
+        }
+
         static bool Same(in FluidMaterial a, in FluidMaterial b)
         {
             return Near(a.density, b.density) && Near(a.viscosity, b.viscosity) && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
-                && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension;
+                && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension
+                && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
         }
 
         static bool Near(float a, float b) => Math.Abs(a - b) <= SameShare * Math.Abs(b);

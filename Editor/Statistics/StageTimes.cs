@@ -41,6 +41,7 @@ namespace Rill.Editor
             ("Rill.Displace", "Displacement"),
             ("Rill.DensityCorrection", "Deep water: density"),
             ("Rill.Velocity", "Velocity, viscosity"),
+            ("Rill.Viscoelasticity", "Viscoelasticity"),
             ("Rill.Vorticity", "Vorticity"),
             ("Rill.Emit", "Emitters"),
             ("Rill.Statistics", "Statistics"),

@@ -19,7 +19,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Viscoelasticity", "GatherOrigins", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.Origins", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -37,6 +37,11 @@ namespace Host.Tests
             {
                 "+1 VorticityConfinement.compute Curl", "+1 VorticityConfinement.compute Confine", "+1 Rill.Curl *", "+1 Rill.Confined *",
                 "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity",      // XSPH moves into Confine
+            }),
+            ("elasticity", null, Material((ref FluidMaterial v) => v.shearModulus = 100f), new[]
+            {
+                "+1 NeighborSearch.compute GatherOrigins", "+1 Viscoelasticity.compute Deform", "+1 Viscoelasticity.compute ApplyStress",
+                "+1 Rill.Conformation *", "+1 Rill.DeformedConformation *", "+1 Rill.Stress *", "+1 Rill.Origins *",
             }),
             ("viscosity off", null, Inviscid, new[] { "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity" }),
             ("artificial pressure", null, Material((ref FluidMaterial v) => v.artificialPressure = 0.1f), new[]
@@ -186,6 +191,7 @@ namespace Host.Tests
 
         [TestCase("deep water")]
         [TestCase("vorticity")]
+        [TestCase("elasticity")]
         [TestCase("artificial pressure")]
         [TestCase("sleep")]
         [TestCase("a collider")]

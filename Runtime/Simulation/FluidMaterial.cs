@@ -7,7 +7,7 @@ namespace Rill
     [Serializable]
     public struct FluidMaterial
     {
-        [Tooltip("Rest density, kg/m³. Matters for energy and for forces on bodies, not for the motion of the fluid alone.")]
+        [Tooltip("Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is elastic.")]
         [Min(1e-3f)] public float density;
 
         [Tooltip("XSPH viscosity: share of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1.")]
@@ -25,6 +25,12 @@ namespace Rill
         [Tooltip("Negative density error that is still pulled together. 0 (off) to 0.5; more makes strings and clumps.")]
         [Range(0f, 0.5f)] public float allowedTension;
 
+        [Tooltip("Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At any value waves get 0.4 of a spacing in a substep at most.")]
+        [Min(0f)] public float shearModulus;
+
+        [Tooltip("Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.")]
+        [Min(1e-3f)] public float relaxationTime;
+
         public static FluidMaterial Water => new FluidMaterial
         {
             density = 1000f,
@@ -33,6 +39,8 @@ namespace Rill
             artificialPressure = 0f,
             artificialPressureDistance = 0.2f,
             allowedTension = 0f,
+            shearModulus = 0f,
+            relaxationTime = 1f,
         };
 
         /// <summary>Water's other values, with a density and the viscosity setting that acts like a given viscosity.</summary>
@@ -56,6 +64,12 @@ namespace Rill
         /// <param name="spacing">Particle spacing, m.</param>
         public float DynamicViscosity(float spacing) => (float)(viscosity * density * KinematicViscosityOfOne(spacing));
 
+        /// <summary>Shear modulus that the setting acts like at most, Pa: beyond it waves, at √(G/ρ), would outrun what a substep can follow.</summary>
+        /// <remarks>That of fluid at rest; one that is stretched, or at a ragged surface, is limited earlier. See Viscoelasticity.compute.</remarks>
+        /// <param name="spacing">Particle spacing, m.</param>
+        /// <param name="substep">Length of a substep, s.</param>
+        public float LargestShearModulus(float spacing, float substep) => (float)(Viscoelasticity.MostStiffness * density * spacing * spacing / ((double)substep * substep));
+
         // m²/s.
         static double KinematicViscosityOfOne(double spacing) => 0.5 * SolverConstants.ViscosityRate * LatticeKernels.Poly6Spread * spacing * spacing;
 
@@ -72,6 +86,8 @@ namespace Rill
             Limit.Clamp("artificial pressure", ref artificialPressure, 0f, 1f, water.artificialPressure, ref problem);
             Limit.Clamp("artificial pressure distance", ref artificialPressureDistance, 0.1f, 0.3f, water.artificialPressureDistance, ref problem);
             Limit.Clamp("allowed tension", ref allowedTension, 0f, 0.5f, water.allowedTension, ref problem);
+            Limit.Clamp("shear modulus", ref shearModulus, 0f, 1e6f, water.shearModulus, ref problem);
+            Limit.Clamp("relaxation time", ref relaxationTime, 1e-3f, 1e3f, water.relaxationTime, ref problem);
             return problem == null;
         }
     }

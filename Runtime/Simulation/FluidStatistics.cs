@@ -80,7 +80,7 @@ namespace Rill
         /// <summary>Fluid time that the catch-up cap dropped since the reset, s.</summary>
         public double droppedTime;
 
-        /// <summary>Kinetic and potential energy together.</summary>
+        /// <summary>Kinetic and potential energy together; what an elastic fluid has stored in its stretch is not counted.</summary>
         public float Energy => kineticEnergy + potentialEnergy;
 
         /// <param name="block">As Statistics.compute writes it.</param>

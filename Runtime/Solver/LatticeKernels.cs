@@ -27,6 +27,9 @@ namespace Rill
         /// <summary>Σ W x² / ρ0 over the lattice, d²: how far along an axis a kernel's average reaches.</summary>
         public static readonly double Poly6Spread = SumLattice(r => Poly6(r) * r * r / 3.0, includeSelf: false) / RestDensity;
 
+        /// <summary>Σ w over Σ w x² of the weights w of Viscoelasticity.compute on the lattice, 1/d².</summary>
+        public static readonly double StressMultiplier = SumLattice(StressWeight, includeSelf: false) / SumLattice(r => StressWeight(r) * r * r / 3.0, includeSelf: false);
+
         /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
         public static readonly double WallScale = MissingBehindWall() / HalfSpaceDensity(0.5);
 
@@ -35,6 +38,9 @@ namespace Rill
 
         /// <summary>dW/dr of the spiky kernel, 1/d⁴, ≤ 0.</summary>
         public static double SpikySlope(double r) => r < Support ? SpikyGradientScale * (Support - r) * (Support - r) : 0.0;
+
+        /// <summary>Weight of a pair for the gradients of Viscoelasticity.compute, d⁴.</summary>
+        public static double StressWeight(double r) => r < Support ? (Support * Support - r * r) * (Support * Support - r * r) : 0.0;
 
         /// <summary>poly6 integrated over the half space beyond distance <paramref name="s"/>: 1/2 at s = 0, 0 at s ≥ h.</summary>
         public static double HalfSpaceDensity(double s)

@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags;
+        readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags, gatherOrigins;
         readonly LocalKeyword sleep;
         readonly int cells;
         readonly PrefixSum prefixSum;
@@ -30,6 +30,7 @@ namespace Rill
             gather = shader.FindKernel("Gather");
             gatherBeside = shader.FindKernel("GatherBeside");
             gatherTags = shader.FindKernel("GatherTags");
+            gatherOrigins = shader.FindKernel("GatherOrigins");
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             cells = layout.CellTotal;
@@ -51,7 +52,8 @@ namespace Rill
         /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
         /// <param name="resting">Whose particles stay where they are; null for none.</param>
         /// <param name="colliders">End the ways that meet them; null for none.</param>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
+        /// <param name="origins">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer origins = null)
         {
             cmd.BeginSample(Marker);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -62,6 +64,8 @@ namespace Rill
 
             cmd.BeginSample(Marker);
             RecordOrder(cmd, particles);
+            if (origins != null)
+                RecordOrigins(cmd, particles, origins);
 
             int kernel = colliders == null ? gather : gatherBeside;
             resting?.Bind(cmd, shader, kernel);
@@ -129,6 +133,16 @@ namespace Rill
             stage.Buffer("Rill.CellRanks", cellRanks);
             stage.Buffer("Rill.Order", Order);
             return stage;
+        }
+
+        void RecordOrigins(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer origins)
+        {
+            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, gatherOrigins, Viscoelasticity.Ids.Origins, origins);
+            cmd.DispatchCompute(shader, gatherOrigins, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)

@@ -24,6 +24,7 @@ namespace Rill
         readonly VelocityUpdate velocityUpdate;
         CoarseCorrection coarseCorrection;
         Colliders colliders;
+        Viscoelasticity viscoelasticity;
         VorticityConfinement vorticityConfinement;
         RestingRegions restingRegions;
         StatisticsPass statistics;
@@ -76,6 +77,9 @@ namespace Rill
         /// <summary>What carries the pressure of deep water; null while no step has needed it.</summary>
         public CoarseCorrection Coarse => coarseCorrection;
 
+        /// <summary>What an elastic fluid remembers of its stretch; null while it is not elastic.</summary>
+        public Viscoelasticity Viscoelasticity => viscoelasticity;
+
         /// <summary>What lets water at rest sleep; null while the settings do without.</summary>
         public RestingRegions Resting => restingRegions;
 
@@ -92,6 +96,7 @@ namespace Rill
             lastSubsteps = 0;
             statistics?.Forget();
             ReleaseCoarse();        // whether the next water is deep is decided anew
+            ReleaseViscoelasticity();       // the next fluid is not stretched
             ClearSources();
             restingRegions?.Wake();
             lowestAdded = float.MaxValue;
@@ -135,6 +140,7 @@ namespace Rill
             RestingRegions resting = RestingFor(input);
             Colliders obstacles = CollidersFor(input);
             ForceFields fields = FieldsFor(cmd, input, resting);
+            Viscoelasticity elastic = ViscoelasticityFor(input);
             RecordDrains(cmd, input, resting);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
@@ -143,10 +149,11 @@ namespace Rill
                 obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
                 coarse?.RecordSolids(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
-                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting, obstacles);
+                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting, obstacles, elastic?.Origins);
                 tags?.RecordSort(cmd, particles, neighborSearch);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles);
+                elastic?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, resting);
                 if (VorticityConfinement.IsNeeded(input))
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
                 particles.Advance();
@@ -204,6 +211,7 @@ namespace Rill
                 ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
+                Rill.Viscoelasticity.Describe(viscoelasticity, input, Layout, densityConstraint.Lists, restingRegions),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 StatisticsPass.Describe(statistics, statisticsInterval, colliders),
@@ -219,6 +227,7 @@ namespace Rill
             ReleaseResting();
             ReleaseCoarse();
             ReleaseColliders();
+            ReleaseViscoelasticity();
             ReleaseVorticity();
             ReleaseSources();
             ReleaseStatistics();
@@ -278,6 +287,20 @@ namespace Rill
             if (colliders.Disturb(input.colliders))
                 restingRegions?.Wake();
             return colliders;
+        }
+
+        Viscoelasticity ViscoelasticityFor(in StepInput input)
+        {
+            if (Rill.Viscoelasticity.IsNeeded(input))
+                return viscoelasticity ??= new Viscoelasticity(Layout.Capacity);
+            ReleaseViscoelasticity();
+            return null;
+        }
+
+        void ReleaseViscoelasticity()
+        {
+            viscoelasticity?.Dispose();
+            viscoelasticity = null;
         }
 
         void ReleaseColliders()

@@ -133,6 +133,7 @@ namespace Rill
             bool changed = math.distance(input.gravity, last.gravity) > GravityChange * math.length(last.gravity) || input.timeStep != last.timeStep
                 || settings.sleepSpeed != settingsBefore.sleepSpeed || settings.deepWater != settingsBefore.deepWater || settings.substeps != settingsBefore.substeps
                 || settings.iterations != settingsBefore.iterations || settings.relaxation != settingsBefore.relaxation || settings.softness != settingsBefore.softness
+                || material.shearModulus != materialBefore.shearModulus || material.relaxationTime != materialBefore.relaxationTime
                 || material.viscosity != materialBefore.viscosity || material.allowedTension != materialBefore.allowedTension
                 || material.artificialPressure != materialBefore.artificialPressure || material.artificialPressureDistance != materialBefore.artificialPressureDistance;
             if (changed)

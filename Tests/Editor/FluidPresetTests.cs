@@ -47,6 +47,26 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
+        public void An_elastic_fluid_has_its_modulus_and_what_keeps_it_whole_and_says_how_many_substeps_it_takes()
+        {
+            FluidPreset[] elastic = FluidPresets.All.Where(preset => preset.ShearModulus > 0f).ToArray();
+            Assert.That(elastic.Select(preset => preset.Name), Has.Member("Viscoelastic slime").And.Member("Pectin gel"));
+            foreach (FluidPreset preset in elastic)
+            {
+                FluidMaterial material = preset.MaterialAt(0.01f);
+                Assert.That(material.shearModulus, Is.EqualTo(preset.ShearModulus));
+                Assert.That(material.relaxationTime, Is.EqualTo(preset.RelaxationTime));
+                Assert.That(material.allowedTension, Is.GreaterThan(0f));
+                Assert.That(material.artificialPressure, Is.GreaterThan(0f));
+                int substeps = (int)Mathf.Ceil(Mathf.Sqrt(3f * preset.ShearModulus / material.LargestShearModulus(0.01f, 1f / 60f)));
+                Assert.That(preset.Describe(0.01f), Does.Contain($"{preset.ShearModulus} Pa").And.Contain($" {substeps} substeps"));
+                Assert.That(material.LargestShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.ShearModulus));
+                Assert.That(preset.Describe(1f), Does.Contain(" 1 substeps"));
+            }
+            Assert.That(FluidPresets.All.Where(preset => preset.ShearModulus == 0f).Select(preset => preset.MaterialAt(0.05f).shearModulus), Is.All.EqualTo(0f));
+        }
+
+        [Test]
         public void Applying_a_preset_to_several_fluids_gives_each_its_own_setting_and_is_one_step_of_undo()
         {
             FluidSimulation coarse = scene.Add<FluidSimulation>(), fine = scene.Add<FluidSimulation>();

@@ -11,11 +11,12 @@ namespace Rill.Editor.Tests
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "Displace", "DisplaceWithPressure", "DisplaceDeep", "DisplaceDeepWithPressure")]
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
-        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsBeside", "CountCellsDeepBeside", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside")]
+        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsBeside", "CountCellsDeepBeside", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside", "GatherTags", "GatherOrigins")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
         [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]
         [TestCase("Statistics", "Measure", "Reduce")]
         [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]
+        [TestCase("Viscoelasticity", "Deform", "ApplyStress")]
         [TestCase("VorticityConfinement", "Curl", "Confine")]
         public void Every_kernel_of_a_stage_is_imported_and_runs_on_this_device(string stage, params string[] kernels)
         {

@@ -138,6 +138,7 @@ namespace Rill.Tests
             simulation.Budget = budget;
             FluidMaterial material = FluidMaterial.Water;
             material.vorticity = 0.1f;
+            material.shearModulus = 100f;
             material.artificialPressure = 0.1f;
             simulation.Material = material;
             SolverSettings settings = simulation.Settings;

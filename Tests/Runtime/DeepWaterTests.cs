@@ -109,6 +109,7 @@ namespace Rill.Tests
             {
                 TestFluid fluid = Dam(DeepWater.On);
                 fluid.Input.material.vorticity = 0.2f;
+                fluid.Input.material.shearModulus = 300f;
                 fluid.Input.material.artificialPressure = 0.1f;
                 fluid.Input.settings.substeps = 2;
                 return fluid;

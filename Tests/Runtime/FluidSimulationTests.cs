@@ -120,6 +120,7 @@ namespace Rill.Tests
                 fluid.Settings = settings;
                 FluidMaterial material = FluidMaterial.Water;
                 material.vorticity = 0.4f;
+                material.shearModulus = 200f;
                 material.artificialPressure = 0.05f;
                 fluid.Material = material;
                 fluid.Gravity = new Vector3(1f, -5f, 0f);

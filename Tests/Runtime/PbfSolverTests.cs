@@ -89,6 +89,7 @@ namespace Rill.Tests
             {
                 TestFluid fluid = Dam();
                 fluid.Input.material.vorticity = 0.2f;
+                fluid.Input.material.shearModulus = 300f;
                 fluid.Input.material.artificialPressure = 0.1f;
                 fluid.Input.settings.substeps = 2;
                 return fluid;
@@ -159,6 +160,7 @@ namespace Rill.Tests
                 settings.relaxation = 0.8f;
                 var fluid = new TestFluid(new float3(0.8f, 0.8f, 0.8f), 0.04f, 1000, settings, largestBinding: 640 * 64 * 4);
                 fluid.Input.material.vorticity = 0.3f;
+                fluid.Input.material.shearModulus = 300f;
                 return fluid.AddBlock(0.1f, new float3(0.4f, 0.36f, 0.4f));
             }
         }
@@ -177,6 +179,7 @@ namespace Rill.Tests
             {
                 var fluid = new TestFluid(new float3(1f, 0.6f, 0.5f), 0.05f, 1000, SolverSettings.Default, largestBinding);
                 fluid.Input.material.vorticity = 0.3f;
+                fluid.Input.material.shearModulus = 300f;
                 AddDam(fluid);
                 return fluid;
             }

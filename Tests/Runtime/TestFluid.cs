@@ -44,10 +44,12 @@ namespace Rill.Tests
             return Add(block.positions.Select(p => corner + p.xyz).Where(p => Reference.Shapes.Distance(shape, p) >= 0.5).Select(p => p * Spacing).ToArray());
         }
 
-        public TestFluid Add(float3[] places, float3 velocity = default)
+        public TestFluid Add(float3[] places, float3 velocity = default) => Add(places, _ => velocity);
+
+        public TestFluid Add(float3[] places, Func<float3, float3> velocityAt)
         {
             using (var positions = new NativeArray<float4>(places.Select(p => new float4(p, 0f)).ToArray(), Allocator.Persistent))
-            using (var velocities = new NativeArray<float4>(places.Select(_ => new float4(velocity, 0f)).ToArray(), Allocator.Persistent))
+            using (var velocities = new NativeArray<float4>(places.Select(p => new float4(velocityAt(p), 0f)).ToArray(), Allocator.Persistent))
                 Solver.Add(positions, velocities);
             Added += places.Length;
             return this;

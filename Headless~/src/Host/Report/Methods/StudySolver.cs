@@ -31,8 +31,8 @@ namespace Host.Report.Methods
         /// <param name="method">The solver's from now on.</param>
         public StudySolver(SolverLayout layout, in StepInput input, ConstraintMethod method, CoarseVariation variation = null)
         {
-            if (input.settings.deepWater == DeepWater.Automatic || input.material.vorticity > 0f || input.material.artificialPressure > 0f)
-                throw new ArgumentException("The study's solver takes deep water On or Off, no vorticity and no artificial pressure.");
+            if (input.settings.deepWater == DeepWater.Automatic || input.material.vorticity > 0f || input.material.shearModulus > 0f || input.material.artificialPressure > 0f)
+                throw new ArgumentException("The study's solver takes deep water On or Off, no vorticity, no elasticity and no artificial pressure.");
             Layout = layout;
             this.input = input;
             this.method = method;

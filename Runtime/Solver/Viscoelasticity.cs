@@ -1,0 +1,142 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// The extra stress of a fluid that remembers its stretch: an Oldroyd-B fluid, whose tensor B travels with each particle and
+    /// relaxes in one time (see Viscoelasticity.compute). Made when first needed; until then nothing is stretched.
+    /// </summary>
+    sealed class Viscoelasticity : IDisposable
+    {
+        /// <summary>kMostStiffness of Viscoelasticity.compute over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
+        public static readonly double MostStiffness = 1.0 / (2.0 * Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Viscoelasticity");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Viscoelasticity");
+        readonly int deform, applyStress;
+        readonly LocalKeyword twoLists, sleep;
+        GraphicsBuffer conformation, deformed, stress, origins;
+
+        public Viscoelasticity(int capacity)
+        {
+            deform = shader.FindKernel("Deform");
+            applyStress = shader.FindKernel("ApplyStress");
+            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            conformation = GpuBuffer.Structured<Symmetric>("Rill.Conformation", capacity);
+            deformed = GpuBuffer.Structured<Symmetric>("Rill.DeformedConformation", capacity);
+            stress = GpuBuffer.Structured<float3x3>("Rill.Stress", capacity);
+            origins = GpuBuffer.Structured<uint>("Rill.Origins", capacity);
+            conformation.SetData(new Symmetric[capacity]);
+        }
+
+        /// <summary>A symmetric tensor of a particle, Symmetric in Viscoelasticity.compute.</summary>
+        [StructLayout(LayoutKind.Sequential)]
+        public struct Symmetric
+        {
+            /// <summary>xx, yy, zz.</summary>
+            public float3 diagonal;
+            /// <summary>yz, xz, xy.</summary>
+            public float3 others;
+        }
+
+        /// <summary>[capacity], B − I of the particles of the last substep; 0 is unstretched.</summary>
+        public GraphicsBuffer Conformation => conformation;
+
+        /// <summary>uint [capacity], where each particle was before the sort; NeighborSearch writes it.</summary>
+        public GraphicsBuffer Origins => origins;
+
+        public static bool IsNeeded(in StepInput input) => input.material.shearModulus > 0f;
+
+        /// <summary>Records how the stretch follows the particles' way in this substep and what its stress does to their velocities.</summary>
+        /// <param name="resting">Whose particles keep their stretch and their rest; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, SolverLayout layout, in StepInput input, RestingRegions resting = null)
+        {
+            FluidMaterial material = input.material;
+            float dt = input.timeStep / input.settings.substeps;
+            cmd.BeginSample(Marker);
+            lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * layout.Spacing * layout.Spacing));
+            cmd.SetComputeFloatParam(shader, Ids.Relaxing, math.exp(-0.5f * dt / material.relaxationTime));
+
+            cmd.SetComputeBufferParam(shader, deform, Ids.Origins, origins);
+            cmd.SetComputeBufferParam(shader, deform, Ids.Conformation, conformation);
+            cmd.SetComputeBufferParam(shader, deform, Ids.Deformed, deformed);
+            Dispatch(cmd, deform, particles, lists, resting);
+            cmd.SetComputeBufferParam(shader, applyStress, Ids.Velocities, particles.Velocities);
+            Dispatch(cmd, applyStress, particles, lists, resting);
+            cmd.EndSample(Marker);
+            (conformation, deformed) = (deformed, conformation);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref conformation);
+            GpuBuffer.Release(ref deformed);
+            GpuBuffer.Release(ref stress);
+            GpuBuffer.Release(ref origins);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="resting">Null for none.</param>
+        public static StageDescription Describe(Viscoelasticity stage, in StepInput input, SolverLayout layout, NeighborLists lists, RestingRegions resting)
+        {
+            bool needed = IsNeeded(input);
+            var description = new StageDescription("Viscoelasticity", needed, Reason(input, layout));
+            if (!needed || stage == null)
+                return description;
+            string variant = RestingRegions.Variant(lists.Variant, resting);
+            description.Kernel("NeighborSearch", "GatherOrigins", input.settings.substeps, RestingRegions.Variant(null, resting));
+            description.Kernel("Viscoelasticity", "Deform", input.settings.substeps, variant);
+            description.Kernel("Viscoelasticity", "ApplyStress", input.settings.substeps, variant);
+            description.Buffer("Rill.Conformation", stage.conformation);
+            description.Buffer("Rill.DeformedConformation", stage.deformed);
+            description.Buffer("Rill.Stress", stage.stress);
+            description.Buffer("Rill.Origins", stage.origins);
+            return description;
+        }
+
+        static string Reason(in StepInput input, SolverLayout layout)
+        {
+            FluidMaterial material = input.material;
+            if (material.shearModulus <= 0f)
+                return "the shear modulus is 0";
+            string text = $"shear modulus {material.shearModulus} Pa, relaxing in {material.relaxationTime} s";
+            float largest = material.LargestShearModulus(layout.Spacing, input.timeStep / input.settings.substeps);
+            return material.shearModulus > largest ? $"{text}; at this spacing and substep it acts like {largest:G3} Pa" : text;
+        }
+
+        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, RestingRegions resting)
+        {
+            lists.Bind(cmd, shader, kernel);
+            resting?.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Stress, stress);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        public static class Ids
+        {
+            public static readonly int Origins = Shader.PropertyToID("_Origins");
+            public static readonly int Conformation = Shader.PropertyToID("_Conformation");
+            public static readonly int Deformed = Shader.PropertyToID("_Deformed");
+            public static readonly int Stress = Shader.PropertyToID("_Stress");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Stiffness = Shader.PropertyToID("_Stiffness");
+            public static readonly int Relaxing = Shader.PropertyToID("_Relaxing");
+        }
+    }
+}
