@@ -185,7 +185,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Temporary_files_lie_in_the_projects_Temp_folder_each_with_a_name_of_its_own()
+        public void Temporary_files_lie_in_a_Temp_folder_each_with_a_name_of_its_own()
         {
             string one = FileUtil.GetUniqueTempPathInProject(), two = FileUtil.GetUniqueTempPathInProject();
             Assert.That(one, Is.Not.EqualTo(two));

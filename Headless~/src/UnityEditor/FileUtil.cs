@@ -1,30 +1,27 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
-using UnityEngine.Headless;
 
 namespace UnityEditor
 {
     public class FileUtil
     {
-        static readonly List<string> temporary = new List<string>();
+        static string temp;
 
-        static FileUtil() => AppDomain.CurrentDomain.ProcessExit += (sender, exit) => Clean();
-
-        /// <summary>In the project's Temp folder, which the Editor empties as it closes: what was written at these paths goes with the process.</summary>
+        /// <summary>
+        /// In a folder Temp, which goes with the process as the project's goes with the Editor. It is the machine's: where a package
+        /// plays the project, one in its root would be imported with it.
+        /// </summary>
         public static string GetUniqueTempPathInProject()
         {
-            string folder = Path.Combine(Player.ProjectPath, "Temp");
-            Directory.CreateDirectory(folder);
-            string path = Path.Combine(folder, "UnityTempFile-" + Guid.NewGuid().ToString("N"));
-            temporary.Add(path);
-            return path;
+            temp ??= MakeTemp();
+            return Path.Combine(temp, "UnityTempFile-" + Guid.NewGuid().ToString("N"));
         }
 
-        static void Clean()
+        static string MakeTemp()
         {
-            foreach (string path in temporary)
-                File.Delete(path);
+            string root = Path.Combine(Path.GetTempPath(), "rill-project-" + Guid.NewGuid().ToString("N"));
+            AppDomain.CurrentDomain.ProcessExit += (sender, exit) => Directory.Delete(root, recursive: true);
+            return Directory.CreateDirectory(Path.Combine(root, "Temp")).FullName;
         }
     }
 }
