@@ -27,7 +27,7 @@ bool CountInCell(uint i, float3 predicted)
     return isFinite;
 }
 
-// The same as part of a step, which tells of particles that are left out, and whose lists have not overflowed yet.
+// The same as part of a step, which tells of particles that are left out.
 void CountInStep(uint i, float3 predicted)
 {
     if (!CountInCell(i, predicted))
