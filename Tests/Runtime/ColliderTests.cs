@@ -85,6 +85,21 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void What_is_not_finite_beside_a_shape_is_culled_alone([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        {
+            ColliderMotion ball = Still(ColliderShape.Sphere, 3f, new float3(9f, 7f, 9f), quaternion.identity);
+            using (TestFluid fluid = Box(deepWater).AddAround(ball, 0f, new float3(18f, 6f, 18f)))
+            {
+                float none = float.NaN, endless = float.PositiveInfinity;
+                fluid.Add(new[] { new float3(none, 0.4f, 0.4f), new float3(0.4f, endless, 0.4f), new float3(0.4f, 0.4f, -endless) });
+                fluid.Add(new[] { new float3(0.2f, 0.5f, 0.2f), new float3(0.4f, 0.5f, 0.7f), new float3(0.7f, 0.5f, 0.4f) }, p => p.x < 0.3f ? none : p.x < 0.5f ? endless : new float3(0f, -endless, none));
+                Use(fluid, ball);
+                Assert.That(fluid.Step(3).MeasureWhole().nonFinite, Is.EqualTo(6));
+                Assert.That(Nearest(fluid, ball), Is.LessThan(1.5f));       // water that it has met
+            }
+        }
+
+        [Test]
         public void A_collider_adds_the_density_of_what_lies_behind_its_surface([Values(ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule, ColliderShape.Plane, ColliderShape.Mesh)] ColliderShape shape, [Values] bool insideOut)
         {
             if (shape == ColliderShape.Mesh)
