@@ -60,6 +60,8 @@ static const uint kWaiting = 11;            // due from an emitter and without r
 static const uint kRecycling = 12;          // drained and not yet back from an emitter
 static const uint kMoved = 13;              // took part in the last step: the first of those alive
 
+static const uint kNoOrigin = 0xFFFFFFFFu;  // in place of where a sorted particle was before the sort: it is new since the last step
+
 uint ParticleIndex(uint3 group, uint thread)
 {
     return (group.y * kMaxGroups + group.x) * kGroup + thread;

@@ -59,27 +59,28 @@ namespace Rill
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             RecordCount(cmd, particles, coarse, resting, colliders);
-            cmd.EndSample(Marker);
-            colliders?.RecordPaths(cmd, particles, cellHistogram, cellRanks, resting);
-
-            cmd.BeginSample(Marker);
+            if (colliders != null)
+            {
+                cmd.EndSample(Marker);      // what they take is theirs
+                colliders.RecordPaths(cmd, particles, cellHistogram, cellRanks, resting);
+                cmd.BeginSample(Marker);
+            }
             RecordOrder(cmd, particles);
             if (origins != null)
-                RecordOrigins(cmd, particles, origins);
+            {
+                cmd.SetComputeBufferParam(shader, gatherOrigins, Viscoelasticity.Ids.Origins, origins);
+                DispatchOrdered(cmd, particles, gatherOrigins);
+            }
 
             int kernel = colliders == null ? gather : gatherBeside;
             resting?.Bind(cmd, shader, kernel);
             colliders?.BindSort(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Predicted, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SortedIds, particles.SortedIds);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            DispatchOrdered(cmd, particles, kernel);
             cmd.EndSample(Marker);
         }
 
@@ -88,13 +89,9 @@ namespace Rill
         /// <param name="to">uint [capacity], sorted.</param>
         public void RecordGather(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to)
         {
-            cmd.SetComputeBufferParam(shader, gatherTags, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, gatherTags, Ids.CellStarts, CellStarts);
-            cmd.SetComputeBufferParam(shader, gatherTags, Ids.Order, Order);
-            cmd.SetComputeBufferParam(shader, gatherTags, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, gatherTags, ParticleTags.Ids.Tags, from);
             cmd.SetComputeBufferParam(shader, gatherTags, ParticleTags.Ids.SortedTags, to);
-            cmd.DispatchCompute(shader, gatherTags, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            DispatchOrdered(cmd, particles, gatherTags);
         }
 
         /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
@@ -135,14 +132,14 @@ namespace Rill
             return stage;
         }
 
-        void RecordOrigins(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer origins)
+        // A kernel that asks for the order of the particles, by OrderedSlot.
+        void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel)
         {
-            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.CellStarts, CellStarts);
-            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.Order, Order);
-            cmd.SetComputeBufferParam(shader, gatherOrigins, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, gatherOrigins, Viscoelasticity.Ids.Origins, origins);
-            cmd.DispatchCompute(shader, gatherOrigins, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)
