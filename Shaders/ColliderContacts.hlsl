@@ -5,6 +5,7 @@
 #include "ColliderBins.hlsl"
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
+static const float kSettled = 0.005;        // d: as near to where it must stay as a mesh's distances tell; more would be asked of them for ever
 static const uint kSettleSteps = 8;
 
 // ---- density
@@ -231,7 +232,7 @@ Surroundings Settle(inout float3 p, float inset, inout uint by)
     for (uint i = 0; moves; i++)
     {
         around = FindSurroundings(p);
-        moves = around.contact.w < inset - 1e-4 && i < kSettleSteps;
+        moves = around.contact.w < inset - kSettled && i < kSettleSteps;
         if (moves)
         {
             by = around.nearest;

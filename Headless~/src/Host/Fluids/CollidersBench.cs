@@ -21,6 +21,7 @@ namespace Host.Fluids
         const float ShareOfWater = 0.03f;       // of the block's volume that the most colliders take
         const float LeastRadius = 1.5f;         // d
         const float Voxel = 0.5f;               // d
+        const string Without = "same water, none";
         static readonly (string Name, int First, int Last)[] Windows = StepTimes.Windows.Append(StepTimes.Settled).ToArray();
         static readonly ColliderShape[] Mixed = { ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule, ColliderShape.Mesh };
 
@@ -110,7 +111,11 @@ namespace Host.Fluids
             using var velocities = new NativeArray<float4>(positions.Length, Allocator.Persistent);
             using var solver = new PbfSolver(scene.LayoutFor(settings));
             NativeArray<float4> places = positions, speeds = velocities;
-            return StepTimes.Measure(solver, s => s.Add(places, speeds), input, window.First, window.Last, steps, cmd => solver.Reactions?.RecordTake(cmd));
+            using SameWater without = colliders.Length > 0 ? new SameWater(scene.LayoutFor(settings), input, positions, velocities) : null;
+            Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, s => s.Add(places, speeds), input, window.First, window.Last, steps, cmd => solver.Reactions?.RecordTake(cmd), () => without?.Time(solver));
+            if (without != null)
+                times[Without] = without.Times;
+            return times;
         }
 
         // Evenly through the dam, each turned another way.
@@ -199,18 +204,17 @@ namespace Host.Fluids
 
         static void Print(List<(int Count, bool Forces, Dictionary<string, StepTimes.Spread> Times)> runs, TextWriter output)
         {
-            string[] stages = runs.SelectMany(run => run.Times.Keys).Distinct().OrderBy(stage => stage == StepTimes.Step).ToArray();
+            string[] stages = runs.SelectMany(run => run.Times.Keys).Distinct().OrderBy(stage => stage == StepTimes.Step ? 1 : stage == Without ? 2 : 0).ToArray();
             int width = stages.Max(stage => stage.Length) + 2;
             string Row(string name, Func<Dictionary<string, StepTimes.Spread>, string> cell) => name.PadRight(width) + string.Concat(runs.Select(run => $"{cell(run.Times),14}"));
             output.WriteLine();
             output.WriteLine("colliders".PadRight(width) + string.Concat(runs.Select(run => $"{run.Count + (run.Forces ? " + forces" : ""),14}")));
             foreach (string stage in stages)
                 output.WriteLine(Row(stage, times => times.TryGetValue(stage, out StepTimes.Spread spread) ? spread.Median.ToString("0.0000", CultureInfo.InvariantCulture) : "–"));
+            string Over(double step, double other) => (step / other - 1).ToString("+0.0 %;-0.0 %", CultureInfo.InvariantCulture);
+            output.WriteLine(Row("step over that", times => times.TryGetValue(Without, out StepTimes.Spread same) ? Over(times[StepTimes.Step].Median, same.Median) : "–"));
             if (runs[0].Count == 0)
-            {
-                double alone = runs[0].Times[StepTimes.Step].Median;
-                output.WriteLine(Row("step over none", times => (times[StepTimes.Step].Median / alone - 1).ToString("+0.0 %;-0.0 %", CultureInfo.InvariantCulture)));
-            }
+                output.WriteLine(Row("step over none", times => Over(times[StepTimes.Step].Median, runs[0].Times[StepTimes.Step].Median)));
             output.WriteLine($"ms, medians of {runs[0].Times[StepTimes.Step].Count} steps");
         }
     }

@@ -26,8 +26,9 @@ namespace Host.Fluids
 
         /// <param name="fill">Fills the solver, which was just cleared.</param>
         /// <param name="after">Recorded after each step and timed with it; null for nothing.</param>
+        /// <param name="before">Called before each step that is measured; null for nothing.</param>
         /// <returns>By stage.</returns>
-        public static Dictionary<string, Spread> Measure(PbfSolver solver, Action<PbfSolver> fill, in StepInput input, int first, int last, int steps, Action<CommandBuffer> after = null)
+        public static Dictionary<string, Spread> Measure(PbfSolver solver, Action<PbfSolver> fill, in StepInput input, int first, int last, int steps, Action<CommandBuffer> after = null, Action before = null)
         {
             IGraphicsDevice device = Player.Device;
             var times = new Dictionary<string, List<double>>();
@@ -40,19 +41,14 @@ namespace Host.Fluids
                 fill(solver);
                 for (int step = 1; step <= last && measured < steps; step++)
                 {
-                    device.Timing = step >= first;
-                    cmd.Clear();
-                    cmd.BeginSample(Step);
-                    solver.Step(cmd, input);
-                    after?.Invoke(cmd);
-                    cmd.EndSample(Step);
-                    Graphics.ExecuteCommandBuffer(cmd);
-                    device.Flush();
                     if (step < first)
+                    {
+                        Play(device, cmd, solver, input, after);
                         continue;
-
+                    }
+                    before?.Invoke();
                     measured++;
-                    foreach (IGrouping<string, DeviceSample> stage in device.CollectSamples().GroupBy(sample => sample.Name))
+                    foreach (IGrouping<string, DeviceSample> stage in Time(device, cmd, solver, input, after).GroupBy(sample => sample.Name))
                     {
                         if (!times.TryGetValue(stage.Key, out List<double> list))
                             times[stage.Key] = list = new List<double>();
@@ -61,8 +57,27 @@ namespace Host.Fluids
                 }
                 device.WaitIdle();
             }
-            device.Timing = false;
             return times.ToDictionary(pair => pair.Key, pair => Spread.Of(pair.Value));
+        }
+
+        /// <summary>Takes one step and times it.</summary>
+        public static IReadOnlyList<DeviceSample> Time(IGraphicsDevice device, CommandBuffer cmd, PbfSolver solver, in StepInput input, Action<CommandBuffer> after = null)
+        {
+            device.Timing = true;
+            Play(device, cmd, solver, input, after);
+            device.Timing = false;
+            return device.CollectSamples();
+        }
+
+        static void Play(IGraphicsDevice device, CommandBuffer cmd, PbfSolver solver, in StepInput input, Action<CommandBuffer> after)
+        {
+            cmd.Clear();
+            cmd.BeginSample(Step);
+            solver.Step(cmd, input);
+            after?.Invoke(cmd);
+            cmd.EndSample(Step);
+            Graphics.ExecuteCommandBuffer(cmd);
+            device.Flush();
         }
 
         // A GPU that idled while a scene was made and its kernels were compiled lowers its clock, to a third on an H200, and raises it
@@ -73,18 +88,10 @@ namespace Host.Fluids
                 return;
             solver.Clear();
             fill(solver);
-            Play(input);        // compiles
+            Play(device, cmd, solver, input, null);        // compiles
             for (var watch = Stopwatch.StartNew(); watch.ElapsedMilliseconds < WarmUpMilliseconds;)
-                Play(input);
+                Play(device, cmd, solver, input, null);
             device.WaitIdle();
-
-            void Play(in StepInput each)
-            {
-                cmd.Clear();
-                solver.Step(cmd, each);
-                Graphics.ExecuteCommandBuffer(cmd);
-                device.Flush();
-            }
         }
 
         /// <summary>Median, and the values that a tenth is below and above.</summary>
