@@ -7,9 +7,9 @@ namespace Rill
     readonly struct DomainFrame
     {
         readonly Vector3 position;
-        readonly Quaternion toDomain;
+        readonly Quaternion toDomain, toWorld;
         readonly float3 half;
-        readonly float inverseSpacing;
+        readonly float spacing, inverseSpacing;
 
         /// <param name="position">Of the domain's centre, world space, m.</param>
         /// <param name="size">m.</param>
@@ -17,8 +17,10 @@ namespace Rill
         public DomainFrame(Vector3 position, Quaternion rotation, float3 size, float spacing)
         {
             this.position = position;
+            toWorld = rotation;
             toDomain = Quaternion.Inverse(rotation);
             half = size * 0.5f;
+            this.spacing = spacing;
             inverseSpacing = 1f / spacing;
         }
 
@@ -30,6 +32,9 @@ namespace Rill
         public Quaternion Rotation(Quaternion world) => toDomain * world;
 
         public RigidPose Pose(Vector3 worldPosition, Quaternion worldRotation) => new RigidPose(Point(worldPosition), Rotation(worldRotation));
+
+        /// <summary>A pose of the domain's frame in world space, m.</summary>
+        public RigidPose World(in RigidPose pose) => new RigidPose((float3)(position + toWorld * (pose.position * spacing - half)), toWorld * pose.rotation);
 
         public PlaceInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
         {

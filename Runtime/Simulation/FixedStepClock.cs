@@ -16,6 +16,12 @@ namespace Rill
         /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps has moved.</summary>
         public double Passed { get; private set; }
 
+        /// <summary>Time by which the steps of that last frame stayed behind it, s: less than a step.</summary>
+        public double Behind { get; private set; }
+
+        /// <summary>The same of the frame before it.</summary>
+        public double LastBehind { get; private set; }
+
         /// <summary>Steps to take for a frame.</summary>
         /// <param name="frameTime">s, not negative.</param>
         /// <param name="step">Length of a fixed step, s, above 0.</param>
@@ -32,6 +38,8 @@ namespace Rill
             {
                 Passed = passing > 0.0 ? passing : steps * step;        // a shorter step may be due without a frame's time
                 passing = 0.0;
+                LastBehind = Behind;
+                Behind = accumulated > Tolerance * step ? accumulated : 0.0;
             }
             return steps;
         }

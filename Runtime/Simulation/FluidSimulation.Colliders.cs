@@ -47,12 +47,11 @@ namespace Rill
             {
                 if (!collider.TryDescribe(out ColliderMotion motion))
                     continue;
-                RigidPose pose = motion.end;
                 ToDomain(ref motion, frame);
                 int last = LastIndex(collider);
-                bool follows = last >= 0 && lastTeleports[last] == collider.Teleports && (!collidersJump || motion.end.Equals(lastMotions[last].end));
+                bool follows = last >= 0 && lastTeleports[last] == collider.Teleports && (!collidersJump || motion.seen.Equals(lastMotions[last].seen));
                 if (follows)
-                    motion.start = lastMotions[last].end;
+                    Follow(ref motion, lastMotions[last]);
                 if (!IsNear(motion))
                 {
                     if (last >= 0)
@@ -72,7 +71,7 @@ namespace Rill
                 colliderOwners[index] = collider;
                 colliderTeleports[index] = collider.Teleports;
                 if (motion.reacts)
-                    Track(index, follows ? last : -1, pose, duration);
+                    Track(index, follows ? last : -1, frame.World(motion.end), duration);
             }
             collidersJump = false;
             if (changed || colliders.Count != lastColliderCount)
@@ -95,10 +94,21 @@ namespace Rill
         void ToDomain(ref ColliderMotion motion, in DomainFrame frame)
         {
             motion.end = new RigidPose(frame.Point(motion.end.position), frame.Rotation(motion.end.rotation));
-            motion.start = motion.end;
+            motion.start = motion.seen = motion.end;
             motion.size /= particleSpacing;
             motion.voxel /= particleSpacing;
             motion.fieldUnit /= particleSpacing;
+        }
+
+        // Frames and steps differ: an even motion is even in the fluid only if an obstacle goes as far in the steps as it went in their time.
+        void Follow(ref ColliderMotion motion, in ColliderMotion last)
+        {
+            motion.start = last.end;
+            double reached = clock.Passed - clock.Behind;       // after the frame before, s
+            if (reached >= 0.0)
+                motion.end = RigidPose.Between(last.seen, motion.seen, (float)(reached / clock.Passed));
+            else
+                motion.end = RigidPose.Between(last.end, last.seen, (float)(1.0 + reached / clock.LastBehind));
         }
 
         // Whether it or its way comes near enough to be felt; what has no end, or holds the fluid, does.

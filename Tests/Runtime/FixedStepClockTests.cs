@@ -78,6 +78,20 @@ namespace Rill.Tests
             Assert.That(clock.Passed, Is.EqualTo(frameSteps < 1.0 ? 0.9 * Step : before).Within(1e-9));
         }
 
+        [TestCase(0.4, 3, 0.2, 0.0)]
+        [TestCase(0.4, 5, 0.0, 0.2)]
+        [TestCase(1.25, 2, 0.5, 0.25)]
+        [TestCase(1.0, 2, 0.0, 0.0)]
+        [TestCase(40.5, 1, 0.5, 0.0)]
+        public void The_steps_stay_behind_the_frame_by_less_than_one(double frameSteps, int frames, double behindSteps, double lastSteps)
+        {
+            var clock = new FixedStepClock();
+            for (int frame = 0; frame < frames; frame++)
+                clock.Advance(frameSteps * Step, Step, 4);
+            Assert.That(clock.Behind, Is.EqualTo(behindSteps * Step).Within(1e-9), "after the last frame that stepped");
+            Assert.That(clock.LastBehind, Is.EqualTo(lastSteps * Step).Within(1e-9), "after the one before");
+        }
+
         [Test]
         public void A_very_long_frame_neither_overflows_nor_wraps()
         {

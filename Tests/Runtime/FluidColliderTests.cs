@@ -66,6 +66,36 @@ namespace Rill.Tests
             Assert.That(simulation.Input.frameFrom, Is.EqualTo(0.5f), "the second of two steps");
         }
 
+        // Frames at 144 Hz take a step of 1/60 s every second or third time.
+        [Test]
+        public void An_even_motion_is_even_in_the_steps_whatever_the_frames_are([Values(144f, 61f, 100f, 45f, 25f)] float rate)
+        {
+            const float speed = 0.6f, turn = 40f;      // m/s, degrees/s
+            FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position - 0.3f * Vector3.right);
+            simulation.Advance(simulation.FixedStep);
+            float wanted = speed * simulation.FixedStep / 0.05f;
+            var there = (int)rate;
+            for (int frame = 0; frame < 2 * there; frame++)
+            {
+                collider.transform.position += speed / rate * (frame < there ? Vector3.right : Vector3.left);
+                collider.transform.Rotate(0f, turn / rate, 0f);
+                int before = simulation.StepCount;
+                simulation.Advance(1f / rate);
+                int steps = simulation.StepCount - before;
+                if (steps == 0 || frame < 5 || math.abs(frame - there) < 5)     // where it begins, and turns back
+                    continue;
+                ColliderMotion motion = simulation.Input.colliders.Items[0];
+                Assert.That(math.distance(motion.start.position, motion.end.position) / steps, Is.EqualTo(wanted).Within(0.01f * wanted), $"frame {frame}");
+                Assert.That(Quaternion.Angle(motion.start.rotation, motion.end.rotation) / steps, Is.EqualTo(turn * simulation.FixedStep).Within(0.05f), $"frame {frame}");
+            }
+
+            for (int frame = 0; frame < 2 * rate / 25f + 2; frame++)
+                simulation.Advance(1f / rate);
+            ColliderMotion rests = simulation.Input.colliders.Items[0];
+            Assert.That(rests.Moves, Is.False, "what stopped rests");
+            Assert.That(rests.end.Equals(rests.seen), "where it is");
+        }
+
         [Test]
         public void A_teleport_is_no_motion()
         {

@@ -29,6 +29,28 @@ namespace Rill.Tests
                 AssertCalmsDown(fluid);
         }
 
+        // Plain iterations move pairs by as much to either side. The coarse grid's gradients do not sum to nothing over cells that are
+        // partly full: see "Limits" in colliders.md of the documentation.
+        [TestCase(DeepWater.Off, 0.001f)]
+        [TestCase(DeepWater.On, 0.08f)]
+        public void Two_blocks_that_meet_in_free_space_keep_their_momentum(DeepWater deepWater, float most)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = deepWater;
+            settings.iterations = 2;
+            using (var fluid = new TestFluid(64f * Spacing, Spacing, 8000, settings))
+            {
+                fluid.Input.gravity = 0f;
+                fluid.AddBlock(new float3(14f, 26f, 26f) * Spacing, 12f * Spacing, new float3(2.5f, 0f, 0f));
+                fluid.AddBlock(new float3(29f, 23f, 23f) * Spacing, 18f * Spacing);
+                float3 before = fluid.Measure().momentum;
+                float3 after = fluid.Step(20).MeasureWhole().momentum;
+                float gained = math.distance(after, before) / math.length(before);
+                TestContext.Out.WriteLine($"{100f * gained:0.0} % of the momentum gained or lost");
+                Assert.That(gained, Is.LessThan(most));
+            }
+        }
+
         [Test]
         public void Water_that_meets_water_at_33_spacings_in_a_step_is_not_pressed_together()
         {

@@ -3,14 +3,16 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>A solid obstacle over the time of a frame. Lengths in d, in the domain's frame.</summary>
+    /// <summary>A solid obstacle over the time of a frame's steps. Lengths in d, in the domain's frame.</summary>
     struct ColliderMotion
     {
         public ColliderShape shape;
         /// <summary>Sphere: x radius. Box: half sides. Capsule: x radius, y half its straight part. Mesh: half sides of its field's volume. Height field: half sides along x and z, along y half of what its heights span.</summary>
         public float3 size;
-        /// <summary>At the start and at the end of the frame.</summary>
+        /// <summary>At the start and at the end of the steps.</summary>
         public RigidPose start, end;
+        /// <summary>At the frame itself, which the steps may stay behind.</summary>
+        public RigidPose seen;
         /// <summary>Share of the velocity along the surface that what touches loses in 1/60 s.</summary>
         public float friction;
         /// <summary>Share of the velocity into the surface that is given back.</summary>
