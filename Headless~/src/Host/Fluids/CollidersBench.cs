@@ -21,7 +21,7 @@ namespace Host.Fluids
         const float ShareOfWater = 0.03f;       // of the block's volume that the most colliders take
         const float LeastRadius = 1.5f;         // d
         const float Voxel = 0.5f;               // d
-        const string With = "in pairs: step", Without = "the same water, none";
+        const string With = "in pairs: step", Without = "the same water without";
         static readonly (string Name, int First, int Last)[] Windows = StepTimes.Windows.Append(StepTimes.Settled).ToArray();
         static readonly ColliderShape[] Mixed = { ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule, ColliderShape.Mesh };
 
