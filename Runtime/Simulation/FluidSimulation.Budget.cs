@@ -49,11 +49,12 @@ namespace Rill
 
             bool isMeasured = pbf.TryGetStatistics(input, out FluidStatistics statistics);
             GetPlace(out _, out Quaternion rotation);
-            var still = new StepInput { settings = solver, gravity = Quaternion.Inverse(rotation) * gravity };
+            var still = new StepInput { settings = solver, material = material, gravity = Quaternion.Inverse(rotation) * gravity };
             effective = budgeted.BeginFrame(seconds, budget, new BudgetScene
             {
                 asked = solver,
                 deepWater = pbf.IsDeep(still),
+                elastic = Viscoelasticity.IsNeeded(still),
                 gravityStep = GravityStep,
                 particles = isMeasured ? statistics.particles : capacity,
                 densityError = isMeasured ? statistics.densityError : float.NaN,

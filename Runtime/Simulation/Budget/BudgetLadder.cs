@@ -39,6 +39,9 @@ namespace Rill
 
         public BudgetRung this[int rung] => rungs[rung];
 
+        /// <summary>Whether the fluid remembers its stretch, which costs as much with all rungs.</summary>
+        public bool IsElastic { get; set; }
+
         /// <summary>Whether the bounds leave nothing that is stable, so that they are exceeded.</summary>
         public bool BoundsGaveWay { get; private set; }
 
@@ -69,12 +72,12 @@ namespace Rill
         }
 
         /// <summary>Time of a step by the cost model, ms.</summary>
-        public float Cost(int rung, float particles) => StepCost.Milliseconds(rungs[rung].Substeps, rungs[rung].Iterations, particles, isDeep);
+        public float Cost(int rung, float particles) => StepCost.Milliseconds(rungs[rung].Substeps, rungs[rung].Iterations, particles, isDeep, IsElastic);
 
         /// <summary>The best rung that costs no more than given settings do, or the least.</summary>
         public int Nearest(int substeps, int iterations, float particles)
         {
-            float cost = StepCost.Milliseconds(substeps, iterations, particles, isDeep);
+            float cost = StepCost.Milliseconds(substeps, iterations, particles, isDeep, IsElastic);
             int nearest = 0;
             for (int i = 1; i < Count; i++)
                 if (Cost(i, particles) <= cost * 1.001f)

@@ -7,7 +7,7 @@ namespace Rill
     struct BudgetScene
     {
         public SolverSettings asked;
-        public bool deepWater;
+        public bool deepWater, elastic;
         /// <summary>|g| Δt² of a fixed step, d.</summary>
         public float gravityStep;
         public float particles;
@@ -45,6 +45,7 @@ namespace Rill
         public SolverSettings BeginFrame(float seconds, in SolverBudget budget, in BudgetScene scene)
         {
             SolverSettings asked = scene.asked;
+            ladder.IsElastic = scene.elastic;
             if (ladder.Build(scene.deepWater, scene.gravityStep, budget))
                 TakeUp(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);
 
@@ -66,7 +67,7 @@ namespace Rill
             bool chooses = controller.Factor > 0f;
             SolverSettings settings = chooses ? rung.Apply(asked) : asked;
             settings.substeps = settings.StableSubsteps(scene.gravityStep);
-            stepCost = StepCost.Milliseconds(settings.substeps, settings.iterations, scene.particles, scene.deepWater);
+            stepCost = StepCost.Milliseconds(settings.substeps, settings.iterations, scene.particles, scene.deepWater, scene.elastic);
             state = new BudgetState
             {
                 reason = controller.Reason,

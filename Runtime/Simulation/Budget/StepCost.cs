@@ -10,14 +10,17 @@ namespace Rill
 
         /// <param name="particles">Alive.</param>
         /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water.</param>
+        /// <param name="elastic">Whether the fluid remembers its stretch.</param>
         /// <returns>ms.</returns>
-        public static float Milliseconds(int substeps, int iterations, float particles, bool deepWater)
+        public static float Milliseconds(int substeps, int iterations, float particles, bool deepWater, bool elastic)
         {
             float millions = particles / Million;
             // Sort, list with the first multiplier, velocity: a latency that no count saves, and a share by particle.
             float substep = 0.044f + 0.507f * millions;
             if (deepWater)
                 substep += 0.09f + 0.097f * millions;
+            if (elastic)
+                substep += 0.027f + 0.498f * millions;
             float displace = 0.004f + 0.093f * millions, multiplier = 0.003f + 0.087f * millions;
             return substeps * (substep + iterations * displace + (iterations - 1) * multiplier);
         }

@@ -68,6 +68,21 @@ namespace Rill.Tests
             Assert.That(time.IsDisposed);
         }
 
+        // The same device as above, which takes 1.1 ms with 2 iterations and 1.66 with 6: what remembering the stretch costs comes on top, 0.54 ms at this factor.
+        [UnityTest]
+        public IEnumerator What_an_elastic_fluid_costs_is_known()
+        {
+            FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, Milliseconds(1.7f), elastic =>
+            {
+                FluidMaterial material = elastic.Material;
+                material.shearModulus = 50f;
+                elastic.Material = material;
+            });
+            yield return Frames(Second);
+            Assert.That(Used(fluid), Is.EqualTo("1 x 2"));
+            Assert.That(fluid.BudgetState.milliseconds, Is.EqualTo(1.64f).Within(3).Percent);
+        }
+
         [UnityTest]
         public IEnumerator Without_a_known_time_the_fluid_runs_as_it_was_set_bit_for_bit()
         {

@@ -44,7 +44,7 @@ namespace Host.Report.Budget
                     Experiment experiment = Experiment.Run(scene, input, seconds, sampleEvery: 10);
                     table.Add(deep ? "deep" : "shallow", scene.Particles, substeps, iterations, Relaxation, onLadder.Contains((substeps, iterations)) ? 1 : 0,
                         experiment.Moving(s => s.densityError), experiment.Settled(s => s.densityError), experiment.Settled(s => s.jitter),
-                        experiment.Milliseconds("settled"), StepCost.Milliseconds(substeps, iterations, scene.Particles, deep));
+                        experiment.Milliseconds("settled"), StepCost.Milliseconds(substeps, iterations, scene.Particles, deep, false));
                     run.Log($"{(deep ? "deep" : "shallow")} {substeps} x {iterations}");
                 }
             }
