@@ -30,7 +30,7 @@ namespace Rill.Tests
         }
 
         // Plain iterations move pairs by as much to either side. The coarse grid's gradients do not sum to nothing over cells that are
-        // partly full: see "Limits" in colliders.md of the documentation.
+        // partly full: see "Momentum of a splash" in colliders.md of the documentation.
         [TestCase(DeepWater.Off, 0.001f)]
         [TestCase(DeepWater.On, 0.08f)]
         public void Two_blocks_that_meet_in_free_space_keep_their_momentum(DeepWater deepWater, float most)
