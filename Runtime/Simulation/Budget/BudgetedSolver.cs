@@ -45,8 +45,11 @@ namespace Rill
         public SolverSettings BeginFrame(float seconds, in SolverBudget budget, in BudgetScene scene)
         {
             SolverSettings asked = scene.asked;
+            SolverBudget bounds = budget;
+            if (scene.elastic)      // with fewer substeps than it was given it would be softer, see FluidMaterial.LargestShearModulus
+                bounds.leastSubsteps = Math.Max(budget.leastSubsteps, Math.Min(asked.substeps, budget.mostSubsteps));
             ladder.IsElastic = scene.elastic;
-            if (ladder.Build(scene.deepWater, scene.gravityStep, budget))
+            if (ladder.Build(scene.deepWater, scene.gravityStep, bounds))
                 TakeUp(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);
 
             StepTime time = source.Read(seconds, work);

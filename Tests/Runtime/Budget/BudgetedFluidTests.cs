@@ -83,6 +83,28 @@ namespace Rill.Tests
             Assert.That(fluid.BudgetState.milliseconds, Is.EqualTo(1.64f).Within(3).Percent);
         }
 
+        // With fewer it would be softer.
+        [UnityTest]
+        public IEnumerator An_elastic_fluid_keeps_its_substeps_as_far_as_the_bounds_let_it()
+        {
+            SolverBudget budget = Milliseconds(1.7f), bounded = budget;
+            bounded.mostSubsteps = 2;
+            FluidSimulation free = Dam(new HeldTime { Factor = 20f }, budget, Elastic), bound = Dam(new HeldTime { Factor = 20f }, bounded, Elastic);
+            yield return Frames(Second);
+            Assert.That(Used(free), Is.EqualTo("3 x 2"));
+            Assert.That(Used(bound), Is.EqualTo("2 x 2"));
+
+            void Elastic(FluidSimulation fluid)
+            {
+                FluidMaterial material = fluid.Material;
+                material.shearModulus = 50f;
+                fluid.Material = material;
+                SolverSettings settings = fluid.Settings;
+                settings.substeps = 3;
+                fluid.Settings = settings;
+            }
+        }
+
         [UnityTest]
         public IEnumerator Without_a_known_time_the_fluid_runs_as_it_was_set_bit_for_bit()
         {
