@@ -72,12 +72,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator What_an_elastic_fluid_costs_is_known()
         {
-            FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, Milliseconds(1.7f), elastic =>
-            {
-                FluidMaterial material = elastic.Material;
-                material.shearModulus = 50f;
-                elastic.Material = material;
-            });
+            FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, Milliseconds(1.7f), MakeElastic);
             yield return Frames(Second);
             Assert.That(Used(fluid), Is.EqualTo("1 x 2"));
             Assert.That(fluid.BudgetState.milliseconds, Is.EqualTo(1.64f).Within(3).Percent);
@@ -96,9 +91,7 @@ namespace Rill.Tests
 
             void Elastic(FluidSimulation fluid)
             {
-                FluidMaterial material = fluid.Material;
-                material.shearModulus = 50f;
-                fluid.Material = material;
+                MakeElastic(fluid);
                 SolverSettings settings = fluid.Settings;
                 settings.substeps = 3;
                 fluid.Settings = settings;
@@ -191,6 +184,13 @@ namespace Rill.Tests
             setUp?.Invoke(fluid);
             gameObject.SetActive(true);
             return fluid;
+        }
+
+        static void MakeElastic(FluidSimulation fluid)
+        {
+            FluidMaterial material = fluid.Material;
+            material.shearModulus = 50f;
+            fluid.Material = material;
         }
 
         static SolverBudget Milliseconds(float milliseconds)
