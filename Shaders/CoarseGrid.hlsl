@@ -2,24 +2,29 @@
 #ifndef RILL_COARSE_GRID_INCLUDED
 #define RILL_COARSE_GRID_INCLUDED
 
-// = CoarseConstants in CoarseConstants.cs, member by member.
+// = CoarseConstants in CoarseConstants.cs, member by member; as raw as RillSolver.
 cbuffer RillCoarse
 {
-    uint3 _CoarseCounts;        // cells along x, y, z
-    uint _CoarseTotal;          // their product
-    float3 _InverseCoarseSize;  // 1/d
-    float _ActiveCount;         // particles that make a cell active: two layers across it
-    float3 _Coupling;           // 1/size^2 along each axis, 1/d^2
-    float _Screening;           // 1/l^2, 1/d^2
+    uint4 _CoarseCountsAndTotal;
+    float4 _InverseCoarseSizeAndActiveCount;
+    float4 _CouplingAndScreening;
     float _InverseVolume;       // 1/d^3
     float _NegativeShare;       // of a small negative density error that the projection takes up
     float _MaxFlow;             // longest displacement of the projection, d
     float _MaxPush;             // longest displacement of the density correction, d
     uint _LevelCount;           // levels of the V-cycle below the grid itself
     uint _FirstTailLevel;       // the first of those that one thread group does together
-    float2 _SurfaceRange;       // nearest and furthest that the free surface lies from the water's middle, cells
+    float _MinSurfaceDistance;  // nearest and furthest that the free surface lies from the water's middle, cells
+    float _MaxSurfaceDistance;
     uint4 _Levels[8];           // cells along x, y, z and index of the first; [0] is the grid itself
 };
+
+#define _CoarseCounts (_CoarseCountsAndTotal.xyz)       // cells along x, y, z
+#define _CoarseTotal (_CoarseCountsAndTotal.w)          // their product
+#define _InverseCoarseSize (_InverseCoarseSizeAndActiveCount.xyz)       // 1/d
+#define _ActiveCount (_InverseCoarseSizeAndActiveCount.w)               // particles that make a cell active: two layers across it
+#define _Coupling (_CouplingAndScreening.xyz)           // 1/size^2 along each axis, 1/d^2
+#define _Screening (_CouplingAndScreening.w)            // 1/l^2, 1/d^2
 
 static const float kInactive = 1e30;    // right-hand side of a cell that is not solved for: its potential is 0
 
@@ -44,7 +49,7 @@ uint3 CellStrides(uint3 counts)
 // would feel no slope and rest in heaps.)
 float InverseSurfaceDistance(float fill, float beyond)
 {
-    return 1.0 / clamp(0.5 * min(abs(fill), 1.0) + min(abs(beyond), 1.0), _SurfaceRange.x, _SurfaceRange.y);
+    return 1.0 / clamp(0.5 * min(abs(fill), 1.0) + min(abs(beyond), 1.0), _MinSurfaceDistance, _MaxSurfaceDistance);
 }
 
 #endif

@@ -26,18 +26,20 @@ struct Collider
     float leastShare;       // of the height over a height field that is surely free on all sides
 };
 
-// = ColliderConstants in ColliderConstants.cs, member by member.
+// = ColliderConstants in ColliderConstants.cs, member by member; as raw as RillSolver.
 cbuffer RillColliders
 {
-    uint3 _ColliderCells;           // cells along x, y, z of the bins
-    uint _ColliderWords;            // words of a cell's mask: one bit for each collider
+    uint4 _ColliderCellsAndWords;
     float _ColliderCellSize;        // d
     float _InverseColliderCellSize; // 1/d
     uint _ColliderCount;
     uint _Rests;                    // whether what rests sleeps: _RegionStates holds something
     float _ColliderReach;           // d, as far as a collider can matter to a particle in a substep, once it is sorted; at least kSupport
-    float3 _ColliderPadding;
+    float _ColliderPadding0, _ColliderPadding1, _ColliderPadding2;
 };
+
+#define _ColliderCells (_ColliderCellsAndWords.xyz)     // cells along x, y, z of the bins
+#define _ColliderWords (_ColliderCellsAndWords.w)       // words of a cell's mask: one bit for each collider
 
 static const uint kSphere = 0;
 static const uint kBox = 1;

@@ -12,19 +12,15 @@ static const float kSupportSquared = 4.0;
 static const float kWallInset = 0.5;        // a particle's centre stays this far from a wall
 static const float kCoincident = 1e-8;      // squared distance below which a pair has no direction of its own
 
-// = SolverConstants in SolverConstants.cs, member by member.
+// = SolverConstants in SolverConstants.cs, member by member. It is uploaded as raw bytes: 4-vectors and runs of four scalars lie
+// at the same bytes on every graphics API; Metal gives a float3 16 bytes of its own.
 cbuffer RillSolver
 {
-    float3 _DomainSize;         // d
-    float _TimeStep;            // s, one substep
-    float3 _GravityStep;        // g dt^2, d
-    float _InverseTimeStep;     // 1/s
-    uint3 _CellCounts;          // cells along x, y, z
-    uint _CellTotal;            // their product
-    float3 _CellSize;           // d
-    float _ListRadius;          // d, support times margin
-    float3 _InverseCellSize;    // 1/d
-    float _ListRadiusSquared;
+    float4 _DomainSizeAndTimeStep;
+    float4 _GravityStepAndInverseTimeStep;
+    uint4 _CellCountsAndTotal;
+    float4 _CellSizeAndListRadius;
+    float4 _InverseCellSizeAndListRadiusSquared;
     uint _Capacity;             // particles
     uint _NeighborCapacity;     // entries of a particle's neighbor list
     uint _FirstListParticles;   // particles whose entries lie in the first list buffer; a multiple of 32
@@ -42,6 +38,17 @@ cbuffer RillSolver
     float _Viscosity;           // XSPH c of this substep
     float _Confinement;         // vorticity confinement, d/s
 };
+
+#define _DomainSize (_DomainSizeAndTimeStep.xyz)            // d
+#define _TimeStep (_DomainSizeAndTimeStep.w)                // s, one substep
+#define _GravityStep (_GravityStepAndInverseTimeStep.xyz)   // g dt^2, d
+#define _InverseTimeStep (_GravityStepAndInverseTimeStep.w) // 1/s
+#define _CellCounts (_CellCountsAndTotal.xyz)               // cells along x, y, z
+#define _CellTotal (_CellCountsAndTotal.w)                  // their product
+#define _CellSize (_CellSizeAndListRadius.xyz)              // d
+#define _ListRadius (_CellSizeAndListRadius.w)              // d, support times margin
+#define _InverseCellSize (_InverseCellSizeAndListRadiusSquared.xyz)     // 1/d
+#define _ListRadiusSquared (_InverseCellSizeAndListRadiusSquared.w)     // d^2
 
 // _Counters, = ParticleCounter in ParticleBuffers.cs
 static const uint kAlive = 0;               // particles at the start of the step

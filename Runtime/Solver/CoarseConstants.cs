@@ -19,7 +19,8 @@ namespace Rill
         public float maxPush;
         public uint levelCount;
         public uint firstTailLevel;
-        public float2 surfaceRange;
+        public float minSurfaceDistance;
+        public float maxSurfaceDistance;
         public uint4 level0, level1, level2, level3, level4, level5, level6, level7;
 
         /// <summary>
@@ -39,7 +40,7 @@ namespace Rill
         public const float MaxPush = 2f;
 
         /// <summary>Nearest and furthest that the free surface lies from the middle of the water in an active cell, in cells.</summary>
-        static readonly float2 SurfaceRange = new float2(0.1f, 1.5f);
+        const float MinSurfaceDistance = 0.1f, MaxSurfaceDistance = 1.5f;
 
         public static CoarseConstants For(CoarseGrid grid)
         {
@@ -58,7 +59,8 @@ namespace Rill
                 maxPush = MaxPush,
                 levelCount = (uint)grid.LevelCount,
                 firstTailLevel = (uint)grid.FirstTailLevel,
-                surfaceRange = SurfaceRange,
+                minSurfaceDistance = MinSurfaceDistance,
+                maxSurfaceDistance = MaxSurfaceDistance,
                 level0 = grid.Level(0),
                 level1 = grid.Level(1),
                 level2 = grid.Level(2),

@@ -67,7 +67,8 @@ namespace Rill.Tests
             Near(constants.coupling.z, 1.0 / 4.0);
             Near(constants.screening, 1e-4);
             Near(constants.negativeShare, 0.3);
-            Assert.That(constants.surfaceRange, Is.EqualTo(new float2(0.1f, 1.5f)));
+            Near(constants.minSurfaceDistance, 0.1);
+            Near(constants.maxSurfaceDistance, 1.5);
             Assert.That(constants.levelCount, Is.EqualTo(1));
             Assert.That(constants.level1, Is.EqualTo(new uint4(1, 5, 1, 0)));
             Assert.That(constants.level7, Is.EqualTo(constants.level1));
@@ -90,7 +91,7 @@ namespace Rill.Tests
             uint next = 1;
             foreach (FieldInfo field in Fields)
             {
-                bool isFloat = field.FieldType == typeof(float) || field.FieldType == typeof(float2) || field.FieldType == typeof(float3);
+                bool isFloat = field.FieldType == typeof(float) || field.FieldType == typeof(float3);
                 uint[] numbers = Enumerable.Range(0, Marshal.SizeOf(field.FieldType) / 4).Select(_ => next++).ToArray();
                 field.SetValue(constants, Value(field.FieldType, numbers));
                 foreach (uint number in numbers)
@@ -104,8 +105,6 @@ namespace Rill.Tests
         {
             if (type == typeof(float))
                 return (float)n[0];
-            if (type == typeof(float2))
-                return new float2(n[0], n[1]);
             if (type == typeof(float3))
                 return new float3(n[0], n[1], n[2]);
             if (type == typeof(uint))

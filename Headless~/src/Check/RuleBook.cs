@@ -28,6 +28,7 @@ namespace Host.Check
             new FxcRule(),
             new LayoutRule(),
             new TargetsRule(),
+            new ConstantBuffersRule(),
         };
     }
 }

@@ -29,7 +29,7 @@ namespace Host.Report.Methods
             if (ScreeningLength is float length)
                 constants.screening = 1f / (length * length);
             if (!SurfaceDistance)
-                constants.surfaceRange = 1f;
+                constants.minSurfaceDistance = constants.maxSurfaceDistance = 1f;
             coarse.Constants.SetData(new[] { constants });
             return coarse;
         }
