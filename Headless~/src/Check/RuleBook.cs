@@ -18,6 +18,7 @@ namespace Host.Check
             new TarballRule(),
             new TestProjectRule(),
             new LinksRule(),
+            new GeneratedFilesRule(),
             new FrameCallsRule(),
             new StaticsRule(),
             new UnityMembersRule(),

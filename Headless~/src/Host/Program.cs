@@ -32,6 +32,7 @@ namespace Host
                 MeasureCommand.Create(),
                 ReportCommand.Create(),
                 CheckCommand.Create(),
+                GenerateCommand.Create(),
             };
             ParseResult parsed = root.Parse(arguments);
             if (parsed.Action is ParseErrorAction)

@@ -1,0 +1,89 @@
+using System.IO;
+using System.Linq;
+using Host.Check;
+using NUnit.Framework;
+
+namespace Host.Tests
+{
+    /// <summary>Generated files that are stale, missing, or cannot be made.</summary>
+    public sealed class CheckGeneratedTests
+    {
+        const string Table = "Runtime/Solver/Device/KernelNeeds.Generated.cs";
+
+        const string Shader = "#pragma kernel A WIDE=1\n#pragma kernel B\n#pragma multi_compile_local _ MORE\nStructuredBuffer<uint> _In; RWStructuredBuffer<uint> _Out; RWStructuredBuffer<uint> _Other; Texture2D<float> _Map;\ngroupshared uint g_A[64];\n" +
+            "#ifdef WIDE\n[numthreads(64,2,1)] void A(uint3 id : SV_DispatchThreadID, uint t : SV_GroupIndex) { g_A[t & 63] = id.x; GroupMemoryBarrierWithGroupSync(); _Out[id.x] = _In[id.x] + g_A[63 - (t & 63)]\n" +
+            "#ifdef MORE\n + _Other[id.x]++ + _Map[id.xy]\n#endif\n; }\n#else\n[numthreads(8,1,1)] void B(uint3 id : SV_DispatchThreadID) { _Out[id.x] = 1; }\n#endif\n";
+
+        SyntheticPackage package;
+
+        [SetUp]
+        public void Make() => package = new SyntheticPackage().Add("Shaders/Two.compute", Shader);
+
+        [TearDown]
+        public void Remove() => package.Dispose();
+
+        Findings Examine() => new GeneratedFilesRule().Examine(package.Tree);
+
+        string Generate()
+        {
+            string text = new KernelNeedsFile().Text(package.Tree, new Findings());
+            package.Add(Table, text);
+            return text;
+        }
+
+        [Test]
+        public void The_table_has_the_needs_of_each_variant()
+        {
+            string[] rows = Generate().Split('\n').Where(line => line.Contains("new KernelNeed(")).Select(line => line.Trim()).ToArray();
+            Assert.That(rows, Is.EqualTo(new[]
+            {
+                "new KernelNeed(\"Two\", \"A\", \"WIDE\", 128, 256, 2, 1, 0),",
+                "new KernelNeed(\"Two\", \"A\", \"WIDE MORE\", 128, 256, 3, 2, 1),",
+                "new KernelNeed(\"Two\", \"B\", \"\", 8, 0, 1, 1, 0),",
+            }));
+        }
+
+        [Test]
+        public void What_was_just_generated_is_up_to_date()
+        {
+            Generate();
+            Assert.That(Examine().Faults, Is.Empty);
+            Assert.That(Examine().Looked, Is.EqualTo("1 files"));
+        }
+
+        [Test]
+        public void Other_line_ends_are_no_difference()
+        {
+            package.Add(Table, Generate().Replace("\n", "\r\n"));
+            Assert.That(Examine().Faults, Is.Empty);
+        }
+
+        [Test]
+        public void A_file_that_is_missing_is_a_fault() => Assert.That(Examine().Faults, Is.EqualTo(new[] { Table + " is missing: run `Headless~/rill generate`." }));
+
+        [Test]
+        public void A_shader_that_has_changed_since_is_a_fault_at_the_line_that_differs()
+        {
+            string text = Generate();
+            package.Add("Shaders/Two.compute", Shader.Replace("numthreads(8,1,1)", "numthreads(16,1,1)"));
+            int line = text.Split('\n').TakeWhile(row => !row.Contains("\"B\"")).Count() + 1;
+            Assert.That(Examine().Faults, Is.EqualTo(new[] { $"{Table}({line}) is not what its sources say: run `Headless~/rill generate`." }));
+        }
+
+        [Test]
+        public void A_shader_that_does_not_compile_is_a_fault_and_nothing_is_generated()
+        {
+            package.Add("Shaders/Two.compute", Shader.Replace("_Out[id.x] = 1", "_None[id.x] = 1"));
+            Assert.That(new KernelNeedsFile().Text(package.Tree, new Findings()), Is.Null);
+            Assert.That(Examine().Faults, Has.Some.StartsWith("Shaders/Two.compute (B): ").And.Some.Contains("_None"));
+        }
+
+        [Test]
+        public void A_package_without_shaders_has_nothing_to_generate()
+        {
+            File.Delete(package.Tree.FullPath("Shaders/Two.compute"));
+            Assert.That(Examine().Faults, Is.Empty);
+            Assert.That(Examine().Looked, Is.EqualTo("0 files"));
+        }
+    }
+}

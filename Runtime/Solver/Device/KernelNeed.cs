@@ -1,0 +1,33 @@
+namespace Rill
+{
+    /// <summary>What a variant of a kernel, or a stage of a draw shader, takes of a device.</summary>
+    readonly struct KernelNeed
+    {
+        /// <summary>Shader file without its extension.</summary>
+        public readonly string File;
+        /// <summary>The kernel; "Vertex" or "Fragment" of a draw shader.</summary>
+        public readonly string Kernel;
+        /// <summary>Names that its #pragma kernel line defines, then keywords, with blanks between.</summary>
+        public readonly string Defines;
+        /// <summary>In a group; 0 of a draw shader.</summary>
+        public readonly int Threads;
+        public readonly int GroupsharedBytes;
+        /// <summary>Structured and raw buffers, for reading or writing, as Vulkan, Metal and WebGPU count them.</summary>
+        public readonly int StorageBuffers;
+        /// <summary>Buffers and textures for writing: unordered access views.</summary>
+        public readonly int Writable;
+        public readonly int Textures;
+
+        public KernelNeed(string file, string kernel, string defines, int threads, int groupsharedBytes, int storageBuffers, int writable, int textures)
+        {
+            File = file;
+            Kernel = kernel;
+            Defines = defines;
+            Threads = threads;
+            GroupsharedBytes = groupsharedBytes;
+            StorageBuffers = storageBuffers;
+            Writable = writable;
+            Textures = textures;
+        }
+    }
+}
