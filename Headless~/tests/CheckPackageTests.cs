@@ -119,6 +119,11 @@ namespace Host.Tests
         [Test]
         public void A_file_that_users_need_is_shipped() => copy.Catches(new TarballRule(), () => copy[".npmignore"] += "\n/Samples~/\n", "DamBreak.unity", "would not be shipped");
 
+        [TestCase("Packages/manifest.json", "Packages/")]
+        [TestCase("ProjectSettings/ProjectVersion.txt", "ProjectSettings/")]
+        [TestCase("Assets/Scene.unity", "Assets/")]
+        public void A_root_that_Unity_would_open_as_a_project_is_told(string file, string folder) => copy.Catches(new RootRule(), () => copy[file] = "", folder, "TestProject~");
+
         [Test]
         public void A_test_project_without_testables_is_told() => copy.Catches(new TestProjectRule(), () => copy.Replace("TestProject~/Packages/manifest.json", "testables", "untestables"), "testables", "com.rill.fluids");
 

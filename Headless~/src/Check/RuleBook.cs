@@ -15,6 +15,7 @@ namespace Host.Check
             new ScriptNamesRule(),
             new ReferencesRule(),
             new ScriptFieldsRule(),
+            new RootRule(),
             new TarballRule(),
             new TestProjectRule(),
             new LinksRule(),

@@ -12,8 +12,6 @@ namespace Host.Check
     {
         // Read by Unity though hidden, and shipped.
         static readonly string[] Shipped = { "Samples~/", "Documentation~/" };
-        // Visible at the root, but of use in the repository alone.
-        static readonly string[] Workshop = { "Packages/", "Packages.meta" };
 
         public override string Name => "package: npm pack holds what users need and nothing else";
 
@@ -23,8 +21,7 @@ namespace Host.Check
             List<string> packed = Pack(package, findings);
             if (packed == null)
                 return findings;
-            HashSet<string> wanted = package.Visible.Concat(package.Files.Where(f => Shipped.Any(folder => f.StartsWith(folder, StringComparison.Ordinal))))
-                .Where(f => !Workshop.Any(w => f.StartsWith(w, StringComparison.Ordinal))).ToHashSet();
+            HashSet<string> wanted = package.Visible.Concat(package.Files.Where(f => Shipped.Any(folder => f.StartsWith(folder, StringComparison.Ordinal)))).ToHashSet();
             foreach (string file in packed.Where(f => !wanted.Contains(f)).OrderBy(f => f, StringComparer.Ordinal))
                 findings.Fault($"{file} would be shipped, and no user needs it: name it in .npmignore");
             foreach (string file in wanted.Except(packed).OrderBy(f => f, StringComparer.Ordinal))
