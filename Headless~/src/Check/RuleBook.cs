@@ -22,6 +22,7 @@ namespace Host.Check
             new GeneratedFilesRule(),
             new FrameCallsRule(),
             new StaticsRule(),
+            new ModulesRule(),
             new UnityMembersRule(),
             new SourceNamesRule(),
             new NetStandardRule(),

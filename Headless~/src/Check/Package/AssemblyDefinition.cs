@@ -11,6 +11,8 @@ namespace Host.Check
         public readonly string File, Folder, Name, RootNamespace;
         public readonly string[] References, IncludePlatforms, PrecompiledReferences, DefineConstraints;
         public readonly bool AllowUnsafeCode, OverrideReferences;
+        /// <summary>Symbols that a package or module defines by being there.</summary>
+        public readonly (string Package, string Symbol)[] VersionDefines;
 
         public bool IsTest => DefineConstraints.Contains("UNITY_INCLUDE_TESTS");
 
@@ -43,9 +45,14 @@ namespace Host.Check
             IncludePlatforms = Strings("includePlatforms");
             PrecompiledReferences = Strings("precompiledReferences");
             DefineConstraints = Strings("defineConstraints");
+            VersionDefines = root.TryGetProperty("versionDefines", out JsonElement defines)
+                ? defines.EnumerateArray().Select(d => (d.GetProperty("name").GetString(), d.GetProperty("define").GetString())).ToArray() : Array.Empty<(string, string)>();
             AllowUnsafeCode = Flag("allowUnsafeCode");
             OverrideReferences = Flag("overrideReferences");
         }
+
+        /// <summary>Whether Unity compiles it only where the package or module is there.</summary>
+        public bool NeedsPresent(string package) => VersionDefines.Any(define => define.Package == package && DefineConstraints.Contains(define.Symbol));
 
         /// <summary>The scripts that Unity compiles into this assembly: those below its folder and not below a nested definition's.</summary>
         public IEnumerable<string> Scripts(PackageTree package, IEnumerable<AssemblyDefinition> all) => package.Visible.Where(f => f.EndsWith(".cs", StringComparison.Ordinal) && Owner(f, all) == this);
