@@ -131,6 +131,28 @@ namespace Host.Tests
             Refused(() => shader.Dispatch(shader.FindKernel("AddOne"), 1, 1, 1), "AddOne", "_Values");
         }
 
+        [Test]
+        public void A_keyword_that_changes_between_binding_and_dispatch()
+        {
+            ComputeShader shader = Compute("Variants");
+            var keyword = new LocalKeyword(shader, "WITH_BONUS");
+            int kernel = shader.FindKernel("Plain");
+            using (GraphicsBuffer target = Buffer("Target"))
+            using (var cmd = new CommandBuffer())
+            {
+                cmd.SetComputeBufferParam(shader, kernel, "_Out", target);
+                cmd.SetKeyword(shader, keyword, false);     // as it was
+                cmd.DispatchCompute(shader, kernel, 1, 1, 1);
+                Graphics.ExecuteCommandBuffer(cmd);
+
+                cmd.Clear();
+                cmd.SetComputeBufferParam(shader, kernel, "_Out", target);
+                cmd.SetKeyword(shader, keyword, true);
+                cmd.DispatchCompute(shader, kernel, 1, 1, 1);
+                Refused(() => Graphics.ExecuteCommandBuffer(cmd), "Plain", "keyword", "_Out", "first");
+            }
+        }
+
         [TestCase(0, 1, 1)]
         [TestCase(1, -1, 1)]
         public void A_dispatch_of_no_groups(int x, int y, int z)

@@ -70,10 +70,10 @@ namespace Rill
         public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
             int build = colliders == null ? coarse != null ? buildListDeep : buildList : coarse != null ? buildListDeepBeside : buildListBeside;
-            colliders?.BindDensity(cmd, shader, build);
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            colliders?.BindDensity(cmd, shader, build);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (coarse != null)
             {

@@ -44,7 +44,10 @@ namespace UnityEngine.Headless
                         break;
 
                     default:
-                        if (!resources.TryGet(slot.Id, out PropertyResource found) && !Shader.Globals.TryGet(slot.Id, out found))
+                        bool isOwn = resources.TryGet(slot.Id, out PropertyResource found);
+                        if (isOwn)
+                            GpuChecks.Keywords(name, resource, found.KeywordVersion == shader.KeywordVersion);
+                        if (!isOwn && !Shader.Globals.TryGet(slot.Id, out found))
                             complete &= GpuChecks.Missing(name, resource, kernel);
                         else
                             complete &= Resource(name, resource, found, kernel, ref binding);

@@ -267,7 +267,11 @@ namespace UnityEngine.Rendering
                 if (material.Values.TryGet(id, out PropertyValue value))
                     shader.SetRaw(id, value.Kind, value.Data.AsSpan(0, value.Length));
             foreach (KeyValuePair<int, PropertyResource> resource in material.Values.Resources)
-                shader.KernelResources(kernel).SetResource(resource.Key, resource.Value);
+            {
+                PropertyResource bound = resource.Value;
+                bound.KeywordVersion = shader.KeywordVersion;
+                shader.KernelResources(kernel).SetResource(resource.Key, bound);
+            }
         }
     }
 }

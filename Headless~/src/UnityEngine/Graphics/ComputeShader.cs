@@ -85,6 +85,9 @@ namespace UnityEngine
             z = (uint)layout.Program.GroupZ;
         }
 
+        /// <summary>Changes with every change of a keyword.</summary>
+        internal int KeywordVersion => keywords.Version;
+
         internal string KernelName(int kernel) => kernels[kernel].Name;
 
         /// <summary>Throws in strict mode, logs and answers false otherwise.</summary>
@@ -199,7 +202,7 @@ namespace UnityEngine
             if (buffer.IsReleased)
                 BufferChecks.Alive(buffer, $"SetBuffer of '{PropertyNames.ToName(nameID)}' on {name}");
             if (CheckKernel(kernelIndex, "SetBuffer"))
-                kernels[kernelIndex].Resources.SetBuffer(nameID, buffer);
+                kernels[kernelIndex].Resources.SetResource(nameID, new PropertyResource { Buffer = buffer, KeywordVersion = keywords.Version });
         }
 
         public void SetBuffer(int kernelIndex, int nameID, ComputeBuffer buffer) => SetBuffer(kernelIndex, nameID, buffer?.Storage);
@@ -219,7 +222,7 @@ namespace UnityEngine
             if (mip < 0 || mip >= texture.mipmapCount)
                 throw new ArgumentOutOfRangeException(nameof(mip), mip, $"SetTexture of '{PropertyNames.ToName(nameID)}' on {name}: texture '{texture.name}' has {texture.mipmapCount} mip levels.");
             if (CheckKernel(kernelIndex, "SetTexture"))
-                kernels[kernelIndex].Resources.SetResource(nameID, new PropertyResource { Texture = texture, Mip = mip, Element = element });
+                kernels[kernelIndex].Resources.SetResource(nameID, new PropertyResource { Texture = texture, Mip = mip, Element = element, KeywordVersion = keywords.Version });
         }
 
         public void SetTexture(int kernelIndex, int nameID, Texture texture) => SetTexture(kernelIndex, nameID, texture, 0, RenderTextureSubElement.Default);

@@ -48,6 +48,13 @@ namespace UnityEngine.Headless
             return false;
         }
 
+        /// <summary>A keyword selects another variant, and whether what was bound for the one before is bound for it too, Unity does not say.</summary>
+        public static void Keywords(string program, ShaderResource resource, bool unchanged)
+        {
+            if (!unchanged)
+                GpuError.Strictly($"{program}: a keyword of its shader was changed after '{resource.Name}' was bound, which selects another variant. Set the keywords first, then bind.");
+        }
+
         public static bool Released(string program, ShaderResource resource, string what)
         {
             GpuError.Report($"{program}: what is bound to '{resource.Name}' was released before this use: {what}.",

@@ -99,6 +99,8 @@ namespace UnityEngine.Headless
         public BufferStorage Buffer;
         /// <summary>Window of a buffer bound as a whole constant buffer.</summary>
         public int Offset, Size;
+        /// <summary>Of the compute shader's keywords when this was bound to one of its kernels.</summary>
+        public int KeywordVersion;
     }
 
     /// <summary>Property values by id: a material's, a property block's, a compute shader's or the globals.</summary>
