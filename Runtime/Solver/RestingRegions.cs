@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
@@ -125,20 +126,20 @@ namespace Rill
         /// <summary>Enabled keywords of a kernel that leaves out what sleeps, for descriptions.</summary>
         public static string Variant(string others, RestingRegions regions) => regions == null ? others : others == null ? Keyword : others + " " + Keyword;
 
-        // Rest is rest under these forces and settings.
+        // Rest is rest under these forces and settings: all of both structs, so that a field that is added to one counts by itself.
         bool HasChanged(in StepInput input)
         {
-            SolverSettings settings = input.settings, settingsBefore = last.settings;
-            FluidMaterial material = input.material, materialBefore = last.material;
             bool changed = math.distance(input.gravity, last.gravity) > GravityChange * math.length(last.gravity) || input.timeStep != last.timeStep
-                || settings.sleepSpeed != settingsBefore.sleepSpeed || settings.deepWater != settingsBefore.deepWater || settings.substeps != settingsBefore.substeps
-                || settings.iterations != settingsBefore.iterations || settings.relaxation != settingsBefore.relaxation || settings.softness != settingsBefore.softness
-                || material.shearModulus != materialBefore.shearModulus || material.relaxationTime != materialBefore.relaxationTime
-                || material.viscosity != materialBefore.viscosity || material.allowedTension != materialBefore.allowedTension
-                || material.artificialPressure != materialBefore.artificialPressure || material.artificialPressureDistance != materialBefore.artificialPressureDistance;
+                || !AreSame(input.settings, last.settings) || !AreSame(input.material, last.material);
             if (changed)
                 last = input;
             return changed;
+        }
+
+        // Byte by byte.
+        static bool AreSame<T>(T first, T second) where T : struct
+        {
+            return MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref first, 1)).SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref second, 1)));
         }
 
         static class Ids

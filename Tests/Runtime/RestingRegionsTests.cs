@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -104,6 +105,46 @@ namespace Rill.Tests
             }
         }
 
+        // A field that is added to one of the structs is a case of its own.
+        [Test]
+        public void Every_field_of_the_input_that_rest_depends_on_wakes_it([ValueSource(nameof(FieldsOfTheInput))] string path)
+        {
+            using (var stage = new Stage(Jittering(new float3(40, 48, 40), new int3(5, 6, 5), 20)))
+            {
+                stage.Run(StepsToSleep + 1);
+                Assert.That(stage.Run(1), Is.All.EqualTo(Asleep), "before");
+                stage.Input = (StepInput)Changed(stage.Input, path.Split('.'));
+                Assert.That(stage.Run(1), Is.All.EqualTo(Awake));
+            }
+        }
+
+        [Test]
+        public void A_gel_asleep_wakes_when_its_density_changes()
+        {
+            using (TestFluid fluid = Pool(SleepSpeed))
+            {
+                fluid.Input.material.shearModulus = 50f;
+                FallAsleep(fluid);
+                fluid.Input.material.density *= 0.5f;
+                Assert.That(States(fluid.Step()), Is.All.EqualTo(Awake));
+            }
+        }
+
+        [Test]
+        public void Sleep_comes_and_goes_beside_a_collider()
+        {
+            using (TestFluid fluid = Pool(SleepSpeed))
+            {
+                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Sphere, 3f, new float3(24f, 20f, 4f), quaternion.identity));
+                fluid.Step();
+                fluid.Input.settings.sleepSpeed = 0f;
+                fluid.Step();
+                fluid.Input.settings.sleepSpeed = SleepSpeed;
+                fluid.Step();
+                Assert.That(States(fluid), Is.All.EqualTo(Awake));
+            }
+        }
+
         [Test]
         public void What_is_added_wakes_it_and_clearing_forgets_what_slept()
         {
@@ -152,6 +193,31 @@ namespace Rill.Tests
                 SolverSettings settings = Sleeping(sleepSpeed);
                 settings.deepWater = deepWater;
                 return new TestFluid(new float3(1f, 0.6f, 0.4f), Spacing, 512, settings).AddBlock(0f, 0.4f);
+            }
+        }
+
+        // What does not change how particles at rest move: who else looks at them, and what wakes regions by itself.
+        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources" };
+
+        static IEnumerable<string> FieldsOfTheInput() => typeof(StepInput).GetFields().Where(field => !Others.Contains(field.Name))
+            .SelectMany(field => field.FieldType == typeof(SolverSettings) || field.FieldType == typeof(FluidMaterial)
+                ? field.FieldType.GetFields(BindingFlags.Public | BindingFlags.Instance).Select(part => field.Name + "." + part.Name) : new[] { field.Name });
+
+        static object Changed(object value, IEnumerable<string> path)
+        {
+            if (path.Any())
+            {
+                FieldInfo field = value.GetType().GetField(path.First());
+                field.SetValue(value, Changed(field.GetValue(value), path.Skip(1)));
+                return value;
+            }
+            switch (value)
+            {
+                case float number: return number + 0.5f;
+                case int number: return number + 1;
+                case float3 vector: return vector + new float3(0f, 1f, 0f);
+                case DeepWater mode: return mode == DeepWater.On ? DeepWater.Off : DeepWater.On;
+                default: throw new System.NotSupportedException($"a change of a {value.GetType()}");
             }
         }
 
@@ -216,7 +282,7 @@ namespace Rill.Tests
             readonly ParticleBuffers particles;
             readonly SolverLayout layout;
             readonly GraphicsBuffer constants;
-            readonly StepInput input;
+            StepInput input;
 
             public Stage(ParticleState state)
             {
@@ -229,6 +295,9 @@ namespace Rill.Tests
             }
 
             public void Set(ParticleState state) => state.WriteTo(particles);
+
+            /// <summary>Of the next steps.</summary>
+            public StepInput Input { get => input; set => input = value; }
 
             public uint[] Run(int steps)
             {
