@@ -59,11 +59,7 @@ namespace Rill
             Displacements = GpuBuffer.Structured<float4>("Rill.Coarse.Displacements", Grid.Total);
             Constants = GpuBuffer.Constants<CoarseConstants>("Rill.Coarse.Constants");
             Constants.SetData(new[] { CoarseConstants.For(Grid) });
-            Bins.SetData(new uint[Grid.Total * BinStride]);
-            var none = new float[Grid.Total];       // the first substep has no past
-            lastErrors.SetData(none);
-            flowPotential.SetData(none);
-            errorPotential.SetData(none);
+            BufferClear.Now(Bins, lastErrors, flowPotential, errorPotential);       // the first substep has no past
         }
 
         public CoarseGrid Grid { get; }

@@ -69,7 +69,7 @@ namespace Rill
         /// <summary>No drain has drained anything.</summary>
         public void Clear()
         {
-            states.SetData(zeros);
+            BufferClear.Now(states);
             readback.Forget();
         }
 
@@ -174,7 +174,7 @@ namespace Rill
             if (histogram == null)
             {
                 histogram = GpuBuffer.Structured<uint>("Rill.Drains.Histogram", StepSources.MostDrains * Lots);
-                histogram.SetData(new uint[StepSources.MostDrains * Lots]);
+                BufferClear.Now(histogram);
             }
             cmd.SetComputeBufferParam(shader, drawLots, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, drawLots, Ids.StartPositions, particles.Start);

@@ -29,7 +29,7 @@ namespace Rill
         /// <summary>No emitter has done anything, and none of what is under way counts.</summary>
         public void Clear()
         {
-            states.SetData(zeros);
+            BufferClear.Now(states);
             readback.Forget();
         }
 

@@ -39,7 +39,7 @@ namespace Rill
             CellStarts = GpuBuffer.Structured<uint>("Rill.CellStarts", cells + 1);
             cellRanks = GpuBuffer.Structured<uint2>("Rill.CellRanks", layout.Capacity);
             Order = GpuBuffer.Structured<uint2>("Rill.Order", layout.Capacity);
-            cellHistogram.SetData(new uint[cells + 1]);
+            BufferClear.Now(cellHistogram);
         }
 
         /// <summary>uint [cells + 1], sorted particles in all cells before; the last is their total.</summary>

@@ -13,12 +13,10 @@ namespace Rill
         /// <summary>Keyword of the kernels that write tags, and of the shader that draws them.</summary>
         public const string Keyword = "RILL_TAGS";
 
-        readonly int capacity;
         GraphicsBuffer current, sorted;
 
         public ParticleTags(int capacity)
         {
-            this.capacity = capacity;
             current = GpuBuffer.Structured<uint>("Rill.Tags", capacity);
             sorted = GpuBuffer.Structured<uint>("Rill.SortedTags", capacity);
             Clear();
@@ -28,7 +26,7 @@ namespace Rill
         public GraphicsBuffer Current => current;
 
         /// <summary>No particle has a phase, and all live for ever.</summary>
-        public void Clear() => current.SetData(new uint[capacity]);
+        public void Clear() => BufferClear.Now(current);
 
         /// <summary>Records that the tags follow their particles through the sort that was just recorded.</summary>
         public void RecordSort(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search)

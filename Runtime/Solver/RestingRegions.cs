@@ -47,8 +47,7 @@ namespace Rill
             motion = GpuBuffer.Structured<uint>("Rill.Regions.Motion", (long)total * MotionStride);
             quietSteps = GpuBuffer.Structured<uint>("Rill.Regions.QuietSteps", total);
             states = GpuBuffer.Structured<uint>("Rill.Regions.States", total);
-            motion.SetData(new uint[total * MotionStride]);
-            quietSteps.SetData(new uint[total]);
+            BufferClear.Now(motion, quietSteps);
         }
 
         /// <summary>uint [regions], 0 asleep, 1 asleep beside what is awake, 2 awake; x first.</summary>

@@ -27,7 +27,7 @@ namespace Rill
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
             histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
             results = GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize);
-            histogram.SetData(new uint[Bins]);
+            BufferClear.Now(histogram);
         }
 
         /// <summary>Whether a result is on its way; a new one is asked for only after it has come.</summary>

@@ -33,7 +33,7 @@ namespace Rill
             deformed = GpuBuffer.Structured<Symmetric>("Rill.DeformedConformation", capacity);
             stress = GpuBuffer.Structured<float3x3>("Rill.Stress", capacity);
             origins = GpuBuffer.Structured<uint>("Rill.Origins", capacity);
-            conformation.SetData(new Symmetric[capacity]);
+            BufferClear.Now(conformation);
         }
 
         /// <summary>A symmetric tensor of a particle, Symmetric in Viscoelasticity.compute.</summary>

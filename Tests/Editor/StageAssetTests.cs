@@ -6,6 +6,7 @@ namespace Rill.Editor.Tests
     /// <summary>What importing the package must leave behind, seen without playing.</summary>
     public class StageAssetTests
     {
+        [TestCase("Clear", "ClearWords", "ClearBlocks", "ClearTriples")]
         [TestCase("CoarseGrid", "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors")]
         [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveTail")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "Displace", "DisplaceWithPressure", "DisplaceDeep", "DisplaceDeepWithPressure")]

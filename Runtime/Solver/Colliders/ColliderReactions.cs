@@ -27,7 +27,7 @@ namespace Rill
             sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
             taken = GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words);
             zeros = new NativeArray<uint>(Words, Allocator.Persistent);
-            sums.SetData(zeros);
+            BufferClear.Now(sums);
             readback.Arrived = OnArrived;
         }
 

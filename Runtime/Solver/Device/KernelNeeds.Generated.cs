@@ -6,6 +6,9 @@ namespace Rill
         // file, kernel, defines of its #pragma line and keywords; threads, groupshared bytes; storage buffers, writable resources, textures
         static readonly KernelNeed[] Kernels =
         {
+            new KernelNeed("Clear", "ClearWords", "", 256, 0, 1, 1, 0),
+            new KernelNeed("Clear", "ClearBlocks", "", 256, 0, 1, 1, 0),
+            new KernelNeed("Clear", "ClearTriples", "", 256, 0, 1, 1, 0),
             new KernelNeed("CoarseGrid", "BinFlow", "", 128, 2048, 4, 1, 0),
             new KernelNeed("CoarseGrid", "FindDivergence", "", 128, 0, 7, 7, 0),
             new KernelNeed("CoarseGrid", "DisplaceFlow", "PROJECTION", 128, 0, 5, 5, 0),

@@ -1,0 +1,59 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Fills structured buffers with zeros by a kernel: nothing is uploaded and no array is made for it.</summary>
+    sealed class BufferClear
+    {
+        /// <summary>Threads of a group; kGroup in Clear.compute.</summary>
+        public const int Group = 256;
+
+        const int MaxGroups = 65535;        // along one axis; kMaxGroups
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Clear");
+
+        /// <summary>Clears buffers at once.</summary>
+        /// <param name="buffers">Structured, with elements of 4, 16 or 24 bytes.</param>
+        /// <exception cref="ArgumentException">The elements are of another size.</exception>
+        public static void Now(params GraphicsBuffer[] buffers)
+        {
+            var clear = new BufferClear();
+            using (var cmd = new CommandBuffer { name = "Rill.Clear" })
+            {
+                foreach (GraphicsBuffer buffer in buffers)
+                    clear.Record(cmd, buffer);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+        }
+
+        void Record(CommandBuffer cmd, GraphicsBuffer buffer)
+        {
+            int kernel = KernelFor(buffer.stride, out int property);
+            int groups = (int)(((long)buffer.count + Group - 1) / Group);
+            cmd.SetComputeIntParam(shader, Ids.Count, buffer.count);
+            cmd.SetComputeBufferParam(shader, kernel, property, buffer);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, MaxGroups), (groups + MaxGroups - 1) / MaxGroups, 1);
+        }
+
+        int KernelFor(int stride, out int property)
+        {
+            switch (stride)
+            {
+                case 4: property = Ids.Words; return shader.FindKernel("ClearWords");
+                case 16: property = Ids.Blocks; return shader.FindKernel("ClearBlocks");
+                case 24: property = Ids.Triples; return shader.FindKernel("ClearTriples");
+                default: throw new ArgumentException($"A buffer with elements of {stride} bytes has no kernel that clears it. Add one to Clear.compute; there are those of 4, 16 and 24 bytes.");
+            }
+        }
+
+        static class Ids
+        {
+            public static readonly int Words = Shader.PropertyToID("_Words");
+            public static readonly int Blocks = Shader.PropertyToID("_Blocks");
+            public static readonly int Triples = Shader.PropertyToID("_Triples");
+            public static readonly int Count = Shader.PropertyToID("_Count");
+        }
+    }
+}
