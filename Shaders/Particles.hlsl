@@ -1,13 +1,11 @@
 // Draws each particle as a sphere: a camera-facing quad from SV_VertexID, intersected with the ray through the pixel,
-// lit, with the depth of the hit. Includes nothing: the pass around it defines
+// lit, with the depth of the hit. Includes nothing of a pipeline: the pass around it defines
 //   RillWorldToClip(float3)  the pipeline's world to clip transform
 // and is compiled for any pipeline that sets Unity's own camera constants.
 //
-//   _Positions    float4, xyz position in the domain's frame, d
-//   _Velocities   float4, xyz velocity, d/s; w density relative to rest
 //   _Tags         uint, the phase in the highest byte, see ParticleTags.hlsl; where RILL_TAGS is on
-StructuredBuffer<float4> _Positions;
-StructuredBuffer<float4> _Velocities;
+//   and the buffers of DrawnParticles.hlsl
+#include "DrawnParticles.hlsl"
 
 #ifdef RILL_TAGS
 StructuredBuffer<uint> _Tags;
@@ -55,7 +53,7 @@ ParticleFragment ParticleVertex(uint vertex : SV_VertexID)
 
     ParticleFragment result;
     float4 velocity = _Velocities[i];
-    result.center = mul(_DomainToWorld, float4(_Positions[i].xyz, 1.0)).xyz;
+    result.center = mul(_DomainToWorld, float4(DrawnPosition(i), 1.0)).xyz;
     float speed = length(velocity.xyz) * _ParticleSpacing;
 #ifdef RILL_TAGS
     result.color = _PhaseColors[min(_Tags[i] >> 24, 7)].rgb;

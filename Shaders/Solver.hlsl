@@ -5,6 +5,8 @@
 #ifndef RILL_SOLVER_INCLUDED
 #define RILL_SOLVER_INCLUDED
 
+#include "Counters.hlsl"
+
 static const uint kGroup = 128;             // threads of a particle kernel, = numthreads
 static const uint kMaxGroups = 65535;       // of a dispatch, per dimension; more fold into y
 static const float kSupport = 2.0;          // support radius h
@@ -49,23 +51,6 @@ cbuffer RillSolver
 #define _ListRadius (_CellSizeAndListRadius.w)              // d, support times margin
 #define _InverseCellSize (_InverseCellSizeAndListRadiusSquared.xyz)     // 1/d
 #define _ListRadiusSquared (_InverseCellSizeAndListRadiusSquared.w)     // d^2
-
-// _Counters, = ParticleCounter in ParticleBuffers.cs
-static const uint kAlive = 0;               // particles at the start of the step
-static const uint kSorted = 1;              // of those, with a finite position: particles of this step
-static const uint kNextId = 2;
-static const uint kRefused = 3;             // did not fit the capacity, since reset
-static const uint kNonFinite = 4;           // culled, since reset
-static const uint kOverflow = 5;            // particles of this step with more neighbors than the list holds
-static const uint kMostNeighbors = 6;       // most neighbors of such a particle
-// Since the reset, kAdded + kEmitted = kDrained + kNonFinite + kAlive at the end of a step.
-static const uint kAdded = 7;               // by a volume or by code
-static const uint kEmitted = 8;
-static const uint kDrained = 9;
-static const uint kBlocked = 10;            // due from an emitter and given up, since there was no room for a second
-static const uint kWaiting = 11;            // due from an emitter and without room so far
-static const uint kRecycling = 12;          // drained and not yet back from an emitter
-static const uint kMoved = 13;              // took part in the last step: the first of those alive
 
 static const uint kNoOrigin = 0xFFFFFFFFu;  // in place of where a sorted particle was before the sort: it is new since the last step
 

@@ -46,6 +46,19 @@ namespace Rill
             };
         }
 
+        /// <summary>What DrawnParticles.hlsl reads: the particles, at the time of this frame.</summary>
+        private protected void SetParticles(MaterialPropertyBlock properties)
+        {
+            PbfSolver solver = Simulation.Solver;
+            properties.SetBuffer(Ids.Positions, solver.Positions);
+            properties.SetBuffer(Ids.StartPositions, solver.StartPositions);
+            properties.SetBuffer(Ids.Velocities, solver.Velocities);
+            properties.SetBuffer(Ids.Counters, solver.Counters);
+            properties.SetVector(Ids.FrameLag, Simulation.FrameLag);
+            properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
+            properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
+        }
+
         /// <summary>Turns the one keyword of this renderer's shader on or off.</summary>
         private protected void SetKeyword(string name, bool isOn)
         {
@@ -95,6 +108,17 @@ namespace Rill
         {
             if (Simulation.IsRunning)
                 Draw();
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
+            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
         }
     }
 }

@@ -72,9 +72,7 @@ namespace Rill
         {
             properties ??= new MaterialPropertyBlock();
             PbfSolver solver = Simulation.Solver;
-            properties.SetBuffer(Ids.Positions, solver.Positions);
-            properties.SetBuffer(Ids.Velocities, solver.Velocities);
-            properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
+            SetParticles(properties);
             properties.SetFloat(Ids.ParticleSpacing, Simulation.ParticleSpacing);
             properties.SetFloat(Ids.ParticleRadius, radius * Simulation.ParticleSpacing);
             SetColors(solver);
@@ -107,11 +105,8 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Tags = Shader.PropertyToID("_Tags");
             public static readonly int PhaseColors = Shader.PropertyToID("_PhaseColors");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
             public static readonly int ParticleRadius = Shader.PropertyToID("_ParticleRadius");
             public static readonly int SlowColor = Shader.PropertyToID("_SlowColor");

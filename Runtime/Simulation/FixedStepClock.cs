@@ -16,6 +16,9 @@ namespace Rill
         /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps has moved.</summary>
         public double Passed { get; private set; }
 
+        /// <summary>Time by which the steps so far stay behind the newest frame, s: less than a step.</summary>
+        public double Lag { get; private set; }
+
         /// <summary>Time by which the steps of that last frame stayed behind it, s: less than a step.</summary>
         public double Behind { get; private set; }
 
@@ -33,13 +36,14 @@ namespace Rill
             int steps = (int)Math.Min(due, mostSteps);
             Dropped += (due - steps) * step;
             accumulated = Math.Max(accumulated - due * step, 0.0);
+            Lag = accumulated > Tolerance * step ? accumulated : 0.0;
             passing += frameTime;
             if (steps > 0)
             {
                 Passed = passing > 0.0 ? passing : steps * step;        // a shorter step may be due without a frame's time
                 passing = 0.0;
                 LastBehind = Behind;
-                Behind = accumulated > Tolerance * step ? accumulated : 0.0;
+                Behind = Lag;
             }
             return steps;
         }

@@ -64,6 +64,7 @@ namespace Rill
         FixedStepClock clock;
         StepInput input;
         int stepsSinceStatistics;
+        double lastFrameTime;       // FrameTime of the frame before, s
         float3 lastPosition, lastVelocity;
         float lastDuration;         // in which it had that velocity, s; 0 where it stood still
         bool layoutChanged;
@@ -73,6 +74,9 @@ namespace Rill
 
         /// <summary>Fluid time since the last restart, s.</summary>
         public double FluidTime { get; private set; }
+
+        /// <summary>Fluid time of the current frame since the last restart, s: at which the fluid is drawn. Up to a fixed step more than <see cref="FluidTime"/>.</summary>
+        public double FrameTime => FluidTime + clock.Lag;
 
         /// <summary>Length of a fixed step, s.</summary>
         public float FixedStep => 1f / stepRate;
@@ -120,6 +124,16 @@ namespace Rill
         internal PbfSolver Solver => pbf;
         internal StepInput Input => input;
 
+        /// <summary>The fluid's time of the current frame since the newest state, x, and that of the frame before, z, in substeps; y and w the same in s.</summary>
+        internal Vector4 FrameLag
+        {
+            get
+            {
+                double now = clock.Lag, before = lastFrameTime - FluidTime, substep = FixedStep / Math.Max(pbf.LastSubsteps, 1);
+                return new Vector4((float)(now / substep), (float)now, (float)(before / substep), (float)before);
+            }
+        }
+
         /// <summary>Set every frame by what draws the density, which then is summed with the velocities of the next steps.</summary>
         internal bool NeedsDensity { get; set; }
 
@@ -157,6 +171,7 @@ namespace Rill
             clock = default;
             StepCount = 0;
             FluidTime = 0.0;
+            lastFrameTime = 0.0;
             stepsSinceStatistics = 0;
             StandStill();
             ForgetMotions();
@@ -236,6 +251,7 @@ namespace Rill
             }
             if (pbf == null)
                 return;
+            lastFrameTime = FrameTime;
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's way back from no place.
             if (paused || !moves)

@@ -62,6 +62,12 @@ namespace Rill
         /// <summary>float4 [capacity], xyz position, d; those of the particles alive come first.</summary>
         public GraphicsBuffer Positions => particles.Current;
 
+        /// <summary>float4 [capacity], xyz position at the start of the last substep, d; of those that took part in it.</summary>
+        public GraphicsBuffer StartPositions => particles.Start;
+
+        /// <summary>Substeps of the last step; 0 before the first.</summary>
+        public int LastSubsteps => lastSubsteps;
+
         /// <summary>float4 [capacity], xyz velocity, d/s; w density relative to rest where a stage sums it, else 1.</summary>
         public GraphicsBuffer Velocities => particles.Velocities;
 
