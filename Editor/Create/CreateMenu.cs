@@ -1,3 +1,4 @@
+using System;
 using UnityEditor;
 using UnityEngine;
 
@@ -9,30 +10,49 @@ namespace Rill.Editor
         internal const string Folder = "GameObject/Rill/";
         internal const int Priority = 10;
 
-        /// <summary>What the menu was called on: the object under the mouse or the selected one; null for none of a scene.</summary>
-        internal static GameObject Context(MenuCommand command)
+        static bool hasRun;
+
+        /// <summary>Creates one object, whatever is selected.</summary>
+        /// <remarks>
+        /// From the hierarchy's context menu the editor calls an item once for every selected object, one right after the other;
+        /// the first call counts. The next editor update lets the menu be chosen again.
+        /// </remarks>
+        internal static void Run(MenuCommand command, Func<GameObject, GameObject> create)
+        {
+            if (hasRun)
+                return;
+            hasRun = true;
+            EditorApplication.delayCall += Rearm;
+            create(Context(command));
+        }
+
+        /// <summary>Lets the menu be chosen again.</summary>
+        internal static void Rearm() => hasRun = false;
+
+        /// <summary>What the menu was called on: of several selected objects the active one, else the object under the mouse or the selected one; null for none of a scene.</summary>
+        static GameObject Context(MenuCommand command)
         {
             var context = command.context as GameObject;
-            GameObject on = context != null ? context : Selection.activeGameObject;
+            GameObject on = context == null || Selection.Contains(context) ? Selection.activeGameObject : context;
             return on != null && !EditorUtility.IsPersistent(on) ? on : null;
         }
 
         [MenuItem(Folder + "Fluid", false, Priority)]
-        static void Fluid(MenuCommand command) => SceneSetup.CreateFluid(Context(command));
+        static void Fluid(MenuCommand command) => Run(command, SceneSetup.CreateFluid);
 
         [MenuItem(Folder + "Fluid Volume", false, Priority + 1)]
-        static void Volume(MenuCommand command) => SceneSetup.CreateVolume(Context(command));
+        static void Volume(MenuCommand command) => Run(command, SceneSetup.CreateVolume);
 
         [MenuItem(Folder + "Emitter", false, Priority + 2)]
-        static void Emitter(MenuCommand command) => SceneSetup.CreateEmitter(Context(command));
+        static void Emitter(MenuCommand command) => Run(command, SceneSetup.CreateEmitter);
 
         [MenuItem(Folder + "Drain", false, Priority + 3)]
-        static void Drain(MenuCommand command) => SceneSetup.CreateDrain(Context(command));
+        static void Drain(MenuCommand command) => Run(command, SceneSetup.CreateDrain);
 
         [MenuItem(Folder + "Force Field", false, Priority + 4)]
-        static void ForceField(MenuCommand command) => SceneSetup.CreateForceField(Context(command));
+        static void ForceField(MenuCommand command) => Run(command, SceneSetup.CreateForceField);
 
         [MenuItem(Folder + "Collider", false, Priority + 5)]
-        static void Collider(MenuCommand command) => SceneSetup.CreateCollider(Context(command));
+        static void Collider(MenuCommand command) => Run(command, SceneSetup.CreateCollider);
     }
 }

@@ -9,7 +9,7 @@ namespace Rill.Editor
         const float DensityOfWood = 0.5f;       // of the fluid's
 
         [MenuItem(CreateMenu.Folder + "Floating Body", false, CreateMenu.Priority + 6)]
-        static void FloatingBody(MenuCommand command) => Create(CreateMenu.Context(command));
+        static void FloatingBody(MenuCommand command) => CreateMenu.Run(command, Create);
 
         /// <summary>A cube half as dense as the fluid, above its middle.</summary>
         internal static GameObject Create(GameObject parent)

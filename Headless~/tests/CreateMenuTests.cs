@@ -63,6 +63,26 @@ namespace Host.Tests
             selected.IsAsset = false;
         }
 
+        [TestCaseSource(nameof(Items))]
+        public void A_menu_item_on_several_objects_makes_one(string item)
+        {
+            GameObject fluid = SceneSetup.CreateFluid(null);
+            GameObject[] selected = { fluid, new GameObject("Second"), new GameObject("Third") };
+            int before = Object.FindObjectsOfType<Transform>().Length;
+            Choose(item, fluid);
+            int ofOne = Object.FindObjectsOfType<Transform>().Length - before;
+            Undo.PerformUndo();
+
+            // As the editor does from the hierarchy's context menu: once for each, one right after the other.
+            Selection.objects = selected;
+            EditorTick.Run();
+            foreach (GameObject on in selected.Reverse())
+                Methods[item].Invoke(null, new object[] { new MenuCommand(on) });
+            Assert.That(Object.FindObjectsOfType<Transform>().Length - before, Is.EqualTo(ofOne));
+            Assert.That(Selection.activeGameObject.transform.parent, Is.SameAs(fluid.transform), "below the active one");
+            Assert.That(Choose(item, fluid).transform.parent, Is.SameAs(fluid.transform), "the menu can be chosen again");
+        }
+
         [Test]
         public void A_floating_body_floats()
         {
@@ -80,6 +100,7 @@ namespace Host.Tests
         static GameObject Choose(string item, GameObject on)
         {
             Undo.IncrementCurrentGroup();
+            EditorTick.Run();
             Methods[item].Invoke(null, new object[] { new MenuCommand(on) });
             Assert.That(Selection.activeGameObject, Is.Not.Null);
             return Selection.activeGameObject;
