@@ -92,16 +92,16 @@ namespace Rill.Editor
         {
             EditorGUILayout.Space();
             EditorGUILayout.LabelField(item.Mesh.name, EditorStyles.boldLabel);
-            EditorGUILayout.LabelField(item.Existing != null ? "Baked in place" : "New asset", item.Path);
+            InspectorRows.Text(item.Existing != null ? "Baked in place" : "New asset", item.Path);
             bool canBake = item.TryEstimate(settings, out MeshSdfEstimate estimate, out string problem);
             if (item.Report != null)
             {
-                EditorGUILayout.LabelField("Mesh", BakeTexts.Of(item.Report));
+                InspectorRows.Text("Mesh", BakeTexts.Of(item.Report));
                 foreach (string text in item.Report.Texts.Where(text => text != problem))
                     EditorGUILayout.HelpBox(text, MessageType.Info);
             }
             if (canBake)
-                EditorGUILayout.LabelField("Takes", BakeTexts.Of(estimate));
+                InspectorRows.Text("Takes", BakeTexts.Of(estimate));
             else
                 EditorGUILayout.HelpBox(problem, MessageType.Error);
             if (item.Outcome != null)

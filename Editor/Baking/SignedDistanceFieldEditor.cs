@@ -70,7 +70,7 @@ namespace Rill.Editor
             if (problem != null)
                 EditorGUILayout.HelpBox(problem, MessageType.Error);
             foreach ((string label, string text) in BakeTexts.Facts(Field))
-                EditorGUILayout.LabelField(label, text);
+                InspectorRows.Text(label, text);
             if (staleness != null)
                 EditorGUILayout.HelpBox(staleness, MessageType.Warning);
 
@@ -88,7 +88,7 @@ namespace Rill.Editor
             layers[axis] = EditorGUILayout.IntSlider(new GUIContent("Layer", "Voxels from the lower end."), Mathf.Clamp(layers[axis], 0, volume.Resolution[axis] - 1), 0, volume.Resolution[axis] - 1);
             int layer = layers[axis];
             float range = Mathf.Max(view.Largest(volume, layer), volume.VoxelSize);
-            EditorGUILayout.LabelField(" ", $"{Axes[axis]} = {view.PlaceOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
+            InspectorRows.Text(" ", $"{Axes[axis]} = {view.PlaceOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
             Vector2Int size = view.SizeOf(volume, SlicePixels);
             Texture2D picture = slice.Of((axis, layer), size, pixels => view.Paint(volume, layer, range, size, pixels));
             EditorGUI.DrawPreviewTexture(GUILayoutUtility.GetAspectRect((float)size.x / size.y, GUILayout.MaxWidth(2 * SlicePixels)), picture);

@@ -87,15 +87,15 @@ namespace Rill.Editor
                 EditorGUILayout.HelpBox(BudgetSummary.SolverNote, MessageType.Info);
             if (title == BudgetTitle)
                 foreach ((string label, string text) in BudgetSummary.Rows(Simulation.BudgetState))
-                    EditorGUILayout.LabelField(label, text);
+                    InspectorRows.Text(label, text);
         }
 
         void DrawEstimates()
         {
-            EditorGUILayout.LabelField("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
+            InspectorRows.Text("Volumes hold", $"about {FillEstimate.Particles(Simulation):N0} particles");
             long bytes = Simulation.EstimatedBytes;
             if (bytes > 0)
-                EditorGUILayout.LabelField("GPU memory", MemoryRows.Text(bytes, Simulation.Capacity) + ", without optional stages");
+                InspectorRows.Text("GPU memory", MemoryRows.Text(bytes, Simulation.Capacity) + ", without optional stages");
         }
 
         void DrawPresets()
@@ -110,9 +110,9 @@ namespace Rill.Editor
             }
             if (targets.Length > 1)
                 return;
-            EditorGUILayout.LabelField("Acts like", FluidPresets.ViscosityText(Simulation.Material, Simulation.ParticleSpacing));
+            InspectorRows.Text("Acts like", FluidPresets.ViscosityText(Simulation.Material, Simulation.ParticleSpacing));
             if (Simulation.Material.shearModulus > 0f)
-                EditorGUILayout.LabelField("Elastic", FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing, Simulation.FixedStep / Simulation.Settings.substeps));
+                InspectorRows.Text("Elastic", FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing, Simulation.FixedStep / Simulation.Settings.substeps));
             if (current >= 0)
                 EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
         }
@@ -135,7 +135,7 @@ namespace Rill.Editor
                 EditorGUILayout.HelpBox(StatisticsSummary.WhyNone(Simulation.StatisticsInterval), MessageType.None);
             else
                 foreach ((string label, string text) in StatisticsSummary.Rows(statistics, Simulation.Capacity))
-                    EditorGUILayout.LabelField(label, text);
+                    InspectorRows.Text(label, text);
             if (known)
                 foreach (string text in StatisticsSummary.Warnings(statistics))
                     EditorGUILayout.HelpBox(text, MessageType.Warning);
@@ -154,9 +154,9 @@ namespace Rill.Editor
             if (times.Rows.Count == 0)
                 EditorGUILayout.HelpBox(StageTimes.WhyNone(SystemInfo.supportsGpuRecorder), MessageType.None);
             foreach (StageTimes.Row row in times.Rows)
-                BarChart.Draw(row.Label, row.Share, $"{row.Milliseconds:0.000} ms");
+                InspectorRows.BarOf(row.Label, row.Share, $"{row.Milliseconds:0.000} ms");
             if (times.Rows.Count > 0)
-                EditorGUILayout.LabelField("All stages", $"{times.Total:0.000} ms a frame, of all simulations together");
+                InspectorRows.Text("All stages", $"{times.Total:0.000} ms a frame, of all simulations together");
         }
 
         void StopTimes()
@@ -174,9 +174,9 @@ namespace Rill.Editor
                 memoryAt = Time.frameCount;
                 MemoryRows.List(Simulation.Describe(), memory);
             }
-            EditorGUILayout.LabelField("All buffers", MemoryRows.Text(MemoryRows.Total(memory), Simulation.Capacity));
+            InspectorRows.Text("All buffers", MemoryRows.Text(MemoryRows.Total(memory), Simulation.Capacity));
             foreach (MemoryRows.Row row in memory)
-                BarChart.Draw(row.Label, row.Share, EditorUtility.FormatBytes(row.Bytes));
+                InspectorRows.BarOf(row.Label, row.Share, EditorUtility.FormatBytes(row.Bytes));
         }
 
         void OnSceneGUI()

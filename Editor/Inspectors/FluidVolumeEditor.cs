@@ -25,7 +25,7 @@ namespace Rill.Editor
             var volume = (FluidVolume)target;
             FluidSimulation fluid = volume.GetComponentInParent<FluidSimulation>(true);
             if (fluid != null)
-                EditorGUILayout.LabelField("Holds", $"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles");
+                InspectorRows.Text("Holds", $"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles");
         }
 
         void OnSceneGUI()

@@ -13,7 +13,7 @@ namespace Rill.Editor
         string tooltip;
 
         /// <param name="path">As SerializedObject.FindProperty takes it.</param>
-        /// <param name="unit">As the label shows it; null for none.</param>
+        /// <param name="unit">As it stands behind the value; null for none.</param>
         /// <param name="when">Where it has a meaning; null for always.</param>
         public InspectorField(string path, string unit = null, Func<SerializedObject, bool> when = null) : this(path, _ => unit, when) { }
 
@@ -31,9 +31,8 @@ namespace Rill.Editor
 
         public GUIContent Label(SerializedObject inspected, SerializedProperty property)
         {
-            string shown = Unit(inspected);
             tooltip ??= FieldTooltip.Of(inspected.targetObject.GetType(), Path);
-            return new GUIContent(shown == null ? property.displayName : $"{property.displayName} ({shown})", tooltip);
+            return new GUIContent(property.displayName, tooltip);
         }
     }
 }

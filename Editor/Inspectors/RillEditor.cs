@@ -49,7 +49,7 @@ namespace Rill.Editor
         private protected static void DrawRows(List<(string label, string text)> rows)
         {
             foreach ((string label, string text) in rows)
-                EditorGUILayout.LabelField(label, text);
+                InspectorRows.Text(label, text);
         }
 
         /// <summary>A foldout whose state lasts for the session.</summary>
@@ -73,7 +73,7 @@ namespace Rill.Editor
                 foreach (InspectorField field in section.Shown(serializedObject))
                 {
                     SerializedProperty property = serializedObject.FindProperty(field.Path);
-                    EditorGUILayout.PropertyField(property, field.Label(serializedObject, property), true);
+                    InspectorRows.Field(property, field.Label(serializedObject, property), field.Unit(serializedObject));
                 }
                 DrawBelow(section.Title);
             }

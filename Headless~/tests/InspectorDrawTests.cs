@@ -42,6 +42,45 @@ namespace Host.Tests
         }
 
         [Test]
+        public void No_inspector_clips_a_text_at_300_pixels([ValueSource(nameof(Inspected))] Type type, [Values(300f, 350f)] float width)
+        {
+            EditorGUIUtility.currentViewWidth = width;
+            Draw(Inspect(Make(type)));
+            Assert.That(GuiDrawing.Labels, Is.Not.Empty);
+            Assert.That(GuiDrawing.Clipped(), Is.Empty);
+        }
+
+        [Test]
+        public void A_text_that_is_clipped_is_seen()
+        {
+            EditorGUIUtility.currentViewWidth = 300f;
+            EditorGUILayout.LabelField("Density error C+", "mean 0.20 %, 99.9 % below 1.3 %, most 4 %");
+            EditorGUI.PropertyField(new Rect(0f, 0f, 250f, 18f), new SerializedObject(Make(typeof(FluidSimulation))).FindProperty("material.artificialPressureDistance"), new GUIContent("Artificial Pressure Distance (support radii)"));
+            Assert.That(GuiDrawing.Clipped().Count(), Is.EqualTo(2));
+        }
+
+        [Test]
+        public void The_inspector_of_a_running_fluid_clips_no_text_at_300_pixels()
+        {
+            Player.GpuTimes = GpuTimes.Samples;
+            EditorGUIUtility.currentViewWidth = 300f;
+            var fluid = SceneSetup.CreateFluid(null).GetComponent<FluidSimulation>();
+            fluid.Configure(fluid.DomainSize, 0.1f, 2000);
+            SolverBudget budget = SolverBudget.Default;
+            budget.mode = BudgetMode.Milliseconds;
+            fluid.Budget = budget;
+            Editor editor = Inspect(fluid);
+            for (int i = 0; i < 25; i++)
+            {
+                PlayerLoop.Frame(1f / 60f);
+                Player.Device.WaitIdle();
+                Draw(editor);
+            }
+            Assert.That(GuiDrawing.Labels.Select(label => label.text), Has.Some.StartWith("mean ").And.Some.EndWith(" ms").And.Some.EqualTo("Density error C+"));
+            Assert.That(GuiDrawing.Clipped(), Is.Empty);
+        }
+
+        [Test]
         public void Fields_in_which_objects_differ_are_drawn_as_mixed()
         {
             var first = (FluidDrain)Make(typeof(FluidDrain));

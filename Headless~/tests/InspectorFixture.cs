@@ -32,6 +32,8 @@ namespace Host.Tests
             GuiTrace.Clear();
             PrimitiveBoundsHandle.Drag = null;
             GUI.changed = false;
+            EditorGUIUtility.currentViewWidth = 400f;
+            EditorGUIUtility.labelWidth = 0f;
             foreach (Editor editor in editors)
                 if (editor)
                     Object.DestroyImmediate(editor);
@@ -62,6 +64,8 @@ namespace Host.Tests
         {
             GuiTrace.Fields.Clear();
             GuiTrace.HelpBoxes.Clear();
+            GuiDrawing.Labels.Clear();
+            GuiDrawing.Buttons.Clear();
             foreach (string title in new[] { "Statistics", "GPU time", "GPU memory" }.Concat((editor as RillEditor)?.Sections.Select(s => s.Title) ?? new string[0]))
                 SessionState.SetBool($"Rill.{editor.GetType().Name}.{title}", true);
             editor.OnInspectorGUI();

@@ -46,7 +46,7 @@ namespace Rill.Editor.Tests
         }
 
         [TestCaseSource(nameof(Components))]
-        public void A_unit_on_a_label_is_the_one_that_the_tooltip_gives(Type component)
+        public void A_unit_behind_a_value_is_the_one_that_the_tooltip_gives(Type component)
         {
             RillEditor editor = Inspect(scene.Add(component));
             foreach (InspectorField field in editor.Sections.SelectMany(section => section.Fields))
@@ -54,7 +54,7 @@ namespace Rill.Editor.Tests
                 SerializedProperty property = editor.serializedObject.FindProperty(field.Path);
                 string unit = field.Unit(editor.serializedObject);
                 GUIContent label = field.Label(editor.serializedObject, property);
-                Assert.That(label.text, Is.EqualTo(unit == null ? property.displayName : $"{property.displayName} ({unit})"));
+                Assert.That(label.text, Is.EqualTo(property.displayName));
                 bool isSi = new[] { "m", "s", "m/s", "m/s²", "m³/s", "kg/m³", "ms", "1/s" }.Contains(unit);
                 if (isSi && unit != "1/s")
                     Assert.That(label.tooltip, Does.Match($@"(^|[ (,]){unit}($|[ ,.:;)])"), field.Path);

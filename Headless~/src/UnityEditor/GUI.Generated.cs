@@ -36,7 +36,6 @@ namespace UnityEditor
         public static Enum EnumPopup(Rect position, GUIContent label, Enum selected, GUIStyle style) => selected;
         public static Enum EnumPopup(Rect position, string label, Enum selected) => selected;
         public static Enum EnumPopup(Rect position, string label, Enum selected, GUIStyle style) => selected;
-        public static GUIContent BeginProperty(Rect totalPosition, GUIContent label, SerializedProperty property) { GuiGroups.Begin("Property"); return new GUIContent(); }
         public static Gradient GradientField(Rect position, GUIContent label, Gradient gradient) => default;
         public static Gradient GradientField(Rect position, GUIContent label, Gradient gradient, bool hdr) => default;
         public static Gradient GradientField(Rect position, Gradient gradient) => default;
@@ -80,10 +79,6 @@ namespace UnityEditor
         public static bool InspectorTitlebar(Rect position, bool foldout, Object[] targetObjs, bool expandable) => foldout;
         public static bool LinkButton(Rect position, GUIContent label) => default;
         public static bool LinkButton(Rect position, string label) => default;
-        public static bool PropertyField(Rect position, SerializedProperty property) => default;
-        public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label) => default;
-        public static bool PropertyField(Rect position, SerializedProperty property, GUIContent label, bool includeChildren) => default;
-        public static bool PropertyField(Rect position, SerializedProperty property, bool includeChildren) => default;
         public static bool Toggle(Rect position, GUIContent label, bool value) => value;
         public static bool Toggle(Rect position, GUIContent label, bool value, GUIStyle style) => value;
         public static bool Toggle(Rect position, bool value) => value;
@@ -120,10 +115,6 @@ namespace UnityEditor
         public static float FloatField(Rect position, float value, GUIStyle style) => value;
         public static float FloatField(Rect position, string label, float value) => value;
         public static float FloatField(Rect position, string label, float value, GUIStyle style) => value;
-        public static float GetPropertyHeight(SerializedProperty property) => default;
-        public static float GetPropertyHeight(SerializedProperty property, GUIContent label) => default;
-        public static float GetPropertyHeight(SerializedProperty property, GUIContent label, bool includeChildren) => default;
-        public static float GetPropertyHeight(SerializedProperty property, bool includeChildren) => default;
         public static float Slider(Rect position, GUIContent label, float value, float leftValue, float rightValue) => value;
         public static float Slider(Rect position, float value, float leftValue, float rightValue) => value;
         public static float Slider(Rect position, string label, float value, float leftValue, float rightValue) => value;
@@ -308,10 +299,6 @@ namespace UnityEditor
         public static Rect BeginHorizontal(params GUILayoutOption[] options) { GuiGroups.Begin("Horizontal"); return default; }
         public static Rect BeginVertical(GUIStyle style, params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); return default; }
         public static Rect BeginVertical(params GUILayoutOption[] options) { GuiGroups.Begin("Vertical"); return default; }
-        public static Rect GetControlRect(bool hasLabel, float height, GUIStyle style, params GUILayoutOption[] options) => default;
-        public static Rect GetControlRect(bool hasLabel, float height, params GUILayoutOption[] options) => default;
-        public static Rect GetControlRect(bool hasLabel, params GUILayoutOption[] options) => default;
-        public static Rect GetControlRect(params GUILayoutOption[] options) => default;
         public static Rect RectField(GUIContent label, Rect value, params GUILayoutOption[] options) => value;
         public static Rect RectField(Rect value, params GUILayoutOption[] options) => value;
         public static Rect RectField(string label, Rect value, params GUILayoutOption[] options) => value;
@@ -485,14 +472,6 @@ namespace UnityEditor
         public static void IntSlider(SerializedProperty property, int leftValue, int rightValue, GUIContent label, params GUILayoutOption[] options) { }
         public static void IntSlider(SerializedProperty property, int leftValue, int rightValue, params GUILayoutOption[] options) { }
         public static void IntSlider(SerializedProperty property, int leftValue, int rightValue, string label, params GUILayoutOption[] options) { }
-        public static void LabelField(GUIContent label, GUIContent label2, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void LabelField(GUIContent label, GUIContent label2, params GUILayoutOption[] options) { }
-        public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void LabelField(GUIContent label, params GUILayoutOption[] options) { }
-        public static void LabelField(string label, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void LabelField(string label, params GUILayoutOption[] options) { }
-        public static void LabelField(string label, string label2, GUIStyle style, params GUILayoutOption[] options) { }
-        public static void LabelField(string label, string label2, params GUILayoutOption[] options) { }
         public static void MinMaxSlider(GUIContent label, ref float minValue, ref float maxValue, float minLimit, float maxLimit, params GUILayoutOption[] options) { }
         public static void MinMaxSlider(ref float minValue, ref float maxValue, float minLimit, float maxLimit, params GUILayoutOption[] options) { }
         public static void MinMaxSlider(string label, ref float minValue, ref float maxValue, float minLimit, float maxLimit, params GUILayoutOption[] options) { }
@@ -557,9 +536,7 @@ namespace UnityEditor
         public static bool isProSkin { get; }
         public static bool textFieldHasSelection { get; }
         public static bool wideMode { get; set; }
-        public static float currentViewWidth { get; }
         public static float fieldWidth { get; set; }
-        public static float labelWidth { get; set; }
         public static float pixelsPerPoint { get; } = 1;
         public static float singleLineHeight { get; } = 18;
         public static float standardVerticalSpacing { get; } = 1;
@@ -632,8 +609,8 @@ namespace UnityEditor
         public static GUIStyle whiteLabel { get; } = new GUIStyle();
         public static GUIStyle whiteLargeLabel { get; } = new GUIStyle();
         public static GUIStyle whiteMiniLabel { get; } = new GUIStyle();
-        public static GUIStyle wordWrappedLabel { get; } = new GUIStyle();
-        public static GUIStyle wordWrappedMiniLabel { get; } = new GUIStyle();
+        public static GUIStyle wordWrappedLabel { get; } = new GUIStyle { wordWrap = true };
+        public static GUIStyle wordWrappedMiniLabel { get; } = new GUIStyle { wordWrap = true };
     }
 
     public partial class Handles

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Headless;
 
 namespace UnityEditor
 {
@@ -27,6 +28,7 @@ namespace UnityEditor
             Fields.Clear();
             HelpBoxes.Clear();
             Edit = null;
+            GuiDrawing.Clear();
         }
     }
 }

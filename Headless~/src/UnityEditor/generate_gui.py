@@ -31,6 +31,8 @@ BY_HAND = {("Undo", "AddComponent"), ("Undo", "DestroyObjectImmediate"), ("Undo"
            ("Undo", "MoveGameObjectToScene"), ("Undo", "RecordObject"), ("Undo", "RecordObjects"), ("Undo", "RegisterCompleteObjectUndo"),
            ("Undo", "RegisterCreatedObjectUndo"), ("Undo", "IncrementCurrentGroup"), ("Undo", "GetCurrentGroup"), ("Undo", "GetCurrentGroupName"),
            ("Undo", "SetCurrentGroupName"), ("Undo", "CollapseUndoOperations"), ("Undo", "PerformUndo"), ("Undo", "PerformRedo"), ("Undo", "ClearAll"),
+           ("GUILayout", "Button"), ("GUI", "Label"), ("EditorGUI", "PropertyField"), ("EditorGUI", "GetPropertyHeight"), ("EditorGUI", "BeginProperty"),
+           ("EditorGUILayout", "GetControlRect"), ("EditorGUILayout", "LabelField"), ("EditorGUIUtility", "currentViewWidth"), ("EditorGUIUtility", "labelWidth"),
            ("GUILayout", "Width"), ("GUILayout", "Height"), ("EditorGUI", "BeginChangeCheck"), ("EditorGUI", "EndChangeCheck"),
            ("EditorGUILayout", "PropertyField"), ("EditorGUILayout", "HelpBox")}
 
@@ -88,12 +90,17 @@ def method(owner, line):
 
 
 def member(owner, line):
+    named = re.match(r"static [\w.]+ (\w+) \{", line)
+    if named and (owner, named.group(1)) in BY_HAND:
+        return None
     match = re.fullmatch(r"static ([\w.]+(?:\[\])*) (\w+) \{ get( set)? \}", line)
     if match:
         t, name, settable = match.groups()
         if not known(t):
             return None
         start = {"Color": "Color.white", "Matrix4x4": "Matrix4x4.identity", "float": "0", "bool": "false"}.get(t, nothing(t))
+        if name.startswith("wordWrapped"):
+            start = "new GUIStyle { wordWrap = true }"
         if name == "enabled":
             start = "true"
         if name == "singleLineHeight":

@@ -117,12 +117,6 @@ namespace UnityEngine
         public static void EndScrollView(bool handleScrollWheel) { GuiGroups.End("ScrollView"); }
         public static void FocusControl(string name) { }
         public static void FocusWindow(int windowID) { }
-        public static void Label(Rect position, GUIContent content) { }
-        public static void Label(Rect position, GUIContent content, GUIStyle style) { }
-        public static void Label(Rect position, Texture image) { }
-        public static void Label(Rect position, Texture image, GUIStyle style) { }
-        public static void Label(Rect position, string text) { }
-        public static void Label(Rect position, string text, GUIStyle style) { }
         public static void ScrollTo(Rect position) { }
         public static void SetNextControlName(string name) { }
         public static void UnfocusWindow() { }
@@ -149,12 +143,6 @@ namespace UnityEngine
         public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, GUIStyle horizontalScrollbar, GUIStyle verticalScrollbar, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
         public static Vector2 BeginScrollView(Vector2 scrollPosition, bool alwaysShowHorizontal, bool alwaysShowVertical, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
         public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) { GuiGroups.Begin("ScrollView"); return scrollPosition; }
-        public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => default;
-        public static bool Button(GUIContent content, params GUILayoutOption[] options) => default;
-        public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => default;
-        public static bool Button(Texture image, params GUILayoutOption[] options) => default;
-        public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) => default;
-        public static bool Button(string text, params GUILayoutOption[] options) => default;
         public static bool RepeatButton(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => default;
         public static bool RepeatButton(GUIContent content, params GUILayoutOption[] options) => default;
         public static bool RepeatButton(Texture image, GUIStyle style, params GUILayoutOption[] options) => default;

@@ -1,3 +1,5 @@
+using UnityEngine.Headless;
+
 namespace UnityEngine
 {
     public class GUIContent
@@ -60,8 +62,9 @@ namespace UnityEngine
         public float fixedHeight { get; set; }
         public float lineHeight => 13;
         public Vector2 contentOffset { get; set; }
-        public Vector2 CalcSize(GUIContent content) => default;
-        public float CalcHeight(GUIContent content, float width) => lineHeight;
+        /// <summary>As if every letter were equally wide: about what the editor's font takes, and enough to see what is clipped.</summary>
+        public Vector2 CalcSize(GUIContent content) => new Vector2(GuiDrawing.LetterWidth * (content.text ?? "").Length, lineHeight);
+        public float CalcHeight(GUIContent content, float width) => lineHeight * (wordWrap ? GuiDrawing.Lines(content.text ?? "", width) : 1);
         public void Draw(Rect position, GUIContent content, int controlID) { }
         public override string ToString() => $"GUIStyle '{name}'";
     }
@@ -90,8 +93,24 @@ namespace UnityEngine
         public enum ToolbarButtonSize { Fixed = 0, FitToContents = 1 }
     }
 
+    public partial class GUI
+    {
+        public static void Label(Rect position, string text) => GuiDrawing.Label(position, text, null);
+        public static void Label(Rect position, string text, GUIStyle style) => GuiDrawing.Label(position, text, style);
+        public static void Label(Rect position, GUIContent content) => GuiDrawing.Label(position, content.text, null);
+        public static void Label(Rect position, GUIContent content, GUIStyle style) => GuiDrawing.Label(position, content.text, style);
+        public static void Label(Rect position, Texture image) { }
+        public static void Label(Rect position, Texture image, GUIStyle style) { }
+    }
+
     public partial class GUILayout
     {
+        public static bool Button(string text, params GUILayoutOption[] options) => GuiDrawing.Button(text);
+        public static bool Button(string text, GUIStyle style, params GUILayoutOption[] options) => GuiDrawing.Button(text);
+        public static bool Button(GUIContent content, params GUILayoutOption[] options) => GuiDrawing.Button(content.text);
+        public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => GuiDrawing.Button(content.text);
+        public static bool Button(Texture image, params GUILayoutOption[] options) => GuiDrawing.Button(image != null ? image.name : "");
+        public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => GuiDrawing.Button(image != null ? image.name : "");
         public static GUILayoutOption Width(float width) => new GUILayoutOption();
         public static GUILayoutOption Height(float height) => new GUILayoutOption();
 
