@@ -19,14 +19,32 @@ namespace Rill.Editor
         public static GameObject CreateFluid(GameObject parent) => Finish(MakeFluid(parent, true), "Fluid");
 
         /// <summary>Water at the start, in the fluid that the parent belongs to.</summary>
-        public static GameObject CreateVolume(GameObject parent)
+        public static GameObject CreateVolume(GameObject parent) => CreatePart<FluidVolume>(parent, "Fluid Volume", false, FillFloor);
+
+        /// <summary>Draws a fluid that nothing draws. The selection stays.</summary>
+        public static void AddRenderer(FluidSimulation fluid)
         {
-            return CreatePart<FluidVolume>(parent, "Fluid Volume", false, (volume, fluid) =>
-            {
-                Vector3 box = fluid.DomainSize;
-                volume.Size = new Vector3(0.5f * box.x, 0.25f * box.y, 0.5f * box.z);
-                Place(volume, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
-            });
+            Undo.AddComponent<ParticleRenderer>(fluid.gameObject).Sun = SunOfScene();
+            Undo.SetCurrentGroupName("Add Particle Renderer");
+        }
+
+        /// <summary>Water at the start, below a fluid that nothing fills. The selection stays.</summary>
+        public static void AddVolume(FluidSimulation fluid)
+        {
+            var made = new GameObject("Fluid Volume");
+            made.SetActive(false);
+            FluidVolume volume = made.AddComponent<FluidVolume>();
+            Adopt(made, fluid.gameObject);
+            FillFloor(volume, fluid);
+            Register(made, "Fluid Volume");
+            Undo.SetCurrentGroupName("Add Fluid Volume");
+        }
+
+        static void FillFloor(FluidVolume volume, FluidSimulation fluid)
+        {
+            Vector3 box = fluid.DomainSize;
+            volume.Size = new Vector3(0.5f * box.x, 0.25f * box.y, 0.5f * box.z);
+            Place(volume, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
         }
 
         /// <summary>A tap below the lid, pointing down.</summary>

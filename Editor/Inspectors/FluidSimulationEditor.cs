@@ -57,6 +57,7 @@ namespace Rill.Editor
                 new InspectorField("statisticsInterval", "steps")),
         };
 
+        List<MissingPart> missing = new List<MissingPart>();
         StageTimes times;
         readonly List<MemoryRows.Row> memory = new List<MemoryRows.Row>();
         int memoryAt = -MemoryInterval;
@@ -71,6 +72,15 @@ namespace Rill.Editor
         {
             if (targets.Length > 1)
                 return;
+            // Both passes of a frame have to draw the same rows.
+            if (Event.current == null || Event.current.type == EventType.Layout)
+                missing = MissingPart.Of(Simulation);
+            foreach (MissingPart part in missing)
+            {
+                EditorGUILayout.HelpBox(part.Text, MessageType.Info);
+                if (part.Button != null && GUILayout.Button(part.Button))
+                    part.Add();
+            }
             foreach ((MessageType type, string text) in BudgetSummary.Messages(Simulation.Budget, Simulation.BudgetState, Simulation.StatisticsInterval))
                 EditorGUILayout.HelpBox(text, type);
         }

@@ -81,6 +81,35 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_bare_fluid_offers_what_it_lacks_and_a_click_adds_it()
+        {
+            var bare = new GameObject("Bare");
+            var fluid = bare.AddComponent<FluidSimulation>();
+            Selection.activeGameObject = bare;
+            Editor editor = Inspect(fluid);
+            Draw(editor);
+            Assert.That(GuiDrawing.Buttons, Is.SupersetOf(new[] { "Add Particle Renderer", "Add Fluid Volume" }));
+            Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.StartWith("Nothing draws").And.Some.Contain("fills this fluid"));
+
+            foreach (string button in new[] { "Add Particle Renderer", "Add Fluid Volume" })
+            {
+                Undo.IncrementCurrentGroup();
+                GuiDrawing.Press = text => text == button;
+                Draw(editor);
+                GuiDrawing.Press = null;
+                Draw(editor);
+                Assert.That(GuiDrawing.Buttons, Has.No.Member(button));
+                Assert.That(Undo.GetCurrentGroupName(), Is.EqualTo(button));
+            }
+            Assert.That(bare.GetComponent<ParticleRenderer>() != null && bare.GetComponentInChildren<FluidVolume>() != null);
+            Assert.That(Selection.activeGameObject, Is.SameAs(bare), "so that the other can be added too");
+            Undo.PerformUndo();
+            Undo.PerformUndo();
+            Draw(editor);
+            Assert.That(GuiDrawing.Buttons, Is.SupersetOf(new[] { "Add Particle Renderer", "Add Fluid Volume" }), "both were undone");
+        }
+
+        [Test]
         public void Fields_in_which_objects_differ_are_drawn_as_mixed()
         {
             var first = (FluidDrain)Make(typeof(FluidDrain));
