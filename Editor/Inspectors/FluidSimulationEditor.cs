@@ -55,6 +55,8 @@ namespace Rill.Editor
                 new InspectorField("maxStepsPerFrame"),
                 new InspectorField("paused"),
                 new InspectorField("statisticsInterval", "steps")),
+            new InspectorSection("Build", false,
+                new InspectorField("shadersInBuild")),
         };
 
         List<MissingPart> missing = new List<MissingPart>();

@@ -46,6 +46,7 @@ namespace Host.Tests
         public void A_static_that_outlives_play_mode_is_named(string field) => Assert.That(Examine(new StaticsRule()).Faults, Has.Some.Match($"PlantedFaults\\..*{field}.* is a static that can change"));
 
         [TestCase("reset")]
+        [TestCase("lookup")]
         [TestCase("Limit")]
         [TestCase("id")]
         [TestCase("Label")]
@@ -61,6 +62,9 @@ namespace Host.Tests
         Findings Examine(Rule rule) => rule.Examine(new PackageTree(folder, folder));
     }
 
+    [System.AttributeUsage(System.AttributeTargets.Field)]
+    sealed class KeptBetweenPlaysAttribute : System.Attribute { }
+
     static class PlantedFaults
     {
         static int counter;
@@ -68,6 +72,7 @@ namespace Host.Tests
         static object Instance { get; set; }
         static int resetTooLate;
         static int reset;
+        [KeptBetweenPlays] static object lookup;
         const int Limit = 3;
         static readonly int id = Shader.PropertyToID("_Planted");
         static readonly string Label = "label";
@@ -81,6 +86,7 @@ namespace Host.Tests
         static void ReadsBack(GraphicsBuffer buffer) => buffer.GetData(new int[1]);
         static void Waits(AsyncGPUReadbackRequest request) => request.WaitForCompletion();
         static void Searches() => Instance = GameObject.Find("Fluid");
-        static int Queries() => cache.Sum() + counter++ + resetTooLate + reset + id + Label.Length;
+        static void Install() => lookup = new object();
+        static int Queries() => (lookup == null ? 0 : 1) + cache.Sum() + counter++ + resetTooLate + reset + id + Label.Length;
     }
 }

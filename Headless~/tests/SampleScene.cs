@@ -7,12 +7,13 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Tests
 {
-    /// <summary>A sample of the package as the player's scene, until it is disposed of.</summary>
+    /// <summary>A sample of the package as the scene of a built player, until it is disposed of.</summary>
     sealed class SampleScene : IDisposable
     {
         readonly ProjectAssets assets;
         readonly IAssetSource assetsBefore = Player.Assets;
         readonly Func<string, Scene> loaderBefore = SceneManager.SceneLoader;
+        readonly Func<string, StageShader> findBefore = StageShader.EditorFind;
         readonly string path;
 
         public SampleScene(string sample)
@@ -21,6 +22,7 @@ namespace Host.Tests
             path = located.AssetPath;
             assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly, Assembly.Load("Rill.Samples") }, strict: true);
             Player.Assets = assets;
+            StageShader.EditorFind = null;
             SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
             try
             {
@@ -41,6 +43,7 @@ namespace Host.Tests
             SceneManager.UnloadEverything();
             assets.ReloadAll();
             Player.Assets = assetsBefore;
+            StageShader.EditorFind = findBefore;
             SceneManager.SceneLoader = loaderBefore;
         }
     }

@@ -17,7 +17,7 @@ namespace Rill
 
         MaterialPropertyBlock edgeProperties, floorProperties;
 
-        private protected override string Stage => "DomainRenderer";
+        private protected override StageSet Stage => StageSet.DomainRenderer;
 
         private protected override void Draw()
         {

@@ -7,13 +7,19 @@ namespace Rill
     /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
     [RequireComponent(typeof(FluidSimulation))]
     [DefaultExecutionOrder(100)]    // after the simulation's step
-    public abstract class FluidRenderer : MonoBehaviour
+    public abstract class FluidRenderer : MonoBehaviour, IUsesStages
     {
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
+
         Material material;
         string keyword;
 
-        /// <summary>Asset under Resources/Rill that holds the shader.</summary>
-        private protected abstract string Stage { get; }
+        /// <summary>The one whose asset holds the shader.</summary>
+        private protected abstract StageSet Stage { get; }
+
+        StageSet IUsesStages.UsedStages => Stage;
+
+        StageReferences IUsesStages.StageReferences => shaders;
 
         private protected FluidSimulation Simulation { get; private set; }
 
@@ -81,9 +87,10 @@ namespace Rill
         {
             Simulation = GetComponent<FluidSimulation>();
             keyword = null;
+            shaders.Hold();
             try
             {
-                material = new Material(StageShader.Load(Stage).Shader) { hideFlags = HideFlags.HideAndDontSave };
+                material = new Material(StageShader.Load(StageSets.StageAt(Stage, 0)).Shader) { hideFlags = HideFlags.HideAndDontSave };
             }
             catch (InvalidOperationException problem)
             {
@@ -99,7 +106,10 @@ namespace Rill
             else
                 DestroyImmediate(material);
             material = null;
+            shaders.Release();
         }
+
+        void OnValidate() => shaders.Follow(Stage);
 
         void Update() => DrawFrame();
 

@@ -57,7 +57,7 @@ namespace Rill
         /// <summary>Light whose direction and colour the spheres take; null for light from above.</summary>
         public Light Sun { get => sun; set => sun = value; }
 
-        private protected override string Stage => "ParticleRenderer";
+        private protected override StageSet Stage => StageSet.ParticleRenderer;
 
         private protected override void Draw()
         {

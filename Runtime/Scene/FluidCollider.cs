@@ -13,7 +13,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
-    public sealed class FluidCollider : MonoBehaviour, IHasProblems
+    public sealed class FluidCollider : MonoBehaviour, IHasProblems, IUsesStages
     {
         [Tooltip("What the obstacle looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -49,6 +49,8 @@ namespace Rill
 
         [Tooltip("Whether what the water does to the obstacle is summed and brought back, a few frames late. Costs a little where on.")]
         [SerializeField] bool measuresForce;
+
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         static List<FluidCollider> enabledColliders = new List<FluidCollider>();
 
@@ -214,16 +216,26 @@ namespace Rill
             return problem;
         }
 
-        void OnEnable() => enabledColliders.Add(this);
+        StageSet IUsesStages.UsedStages => StageSet.Colliders;
+
+        StageReferences IUsesStages.StageReferences => shaders;
+
+        void OnEnable()
+        {
+            enabledColliders.Add(this);
+            shaders.Hold();
+        }
 
         void OnDisable()
         {
             enabledColliders.Remove(this);
             forces.Clear();
+            shaders.Release();
         }
 
         void OnValidate()
         {
+            shaders.Follow(StageSet.Colliders);
             problemIsKnown = false;
             if (!Validate(out clamped))
                 Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);

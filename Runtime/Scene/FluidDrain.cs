@@ -86,6 +86,8 @@ namespace Rill
             return true;
         }
 
+        private protected override StageSet UsedStages => StageSet.Drains;
+
         private protected override string ValidateValues()
         {
             string problem = null;

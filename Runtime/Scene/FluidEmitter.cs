@@ -230,6 +230,9 @@ namespace Rill
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
         }
 
+        // What takes particles out when their lifetime is over is the drains' stage.
+        private protected override StageSet UsedStages => lifetime > 0f ? StageSet.Emitters | StageSet.Drains : StageSet.Emitters;
+
         private protected override string ValidateValues()
         {
             string problem = null;

@@ -121,6 +121,8 @@ namespace Rill
 
         string SizeProblem => $"its {(bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.";
 
+        private protected override StageSet UsedStages => StageSet.ForceFields;
+
         private protected override string ValidateValues()
         {
             string problem = null;

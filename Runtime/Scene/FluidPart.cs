@@ -5,10 +5,12 @@ namespace Rill
 {
     /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
     /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
-    public abstract class FluidPart : MonoBehaviour, IHasProblems
+    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages
     {
         [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
         [SerializeField] FluidSimulation simulation;
+
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         FluidSimulation attached;
         RigidPose lastPose;         // at the end of the last steps, in the domain's frame
@@ -43,6 +45,13 @@ namespace Rill
 
         /// <summary>What is wrong with a part of this kind in a simulation.</summary>
         private protected abstract void ListOwnProblems(FluidSimulation fluid, List<string> problems);
+
+        /// <summary>The stages that a part of this kind makes a fluid use.</summary>
+        private protected abstract StageSet UsedStages { get; }
+
+        StageSet IUsesStages.UsedStages => UsedStages;
+
+        StageReferences IUsesStages.StageReferences => shaders;
 
         void IHasProblems.ListProblems(List<string> problems)
         {
@@ -107,15 +116,21 @@ namespace Rill
 
         void OnEnable()
         {
+            shaders.Hold();
             Validate();
             Attach();
         }
 
-        void OnDisable() => Detach();
+        void OnDisable()
+        {
+            Detach();
+            shaders.Release();
+        }
 
         void OnValidate()
         {
             Validate();
+            shaders.Follow(UsedStages);
             if (attached != null && simulation != null && simulation != attached)
                 Reattach();
         }

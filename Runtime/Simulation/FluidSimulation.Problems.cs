@@ -20,6 +20,7 @@ namespace Rill
             }
             problems.AddIfAny(placeIsLost ? LostPlaceProblem : null);
             problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
+            problems.AddIfAny(missingProblem);
         }
 
         static string DeviceProblem => SystemInfo.supportsComputeShaders ? null : "this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.";

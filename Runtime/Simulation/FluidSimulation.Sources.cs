@@ -71,7 +71,7 @@ namespace Rill
             }
             sources ??= new StepSources();
             sources.Clear();
-            sources.goneEmitters = goneEmitters;
+            sources.goneEmitters = pbf.EmitterStates != null ? goneEmitters : 0;       // without, nothing waits
             sources.goneDrains = goneDrains;
             goneEmitters = goneDrains = 0;
             GetPlace(out Vector3 place, out Quaternion rotation);
@@ -80,7 +80,7 @@ namespace Rill
             foreach (FluidDrain drain in drains)
             {
                 sources.keepsDrains |= drain != null;
-                if (drain == null || !drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
+                if (drain == null || !HasStages(StageSet.Drains) || !drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
                     continue;
                 sources.Add(region);
                 if (region.emitter != DrainRegion.NoEmitter)
@@ -89,12 +89,13 @@ namespace Rill
             foreach (FluidEmitter emitter in emitters)
             {
                 sources.keepsEmitters |= emitter != null;
-                if (emitter != null && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.Passed, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (emitter != null && HasStages(StageSet.Emitters) && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.Passed, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
             foreach (FluidForceField field in fields)
-                if (field != null && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+                if (field != null && HasStages(StageSet.ForceFields) && field.TakeStep(frame, particleSpacing, out FieldRegion region))
                     sources.Add(region);
+            sources.needsLifetimes = sources.needsLifetimes && HasStages(StageSet.Drains);
             return sources;
         }
 

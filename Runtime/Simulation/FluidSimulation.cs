@@ -206,6 +206,7 @@ namespace Rill
             FollowTransform();
 
             ValidateSettings();
+            shaders.Hold();
             try
             {
                 pbf = new PbfSolver(MakeLayout());
@@ -229,12 +230,14 @@ namespace Rill
             ReleaseSources();
             commands?.Dispose();
             commands = null;
+            shaders.Release();
         }
 
         void OnValidate()
         {
             failure = null;     // what it was of may have changed
             ValidateSettings();
+            shaders.Follow(UsedStages);
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
         }
 
@@ -280,7 +283,7 @@ namespace Rill
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
 
-            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending;
+            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && HasStages(StageSet.Statistics);
             if (measures)
                 pbf.RecordStatistics(commands, input);
             else if (statisticsInterval <= 0 && !pbf.StatisticsPending)     // releasing a pending one would wait for the GPU
@@ -344,6 +347,7 @@ namespace Rill
                 colliders = colliders,
             };
             NeedsDensity = false;
+            LeaveOutMissing(ref input);
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
         }

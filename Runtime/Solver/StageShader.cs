@@ -1,16 +1,26 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
 {
     /// <summary>
-    /// The compute shader or shader of one stage, as an asset under Resources/Rill that is loaded when the stage is first
-    /// needed: a component added at run time finds its shaders, and a build can leave out those of unused stages.
+    /// The compute shader or shader of one stage, as an asset that components refer to: a build contains the stages of the
+    /// components that it contains, and no others.
     /// </summary>
+    /// <remarks>A stage is found while something that is enabled refers to its asset; in the Editor always.</remarks>
     public sealed class StageShader : ScriptableObject
     {
         [SerializeField] ComputeShader compute;
         [SerializeField] Shader shader;
+
+        // Components let go of their stages in OnDisable, when play mode ends too.
+        [KeptBetweenPlays] static readonly List<StageShader> held = new List<StageShader>();
+        [KeptBetweenPlays] static Func<string, StageShader> editorFind;
+        [KeptBetweenPlays] static int changes;
+
+        string stage;       // its name, which Unity would copy at each call
+        int holders;
 
         /// <summary>The stage's kernels; null for a stage that only draws.</summary>
         public ComputeShader Compute => compute;
@@ -18,24 +28,68 @@ namespace Rill
         /// <summary>The stage's passes; null for a stage that only computes.</summary>
         public Shader Shader => shader;
 
-        /// <summary>Loads "Rill/<paramref name="stage"/>" from Resources.</summary>
-        /// <exception cref="InvalidOperationException">The asset is missing, as after a build step that stripped it.</exception>
+        /// <summary>Finds a stage's asset among all of the project's; null in a player.</summary>
+        internal static Func<string, StageShader> EditorFind { get => editorFind; set => editorFind = value; }
+
+        /// <summary>Differs from its last value once a stage has come or gone.</summary>
+        internal static int Changes => changes;
+
+        /// <summary>The stage's asset.</summary>
+        /// <exception cref="InvalidOperationException">Nothing that is loaded refers to it.</exception>
         public static StageShader Load(string stage)
         {
-            var asset = Resources.Load<StageShader>("Rill/" + stage);
+            StageShader asset = Find(stage);
             if (asset == null)
-                throw new InvalidOperationException($"Rill: the asset Resources/Rill/{stage}.asset is not in this build. Reimport the package, or exempt the stage from stripping.");
+                throw new InvalidOperationException(MissingProblem(stage));
             return asset;
         }
 
         /// <summary>The kernels of a stage.</summary>
-        /// <exception cref="InvalidOperationException">The asset or its compute shader is missing.</exception>
+        /// <exception cref="InvalidOperationException">Nothing that is loaded refers to the asset, or its compute shader is missing.</exception>
         public static ComputeShader LoadCompute(string stage)
         {
             ComputeShader compute = Load(stage).compute;
             if (compute == null)
-                throw new InvalidOperationException($"Rill: Resources/Rill/{stage}.asset has lost its compute shader. Reimport the package.");
+                throw new InvalidOperationException($"the asset of the stage '{stage}' has lost its compute shader. Reimport the package.");
             return compute;
+        }
+
+        /// <summary>The stage's asset; null where nothing that is loaded refers to it.</summary>
+        internal static StageShader Find(string stage)
+        {
+            foreach (StageShader asset in held)
+                if (asset.stage == stage && asset != null)
+                    return asset;
+            StageShader found = editorFind?.Invoke(stage);
+            return found != null ? found : null;
+        }
+
+        /// <summary>What is wrong and what to do where a stage is not there.</summary>
+        internal static string MissingProblem(string stage)
+        {
+            return $"the shaders of the stage '{stage}' are not loaded: this build has no scene or prefab with a component that uses them, or the component was added by a script. "
+                + "Set Shaders In Build of a FluidSimulation in the scene to All Features, or put the package's asset FluidShaders into the Preloaded Assets of the player settings.";
+        }
+
+        /// <summary>The stage can be found until as many calls of <see cref="Release"/>.</summary>
+        internal void Hold()
+        {
+            if (!held.Contains(this))
+            {
+                stage = name;
+                holders = 0;
+                held.Add(this);
+                changes++;
+            }
+            holders++;
+        }
+
+        /// <summary>Takes one <see cref="Hold"/> back.</summary>
+        internal void Release()
+        {
+            if (--holders > 0 || !held.Remove(this))
+                return;
+            changes++;
         }
     }
 }

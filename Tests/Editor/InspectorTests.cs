@@ -153,7 +153,7 @@ namespace Rill.Editor.Tests
             for (Type t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ValueType); t = t.BaseType)
                 foreach (FieldInfo field in t.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
                 {
-                    if (!field.IsPublic && !field.IsDefined(typeof(SerializeField)))
+                    if (!field.IsPublic && !field.IsDefined(typeof(SerializeField)) || field.IsDefined(typeof(HideInInspector)))
                         continue;
                     bool isOurs = field.FieldType.IsValueType && !field.FieldType.IsEnum && field.FieldType.Assembly == typeof(FluidSimulation).Assembly;
                     if (!isOurs)

@@ -40,7 +40,7 @@ namespace Host
             Player.ScreenWidth = settings.Width;
             Player.ScreenHeight = settings.Height;
 
-            using var session = project == null ? new Session(scene, settings.Strict, settings.Compute)
+            using var session = project == null ? new Session(scene, settings.Strict, settings.Compute, player: true)
                 : new Session(project.Scene.Root, project.Scene.Mounts, project.Scripts.Assemblies, strict: settings.Strict, compute: settings.Compute, foreign: project.Scripts);
             output.WriteLine($"{Path.GetFileNameWithoutExtension(scene.File)} on {session.DescribeDevice()}");
             if (settings.Seed is int seed)

@@ -6,6 +6,7 @@ using System.Reflection;
 using System.Runtime.ExceptionServices;
 using Host.Assets;
 using Host.Vulkan;
+using Rill;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.Headless;
@@ -22,6 +23,7 @@ namespace Host
         readonly VulkanDevice device;
         readonly ProjectAssets assets;
         readonly HashSet<string> said = new();
+        readonly Func<string, StageShader> editorFind = StageShader.EditorFind;
         int warned;
         readonly List<string> dropped = new();
         ExceptionDispatchInfo fault;
@@ -29,8 +31,9 @@ namespace Host
         /// <param name="root">A Unity project's or package's folder.</param>
         /// <param name="mounts">Null: those of the root.</param>
         /// <param name="scripts">Assemblies with scripts beside the package's.</param>
+        /// <param name="player">As a built player rather than the Editor: without Editor scripts, so that only what the scene refers to is there.</param>
         /// <param name="foreign">Of a project that the host was not built with; its scripts are all there are.</param>
-        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true, IForeignTypes foreign = null)
+        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true, bool player = false, IForeignTypes foreign = null)
         {
             // Messages end as the command's output, each once: a fault in Update comes back every frame.
             LogSink.Received += Hear;
@@ -50,7 +53,9 @@ namespace Host
             ProjectSettings.Apply(root, path => assets.ResolvePath(path) != null);
             foreach (KeyValuePair<Type, int> order in assets.ExecutionOrders())
                 ExecutionOrder.FromMeta[order.Key] = order.Value;
-            if (foreign == null)
+            if (player)
+                StageShader.EditorFind = null;
+            else if (foreign == null)
                 EditorInitializers.Run();
             Initializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
             Initializers.Run(RuntimeInitializeLoadType.BeforeSplashScreen);
@@ -58,7 +63,7 @@ namespace Host
         }
 
         /// <summary>For the scene's project; <see cref="LoadScene"/> opens it.</summary>
-        public Session(LocatedScene scene, bool strict = true, bool compute = true) : this(scene.Root, scene.Mounts, strict: strict, compute: compute) { }
+        public Session(LocatedScene scene, bool strict = true, bool compute = true, bool player = false) : this(scene.Root, scene.Mounts, strict: strict, compute: compute, player: player) { }
 
         public DeviceInfo Info => device.Info;
 
@@ -125,6 +130,7 @@ namespace Host
             LogSink.Received -= Hear;
             PlayerLoop.Reset();
             Gpu.Reset();
+            StageShader.EditorFind = editorFind;
             Player.Device = null;
             Player.Assets = null;
             device.Dispose();

@@ -10,10 +10,12 @@ namespace Host.Check
 {
     /// <summary>
     /// Without domain reload a static keeps its value from one play mode to the next: one that can change has to be set
-    /// by a method with [RuntimeInitializeOnLoadMethod(SubsystemRegistration)].
+    /// by a method with [RuntimeInitializeOnLoadMethod(SubsystemRegistration)]. What follows the assets that are
+    /// loaded stays instead, and says so by an attribute.
     /// </summary>
     sealed class StaticsRule : Rule
     {
+        const string KeptBetweenPlays = "KeptBetweenPlaysAttribute";
         const int SubsystemRegistration = 4;        // of UnityEngine.RuntimeInitializeLoadType
         // Read-only statics of these hold no state; of other classes they may (a list, a buffer).
         static readonly HashSet<string> Immutable = new() { "String", "ProfilerMarker", "Type", "GpuMarker" };
@@ -37,7 +39,8 @@ namespace Host.Check
                                 continue;
                             fields++;
                             bool constant = (field.Attributes & FieldAttributes.InitOnly) != 0 && HoldsNoState(reader, field);
-                            if (!constant && !reset.Contains(MetadataTokens.GetToken(handle)))
+                            bool isKept = field.GetCustomAttributes().Any(a => AttributeName(reader, reader.GetCustomAttribute(a)) == KeptBetweenPlays);
+                            if (!constant && !isKept && !reset.Contains(MetadataTokens.GetToken(handle)))
                                 findings.Fault($"{reader.GetString(type.Namespace)}.{reader.GetString(type.Name)}.{reader.GetString(field.Name)} of {definition.Name} is a static that can change; set it in a method with [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]");
                         }
                 }
@@ -66,13 +69,24 @@ namespace Host.Check
 
         static bool IsAtStart(MetadataReader reader, CustomAttribute attribute)
         {
-            if (attribute.Constructor.Kind != HandleKind.MemberReference)
-                return false;
-            EntityHandle type = reader.GetMemberReference((MemberReferenceHandle)attribute.Constructor).Parent;
-            if (type.Kind != HandleKind.TypeReference || reader.GetString(reader.GetTypeReference((TypeReferenceHandle)type).Name) != "RuntimeInitializeOnLoadMethodAttribute")
+            if (AttributeName(reader, attribute) != "RuntimeInitializeOnLoadMethodAttribute")
                 return false;
             BlobReader value = reader.GetBlobReader(attribute.Value);
             return value.Length >= 8 && value.ReadUInt16() == 1 && value.ReadInt32() == SubsystemRegistration;
+        }
+
+        // Of an attribute from this assembly or another.
+        static string AttributeName(MetadataReader reader, CustomAttribute attribute)
+        {
+            EntityHandle type = attribute.Constructor.Kind == HandleKind.MemberReference
+                ? reader.GetMemberReference((MemberReferenceHandle)attribute.Constructor).Parent
+                : reader.GetMethodDefinition((MethodDefinitionHandle)attribute.Constructor).GetDeclaringType();
+            return type.Kind switch
+            {
+                HandleKind.TypeReference => reader.GetString(reader.GetTypeReference((TypeReferenceHandle)type).Name),
+                HandleKind.TypeDefinition => reader.GetString(reader.GetTypeDefinition((TypeDefinitionHandle)type).Name),
+                _ => "",
+            };
         }
 
         /// <summary>"value Name" for value types, else the simple name.</summary>

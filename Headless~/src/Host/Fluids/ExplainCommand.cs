@@ -24,7 +24,7 @@ namespace Host.Fluids
             command.SetAction(parsed =>
             {
                 LocatedScene located = Session.Locate(parsed.GetValue(scene));
-                using var session = new Session(located);
+                using var session = new Session(located, player: true);
                 session.LoadScene(located);
                 for (int i = 0; i < Frames; i++)
                     PlayerLoop.Frame(1f / 60f);

@@ -4,11 +4,12 @@ using System.Linq;
 using System.Reflection;
 using System.Runtime.InteropServices;
 using NUnit.Framework;
+using Rill.Tests;
 using Rill.Tests.Reference;
 using Unity.Mathematics;
 using UnityEngine;
 
-namespace Rill.Tests
+namespace Rill.Editor.Tests
 {
     public class SolverConstantsTests
     {
@@ -19,7 +20,7 @@ namespace Rill.Tests
         public void Every_member_is_where_the_kernels_read_it()
         {
             SolverConstants constants = Numbered(out Dictionary<string, uint[]> expected);
-            ComputeShader shader = TestShaders.LoadProbe("LayoutProbe");
+            ComputeShader shader = LayoutProbes.Load("LayoutProbe");
             int probe = shader.FindKernel("Probe");
             uint[] words;
             using (GraphicsBuffer buffer = GpuTest.UploadConstants(constants))

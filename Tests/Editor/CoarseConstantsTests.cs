@@ -4,10 +4,11 @@ using System.Linq;
 using System.Reflection;
 using System.Runtime.InteropServices;
 using NUnit.Framework;
+using Rill.Tests;
 using Unity.Mathematics;
 using UnityEngine;
 
-namespace Rill.Tests
+namespace Rill.Editor.Tests
 {
     public class CoarseConstantsTests
     {
@@ -19,7 +20,7 @@ namespace Rill.Tests
         public void Every_member_is_where_the_kernels_read_it()
         {
             CoarseConstants constants = Numbered(out List<(string field, uint bits)> expected);
-            ComputeShader shader = TestShaders.LoadProbe("CoarseLayoutProbe");
+            ComputeShader shader = LayoutProbes.Load("CoarseLayoutProbe");
             int probe = shader.FindKernel("Probe");
             uint[] words;
             using (GraphicsBuffer buffer = GpuTest.UploadConstants(constants))

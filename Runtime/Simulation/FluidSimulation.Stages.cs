@@ -1,0 +1,99 @@
+using UnityEngine;
+
+namespace Rill
+{
+    // Which stages a build with this fluid contains, and what is left out where one is missing.
+    public sealed partial class FluidSimulation : IUsesStages
+    {
+        [Tooltip("Shaders that a build with this fluid contains. Used By Settings: those that the settings stored here need. All Features: also those that a script may switch on or add.")]
+        [SerializeField] ShadersInBuild shadersInBuild = ShadersInBuild.UsedBySettings;
+
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
+
+        StageSet found, missing, missingSaid;
+        int stagesSeen = -1;
+        string missingProblem;
+
+        /// <summary>Shaders that a build with this fluid contains. Of use in the Editor alone: a player has those that it was built with.</summary>
+        public ShadersInBuild ShadersInBuild { get => shadersInBuild; set { shadersInBuild = value; OnValidate(); } }
+
+        StageReferences IUsesStages.StageReferences => shaders;
+
+        StageSet IUsesStages.UsedStages => UsedStages;
+
+        StageSet UsedStages
+        {
+            get
+            {
+                if (shadersInBuild == ShadersInBuild.AllFeatures)
+                    return StageSet.OfFluids;
+                StageSet used = StageSet.Core;
+                used |= solver.deepWater != DeepWater.Off ? StageSet.DeepWater : StageSet.None;
+                used |= material.shearModulus > 0f ? StageSet.Viscoelasticity : StageSet.None;
+                used |= material.vorticity > 0f ? StageSet.Vorticity : StageSet.None;
+                used |= solver.sleepSpeed > 0f && !(material.vorticity > 0f) ? StageSet.Sleep : StageSet.None;
+                used |= statisticsInterval > 0 ? StageSet.Statistics : StageSet.None;
+                return used;
+            }
+        }
+
+        /// <summary>Whether the stages of a group are loaded; where not, that is logged once, by name.</summary>
+        bool HasStages(StageSet group)
+        {
+            if (stagesSeen != StageShader.Changes)
+            {
+                stagesSeen = StageShader.Changes;
+                found = missing = StageSet.None;
+                missingProblem = null;
+            }
+            if ((found & group) != 0)
+                return true;
+            if ((missing & group) != 0)
+                return false;
+            string stage = StageSets.FirstMissing(group);
+            if (stage == null)
+            {
+                found |= group;
+                return true;
+            }
+            missing |= group;
+            missingProblem = $"goes on without {NameOf(group)}: {StageShader.MissingProblem(stage)}";
+            if ((missingSaid & group) == 0)
+                Debug.LogError($"Rill: FluidSimulation '{name}' {missingProblem}", this);
+            missingSaid |= group;
+            return false;
+        }
+
+        /// <summary>Turns off in an input what it asks for and what has no shaders here.</summary>
+        void LeaveOutMissing(ref StepInput step)
+        {
+            if (Rill.Colliders.IsNeeded(step) && !HasStages(StageSet.Colliders))
+                step.colliders = null;
+            if (Viscoelasticity.IsNeeded(step) && !HasStages(StageSet.Viscoelasticity))
+                step.material.shearModulus = 0f;
+            if (VorticityConfinement.IsNeeded(step) && !HasStages(StageSet.Vorticity))
+                step.material.vorticity = 0f;
+            if (RestingRegions.IsNeeded(step) && !HasStages(StageSet.Sleep))
+                step.settings.sleepSpeed = 0f;
+            if (pbf.IsDeep(step) && !HasStages(StageSet.DeepWater))
+                step.settings.deepWater = DeepWater.Off;
+        }
+
+        static string NameOf(StageSet group)
+        {
+            switch (group)
+            {
+                case StageSet.DeepWater: return "deep water";
+                case StageSet.Viscoelasticity: return "elasticity";
+                case StageSet.Vorticity: return "vorticity confinement";
+                case StageSet.Sleep: return "sleep";
+                case StageSet.Statistics: return "statistics";
+                case StageSet.Colliders: return "colliders";
+                case StageSet.Emitters: return "emitters";
+                case StageSet.Drains: return "drains and lifetimes";
+                case StageSet.ForceFields: return "force fields";
+                default: return group.ToString();
+            }
+        }
+    }
+}

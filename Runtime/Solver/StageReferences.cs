@@ -1,0 +1,89 @@
+using System;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>The stages that a component refers to, so that a build with the component contains them.</summary>
+    [Serializable]
+    sealed class StageReferences
+    {
+        [SerializeField] StageShader[] stages = Array.Empty<StageShader>();
+
+        StageShader[] held;
+
+        /// <summary>What is stored; an element is null where its asset is gone.</summary>
+        public StageShader[] Stages => stages;
+
+        /// <summary>Makes the stages findable until <see cref="Release"/>; twice in a row is safe.</summary>
+        public void Hold()
+        {
+            if (held == stages)
+                return;
+            StageShader[] before = held;
+            held = stages;
+            foreach (StageShader stage in held)
+                if (stage != null)
+                    stage.Hold();
+            Release(before);
+        }
+
+        public void Release()
+        {
+            Release(held);
+            held = null;
+        }
+
+        /// <summary>Of OnValidate: <see cref="Update"/> outside of play mode, in which nothing is stored.</summary>
+        public void Follow(StageSet wanted)
+        {
+            if (!Application.isPlaying)
+                Update(wanted);
+        }
+
+        /// <summary>In the Editor: refers to the stages of these groups and no others. In a player it leaves all as it is.</summary>
+        /// <returns>Whether anything changed.</returns>
+        public bool Update(StageSet wanted)
+        {
+            if (StageShader.EditorFind == null || !TryFindAll(wanted, null, out int count, out bool isSame) || isSame)
+                return false;
+            var found = new StageShader[count];
+            TryFindAll(wanted, found, out _, out _);
+            stages = found;
+            if (held != null)
+                Hold();
+            return true;
+        }
+
+        // False while an asset has yet to be imported: what is stored then stays.
+        bool TryFindAll(StageSet wanted, StageShader[] into, out int count, out bool isSame)
+        {
+            count = 0;
+            isSame = true;
+            for (int bit = 1; bit <= (int)wanted; bit <<= 1)
+            {
+                if (((int)wanted & bit) == 0)
+                    continue;
+                for (int i = 0; StageSets.StageAt((StageSet)bit, i) is string name; i++, count++)
+                {
+                    StageShader stage = StageShader.EditorFind(name);
+                    if (stage == null)
+                        return false;
+                    isSame &= count < stages.Length && ReferenceEquals(stages[count], stage);
+                    if (into != null)
+                        into[count] = stage;
+                }
+            }
+            isSame &= count == stages.Length;
+            return true;
+        }
+
+        static void Release(StageShader[] stages)
+        {
+            if (stages == null)
+                return;
+            foreach (StageShader stage in stages)
+                if (!ReferenceEquals(stage, null))
+                    stage.Release();
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+
+namespace Rill
+{
+    /// <summary>Groups of stages that a fluid uses together, each with the stage assets that it needs.</summary>
+    [Flags]
+    enum StageSet
+    {
+        None = 0,
+        /// <summary>What every fluid needs.</summary>
+        Core = 1,
+        DeepWater = 1 << 1,
+        Viscoelasticity = 1 << 2,
+        Vorticity = 1 << 3,
+        Sleep = 1 << 4,
+        Statistics = 1 << 5,
+        Colliders = 1 << 6,
+        Emitters = 1 << 7,
+        Drains = 1 << 8,
+        ForceFields = 1 << 9,
+        ParticleRenderer = 1 << 10,
+        DomainRenderer = 1 << 11,
+        MeshBaking = 1 << 12,
+        /// <summary>All that a script can switch on or add to a fluid.</summary>
+        OfFluids = (1 << 12) - 1,
+        All = (1 << 13) - 1,
+    }
+
+    static class StageSets
+    {
+        /// <summary>Name of a stage asset that one group needs; null from their number on.</summary>
+        /// <param name="group">A single bit.</param>
+        public static string StageAt(StageSet group, int index)
+        {
+            switch (group)
+            {
+                case StageSet.Core: return CoreAt(index);
+                // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
+                case StageSet.DeepWater: return index == 0 ? "CoarseGrid" : index == 1 ? "CoarseSolver" : index == 2 ? "CoarseSolids" : null;
+                default: return index == 0 ? Only(group) : null;
+            }
+        }
+
+        /// <summary>First stage of a group whose asset is not loaded; null where all are there.</summary>
+        public static string FirstMissing(StageSet group)
+        {
+            for (int i = 0; StageAt(group, i) is string stage; i++)
+                if (StageShader.Find(stage) == null)
+                    return stage;
+            return null;
+        }
+
+        static string CoreAt(int index)
+        {
+            switch (index)
+            {
+                case 0: return "Emission";
+                case 1: return "NeighborSearch";
+                case 2: return "PrefixSum";
+                case 3: return "DensityConstraint";
+                case 4: return "VelocityUpdate";
+                case 5: return "Clear";
+                default: return null;
+            }
+        }
+
+        static string Only(StageSet group)
+        {
+            switch (group)
+            {
+                case StageSet.Viscoelasticity: return "Viscoelasticity";
+                case StageSet.Vorticity: return "VorticityConfinement";
+                case StageSet.Sleep: return "RestingRegions";
+                case StageSet.Statistics: return "Statistics";
+                case StageSet.Colliders: return "Colliders";
+                case StageSet.Emitters: return "Emitters";
+                case StageSet.Drains: return "Drains";
+                case StageSet.ForceFields: return "ForceFields";
+                case StageSet.ParticleRenderer: return "ParticleRenderer";
+                case StageSet.DomainRenderer: return "DomainRenderer";
+                case StageSet.MeshBaking: return "MeshSdf";
+                default: return null;
+            }
+        }
+    }
+}
