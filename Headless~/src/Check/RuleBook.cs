@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Host.Check.Api;
+using Host.Check.Build;
 
 namespace Host.Check
 {
@@ -20,6 +21,8 @@ namespace Host.Check
             new TestProjectRule(),
             new LinksRule(),
             new GeneratedFilesRule(),
+            new ResourcesRule(),
+            new SceneReferencesRule(),
             new FrameCallsRule(),
             new StaticsRule(),
             new ModulesRule(),

@@ -33,6 +33,7 @@ namespace Host
                 ReportCommand.Create(),
                 CheckCommand.Create(),
                 GenerateCommand.Create(),
+                ReferencesCommand.Create(),
             };
             ParseResult parsed = root.Parse(arguments);
             if (parsed.Action is ParseErrorAction)

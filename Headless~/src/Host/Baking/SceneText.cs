@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Text.RegularExpressions;
 
 namespace Host.Baking
@@ -24,6 +26,20 @@ namespace Host.Baking
             at += newLine.Length;
             int next = text.IndexOf(newLine, at, StringComparison.Ordinal);
             return text.Substring(0, at) + line + (next < 0 ? "" : text.Substring(next + newLine.Length));
+        }
+
+        /// <summary>The same for a list of references in a field that holds nothing else.</summary>
+        /// <param name="list">Name of the list in the field's class.</param>
+        /// <param name="values">As Unity writes them, with their braces.</param>
+        /// <returns>Null where the file has no such component of its own.</returns>
+        public static string WithReferences(string text, long id, string field, string list, IReadOnlyList<string> values)
+        {
+            if (!TryFind(text, MonoBehaviour, id, out int start, out int end))
+                return null;
+            string newLine = NewLineOf(text);
+            string lines = $"  {field}:{newLine}    {list}:{(values.Count == 0 ? " []" : "")}{newLine}" + string.Concat(values.Select(value => $"    - {value}{newLine}"));
+            Match old = Regex.Match(text.Substring(start, end - start), $@"^  {Regex.Escape(field)}:[^\n]*\n(?:   [^\n]*\n?)*", RegexOptions.Multiline);
+            return old.Success ? Replace(text, start + old.Index, old.Length, lines) : text.Insert(end, (text[end - 1] == '\n' ? "" : newLine) + lines);
         }
 
         /// <summary>The same for a component that a prefab instance brings.</summary>

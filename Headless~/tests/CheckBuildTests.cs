@@ -1,0 +1,92 @@
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Host.Check.Build;
+using Host.Commands;
+using NUnit.Framework;
+using Rill;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Host.Tests
+{
+    /// <summary>The rules about what a build contains see the faults that they exist for.</summary>
+    public class CheckBuildTests
+    {
+        const string Scene = "Samples~/Tap and Basin/TapAndBasin.unity";
+
+        PackageCopy copy;
+
+        [SetUp]
+        public void CopyThePackage() => copy = new PackageCopy();
+
+        [TearDown]
+        public void RemoveTheCopy() => copy.Dispose();
+
+        [TestCase("Runtime/Resources/Rill/More.asset")]
+        [TestCase("Tests/Runtime/resources/Probe.compute")]
+        [TestCase("Samples~/Column/Resources/Notes.txt")]
+        public void An_asset_that_every_build_would_contain_is_named(string file) => copy.Catches(new ResourcesRule(), () => copy[file] = "", file, "every build contains it");
+
+        [Test]
+        public void A_scene_without_a_stage_that_it_needs_is_named() =>
+            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("CoarseSolver")}\n", ""), Scene, "FluidSimulation 'Fluid'", "CoarseGrid, CoarseSolids", "CoarseGrid, CoarseSolver, CoarseSolids", "references --write");
+
+        [Test]
+        public void A_scene_with_a_stage_that_it_does_not_need_is_named() =>
+            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("Drains")}\n", $"    - {Reference("Drains")}\n    - {Reference("MeshSdf")}\n"), Scene, "FluidDrain 'Outlet'", "refers to Drains, MeshSdf in shaders.stages, and a build to Drains");
+
+        [Test]
+        public void A_setting_that_needs_another_stage_than_the_scene_has_is_named() =>
+            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, "    vorticity: 0\n", "    vorticity: 1\n"), "FluidSimulation 'Fluid'", "VorticityConfinement");
+
+        [Test]
+        public void The_command_stores_what_is_missing_and_nothing_else()
+        {
+            string stored = copy[Scene];
+            copy.Replace(Scene, $"    - {Reference("CoarseSolver")}\n", "");
+            Assert.That(ReferencesCommand.Execute(Tree(), false, TextWriter.Null), Is.EqualTo(1));
+            Assert.That(copy[Scene], Is.Not.EqualTo(stored));
+            Assert.That(ReferencesCommand.Execute(Tree(), true, TextWriter.Null), Is.Zero);
+            Assert.That(copy[Scene], Is.EqualTo(stored));
+        }
+
+        [Test]
+        public void Every_stage_asset_belongs_to_one_group_and_to_the_asset_of_all_shaders()
+        {
+            string[] grouped = Enumerable.Range(0, 31).Select(bit => (StageSet)(1 << bit)).Where(group => (group & StageSet.All) != 0)
+                .SelectMany(group => Enumerable.Range(0, 99).Select(i => StageSets.StageAt(group, i)).TakeWhile(stage => stage != null)).ToArray();
+            string[] assets = Directory.GetFiles(Path.Combine(copy.Root, "Runtime/Stages"), "*.asset").Select(Path.GetFileNameWithoutExtension).ToArray();
+            Assert.That(grouped, Is.EquivalentTo(assets));
+            foreach (string asset in assets)
+                Assert.That(copy["Runtime/FluidShaders.asset"], Does.Contain(Reference(asset)), asset);
+        }
+
+        Host.Check.PackageTree Tree() => new Host.Check.PackageTree(copy.Root);
+
+        string Reference(string stage) => $"{{fileID: 11400000, guid: {copy[$"Runtime/Stages/{stage}.asset.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6)}, type: 2}}";
+    }
+
+    /// <summary>A sample from which a stage was taken, played as a player would.</summary>
+    public class MissingStageSceneTests : GraphicsFixture
+    {
+        [Test]
+        public void A_scene_that_lacks_a_stage_says_so_by_name_and_plays_on()
+        {
+            using (var copy = new PackageCopy())
+            {
+                const string scene = "Samples~/Tap and Basin/TapAndBasin.unity";
+                string guid = copy["Runtime/Stages/Colliders.asset.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6);
+                copy.Replace(scene, $"    - {{fileID: 11400000, guid: {guid}, type: 2}}\n", "");
+                LogAssert.Expect(LogType.Error, new Regex("goes on without colliders"));
+                using (new SampleScene(Path.Combine(copy.Root, scene)))
+                {
+                    for (int i = 0; i < 4; i++)
+                        Frame();
+                    Assert.That(Logged.Count(line => line.Contains("FluidSimulation 'Fluid' goes on without colliders: the shaders of the stage 'Colliders'")), Is.EqualTo(1), string.Join("\n", Logged));
+                    Assert.That(Object.FindObjectOfType<FluidSimulation>().StepCount, Is.EqualTo(4));
+                }
+            }
+        }
+    }
+}
