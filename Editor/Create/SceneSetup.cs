@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
@@ -116,7 +117,7 @@ namespace Rill.Editor
             return Finish(made, name);
         }
 
-        /// <summary>The fluid that an object belongs to: above it, or the first of the open scenes.</summary>
+        /// <summary>The fluid that an object belongs to: above it, or the first of the open scenes, or of the prefab that is open.</summary>
         /// <returns>Null where there is none.</returns>
         public static FluidSimulation FindFluid(GameObject near)
         {
@@ -178,12 +179,25 @@ namespace Rill.Editor
 
         static T FirstOfScenes<T>(Func<T, bool> fits) where T : Component
         {
+            foreach (GameObject root in Roots())
+                foreach (T found in root.GetComponentsInChildren<T>())
+                    if (fits(found))
+                        return found;
+            return null;
+        }
+
+        // While a prefab is open, what is made goes into it and is saved with it: the scenes' objects are out of reach.
+        static IEnumerable<GameObject> Roots()
+        {
+            PrefabStage stage = PrefabStageUtility.GetCurrentPrefabStage();
+            if (stage != null)
+            {
+                yield return stage.prefabContentsRoot;
+                yield break;
+            }
             for (int scene = 0; scene < SceneManager.sceneCount; scene++)
                 foreach (GameObject root in SceneManager.GetSceneAt(scene).GetRootGameObjects())
-                    foreach (T found in root.GetComponentsInChildren<T>())
-                        if (fits(found))
-                            return found;
-            return null;
+                    yield return root;
         }
 
         // In the frame of the domain, wherever in its tree the part is.

@@ -5,6 +5,7 @@ using NUnit.Framework;
 using Rill;
 using Rill.Editor;
 using UnityEditor;
+using UnityEditor.SceneManagement;
 using UnityEngine;
 using UnityEngine.Headless;
 
@@ -81,6 +82,27 @@ namespace Host.Tests
             Assert.That(Object.FindObjectsOfType<Transform>().Length - before, Is.EqualTo(ofOne));
             Assert.That(Selection.activeGameObject.transform.parent, Is.SameAs(fluid.transform), "below the active one");
             Assert.That(Choose(item, fluid).transform.parent, Is.SameAs(fluid.transform), "the menu can be chosen again");
+        }
+
+        [TestCaseSource(nameof(Items))]
+        public void What_is_made_while_a_prefab_is_open_is_part_of_it(string item)
+        {
+            SceneSetup.CreateFluid(null);
+            var stage = ScriptableObject.CreateInstance<PrefabStage>();
+            stage.prefabContentsRoot = new GameObject("Prefab");
+            PrefabStage.Current = stage;
+            Selection.activeObject = null;
+            try
+            {
+                GameObject made = Choose(item, null);
+                Assert.That(made.transform.root, Is.SameAs(stage.prefabContentsRoot.transform));
+                Assert.That(stage.prefabContentsRoot.GetComponentInChildren<FluidSimulation>(), Is.Not.Null, "with a fluid of its own");
+            }
+            finally
+            {
+                PrefabStage.Current = null;
+                Object.DestroyImmediate(stage);
+            }
         }
 
         [Test]

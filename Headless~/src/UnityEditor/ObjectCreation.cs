@@ -73,9 +73,30 @@ namespace UnityEditor
 
 namespace UnityEditor.SceneManagement
 {
-    /// <summary>There is only the main stage here.</summary>
     public static class StageUtility
     {
-        public static void PlaceGameObjectInCurrentStage(GameObject gameObject) { }
+        public static void PlaceGameObjectInCurrentStage(GameObject gameObject)
+        {
+            PrefabStage stage = PrefabStageUtility.GetCurrentPrefabStage();
+            if (stage)
+                gameObject.transform.SetParent(stage.prefabContentsRoot.transform, true);
+        }
+    }
+
+    public abstract class Stage : ScriptableObject { }
+
+    public abstract class PreviewSceneStage : Stage { }
+
+    /// <summary>An open prefab. The host opens none; a test may say that one is.</summary>
+    public sealed class PrefabStage : PreviewSceneStage
+    {
+        internal static PrefabStage Current;
+
+        public GameObject prefabContentsRoot { get; internal set; }
+    }
+
+    public sealed class PrefabStageUtility
+    {
+        public static PrefabStage GetCurrentPrefabStage() => PrefabStage.Current;
     }
 }
