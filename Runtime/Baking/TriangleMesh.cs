@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -86,40 +88,67 @@ namespace Rill
 
         /// <summary>All submeshes of a mesh; quads become two triangles each.</summary>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-        /// <exception cref="ArgumentException">The mesh cannot be read by scripts.</exception>
+        /// <exception cref="ArgumentException">The mesh cannot be read by scripts: in the editor, <see cref="Of(string, Mesh.MeshData)"/> takes it all the same.</exception>
         public static TriangleMesh Of(Mesh mesh)
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
             if (!mesh.isReadable)
-                throw new ArgumentException($"'{mesh.name}' cannot be read by scripts: switch Read/Write on in its import settings.", nameof(mesh));
+                throw new ArgumentException($"'{mesh.name}' cannot be read at run time: switch Read/Write on in its import settings, or bake it in the editor, which reads every mesh.", nameof(mesh));
+            using (Mesh.MeshDataArray data = Mesh.AcquireReadOnlyMeshData(mesh))
+                return Of(mesh.name, data[0]);
+        }
 
+        /// <summary>All submeshes of a snapshot, as of UnityEditor.MeshUtility.AcquireReadOnlyMeshData; quads become two triangles each. On any thread.</summary>
+        /// <param name="name">For messages.</param>
+        /// <param name="data">Only read, and not kept.</param>
+        public static TriangleMesh Of(string name, Mesh.MeshData data)
+        {
             var triangles = new List<int>();
-            var indices = new List<int>();
             int withoutTriangles = 0;
-            for (int part = 0; part < mesh.subMeshCount; part++)
+            for (int part = 0; part < data.subMeshCount; part++)
             {
-                MeshTopology topology = mesh.GetTopology(part);
-                if (topology != MeshTopology.Triangles && topology != MeshTopology.Quads)
+                SubMeshDescriptor submesh = data.GetSubMesh(part);
+                if (submesh.topology != MeshTopology.Triangles && submesh.topology != MeshTopology.Quads)
                 {
                     withoutTriangles++;
                     continue;
                 }
-                mesh.GetIndices(indices, part);
-                if (topology == MeshTopology.Triangles)
-                    triangles.AddRange(indices);
-                else
-                    for (int i = 0; i + 3 < indices.Count; i += 4)
-                    {
-                        triangles.Add(indices[i]);
-                        triangles.Add(indices[i + 1]);
-                        triangles.Add(indices[i + 2]);
-                        triangles.Add(indices[i]);
-                        triangles.Add(indices[i + 2]);
-                        triangles.Add(indices[i + 3]);
-                    }
+                using (var indices = new NativeArray<int>(submesh.indexCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
+                {
+                    data.GetIndices(indices, part);
+                    if (submesh.topology == MeshTopology.Triangles)
+                        triangles.AddRange(indices.ToArray());
+                    else
+                        AddQuads(indices, triangles);
+                }
             }
-            return new TriangleMesh(mesh.name, mesh.vertices, triangles.ToArray()) { SubMeshes = mesh.subMeshCount, SubMeshesWithoutTriangles = withoutTriangles };
+            return new TriangleMesh(name, Positions(data), triangles.ToArray()) { SubMeshes = data.subMeshCount, SubMeshesWithoutTriangles = withoutTriangles };
+        }
+
+        static void AddQuads(NativeArray<int> indices, List<int> triangles)
+        {
+            for (int i = 0; i + 3 < indices.Length; i += 4)
+            {
+                triangles.Add(indices[i]);
+                triangles.Add(indices[i + 1]);
+                triangles.Add(indices[i + 2]);
+                triangles.Add(indices[i]);
+                triangles.Add(indices[i + 2]);
+                triangles.Add(indices[i + 3]);
+            }
+        }
+
+        static Vector3[] Positions(Mesh.MeshData data)
+        {
+            // A mesh without vertices has no such attribute, and to ask for it throws.
+            if (!data.HasVertexAttribute(VertexAttribute.Position))
+                return Array.Empty<Vector3>();
+            using (var positions = new NativeArray<Vector3>(data.vertexCount, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
+            {
+                data.GetVertices(positions);
+                return positions.ToArray();
+            }
         }
 
         /// <summary>The mesh in another frame. A mirroring matrix keeps outside outside.</summary>

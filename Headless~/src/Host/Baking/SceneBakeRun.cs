@@ -80,7 +80,7 @@ namespace Host.Baking
             if (made.TryGetValue(mesh, out string guid) && (field == null || !isValid || guid == GuidOf(field)))
                 return field == null ? "shares the field above, " + Assign(collider, guid) : "shares the field above";
 
-            TriangleMesh triangles = TriangleMesh.Of(mesh);
+            TriangleMesh triangles = EditorMesh.Read(mesh);
             bool wasReplaced = isValid && assets.TryIdentify(field, out string own, out _, out _) && meshOf.ContainsKey(assets.ResolvePath(own));
             if (isValid && !again && !wasReplaced)
             {

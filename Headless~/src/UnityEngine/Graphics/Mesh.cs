@@ -38,17 +38,17 @@ namespace UnityEngine
 
         public Vector3[] vertices { get => MayAccess("vertices") ? (Vector3[])positions.Clone() : Array.Empty<Vector3>(); set => SetPositions(value); }
         public Vector3[] normals { get => MayAccess("normals") ? (Vector3[])normalData.Clone() : Array.Empty<Vector3>(); set => SetNormalsCore(value); }
-        public Vector4[] tangents { get => (Vector4[])tangentData.Clone(); set => SetTangentsCore(value); }
-        public Color[] colors { get => (Color[])colorData.Clone(); set => SetColorsCore(value); }
-        public Color32[] colors32 { get => Array.ConvertAll(colorData, c => (Color32)c); set => SetColorsCore(value == null ? null : Array.ConvertAll(value, c => (Color)c)); }
-        public Vector2[] uv { get => Array.ConvertAll(Uv(0), v => (Vector2)v); set => SetUVs(0, value); }
-        public Vector2[] uv2 { get => Array.ConvertAll(Uv(1), v => (Vector2)v); set => SetUVs(1, value); }
-        public Vector2[] uv3 { get => Array.ConvertAll(Uv(2), v => (Vector2)v); set => SetUVs(2, value); }
-        public Vector2[] uv4 { get => Array.ConvertAll(Uv(3), v => (Vector2)v); set => SetUVs(3, value); }
-        public Vector2[] uv5 { get => Array.ConvertAll(Uv(4), v => (Vector2)v); set => SetUVs(4, value); }
-        public Vector2[] uv6 { get => Array.ConvertAll(Uv(5), v => (Vector2)v); set => SetUVs(5, value); }
-        public Vector2[] uv7 { get => Array.ConvertAll(Uv(6), v => (Vector2)v); set => SetUVs(6, value); }
-        public Vector2[] uv8 { get => Array.ConvertAll(Uv(7), v => (Vector2)v); set => SetUVs(7, value); }
+        public Vector4[] tangents { get => MayAccess("tangents") ? (Vector4[])tangentData.Clone() : Array.Empty<Vector4>(); set => SetTangentsCore(value); }
+        public Color[] colors { get => MayAccess("colors") ? (Color[])colorData.Clone() : Array.Empty<Color>(); set => SetColorsCore(value); }
+        public Color32[] colors32 { get => Array.ConvertAll(MayAccess("colors") ? colorData : Array.Empty<Color>(), c => (Color32)c); set => SetColorsCore(value == null ? null : Array.ConvertAll(value, c => (Color)c)); }
+        public Vector2[] uv { get => Array.ConvertAll(ReadUv(0), v => (Vector2)v); set => SetUVs(0, value); }
+        public Vector2[] uv2 { get => Array.ConvertAll(ReadUv(1), v => (Vector2)v); set => SetUVs(1, value); }
+        public Vector2[] uv3 { get => Array.ConvertAll(ReadUv(2), v => (Vector2)v); set => SetUVs(2, value); }
+        public Vector2[] uv4 { get => Array.ConvertAll(ReadUv(3), v => (Vector2)v); set => SetUVs(3, value); }
+        public Vector2[] uv5 { get => Array.ConvertAll(ReadUv(4), v => (Vector2)v); set => SetUVs(4, value); }
+        public Vector2[] uv6 { get => Array.ConvertAll(ReadUv(5), v => (Vector2)v); set => SetUVs(5, value); }
+        public Vector2[] uv7 { get => Array.ConvertAll(ReadUv(6), v => (Vector2)v); set => SetUVs(6, value); }
+        public Vector2[] uv8 { get => Array.ConvertAll(ReadUv(7), v => (Vector2)v); set => SetUVs(7, value); }
 
         /// <summary>Whether scripts can reach the data; otherwise it is told once a call.</summary>
         bool MayAccess(string what)
@@ -77,18 +77,36 @@ namespace UnityEngine
             Changed();
         }
 
-        void SetNormalsCore(Vector3[] value) => normalData = Checked(value, "normals");
-        void SetTangentsCore(Vector4[] value) => tangentData = Checked(value, "tangents");
-        void SetColorsCore(Color[] value) => colorData = Checked(value, "colors");
+        void SetNormalsCore(Vector3[] value)
+        {
+            if (MayAccess("normals"))
+                normalData = Checked(value, "normals");
+        }
+
+        void SetTangentsCore(Vector4[] value)
+        {
+            if (MayAccess("tangents"))
+                tangentData = Checked(value, "tangents");
+        }
+
+        void SetColorsCore(Color[] value)
+        {
+            if (MayAccess("colors"))
+                colorData = Checked(value, "colors");
+        }
+
 
         void SetUv(int channel, int size, Vector4[] value)
         {
             if (channel < 0 || channel > 7)
                 throw new ArgumentOutOfRangeException(nameof(channel), channel, $"Mesh '{name}' has UV channels 0 to 7.");
+            if (!MayAccess("uv"))
+                return;
             uvData[channel] = Checked(value, "uv");
             uvSize[channel] = size;
         }
 
+        Vector4[] ReadUv(int channel) => MayAccess("uv") ? Uv(channel) : Array.Empty<Vector4>();
         Vector4[] Uv(int channel) => uvData[channel] ?? Array.Empty<Vector4>();
 
         T[] Checked<T>(T[] value, string what)
@@ -146,23 +164,23 @@ namespace UnityEngine
         public void SetUVs(int channel, List<Vector2> uvs) => SetUVs(channel, uvs?.ToArray());
         public void SetUVs(int channel, Vector2[] uvs, int start, int length) => SetUVs(channel, Part(uvs, start, length));
         public void SetUVs(int channel, List<Vector2> uvs, int start, int length) => SetUVs(channel, Part(uvs?.ToArray(), start, length));
-        public void GetUVs(int channel, List<Vector2> uvs) => Fill(uvs, Uv(channel), v => (Vector2)v);
+        public void GetUVs(int channel, List<Vector2> uvs) => Fill(uvs, ReadUv(channel), v => (Vector2)v);
         public void SetUVs(int channel, Vector3[] uvs) => SetUv(channel, 3, uvs == null ? null : Array.ConvertAll(uvs, v => (Vector4)v));
         public void SetUVs(int channel, List<Vector3> uvs) => SetUVs(channel, uvs?.ToArray());
         public void SetUVs(int channel, Vector3[] uvs, int start, int length) => SetUVs(channel, Part(uvs, start, length));
         public void SetUVs(int channel, List<Vector3> uvs, int start, int length) => SetUVs(channel, Part(uvs?.ToArray(), start, length));
-        public void GetUVs(int channel, List<Vector3> uvs) => Fill(uvs, Uv(channel), v => (Vector3)v);
+        public void GetUVs(int channel, List<Vector3> uvs) => Fill(uvs, ReadUv(channel), v => (Vector3)v);
         public void SetUVs(int channel, Vector4[] uvs) => SetUv(channel, 4, uvs == null ? null : Array.ConvertAll(uvs, v => v));
         public void SetUVs(int channel, List<Vector4> uvs) => SetUVs(channel, uvs?.ToArray());
         public void SetUVs(int channel, Vector4[] uvs, int start, int length) => SetUVs(channel, Part(uvs, start, length));
         public void SetUVs(int channel, List<Vector4> uvs, int start, int length) => SetUVs(channel, Part(uvs?.ToArray(), start, length));
-        public void GetUVs(int channel, List<Vector4> uvs) => Fill(uvs, Uv(channel), v => v);
+        public void GetUVs(int channel, List<Vector4> uvs) => Fill(uvs, ReadUv(channel), v => v);
 
         public void GetVertices(List<Vector3> vertices) => Fill(vertices, MayAccess("vertices") ? positions : Array.Empty<Vector3>(), v => v);
-        public void GetNormals(List<Vector3> normals) => Fill(normals, normalData, v => v);
-        public void GetTangents(List<Vector4> tangents) => Fill(tangents, tangentData, v => v);
-        public void GetColors(List<Color> colors) => Fill(colors, colorData, c => c);
-        public void GetColors(List<Color32> colors) => Fill(colors, colorData, c => (Color32)c);
+        public void GetNormals(List<Vector3> normals) => Fill(normals, MayAccess("normals") ? normalData : Array.Empty<Vector3>(), v => v);
+        public void GetTangents(List<Vector4> tangents) => Fill(tangents, MayAccess("tangents") ? tangentData : Array.Empty<Vector4>(), v => v);
+        public void GetColors(List<Color> colors) => Fill(colors, MayAccess("colors") ? colorData : Array.Empty<Color>(), c => c);
+        public void GetColors(List<Color32> colors) => Fill(colors, MayAccess("colors") ? colorData : Array.Empty<Color>(), c => (Color32)c);
 
         static void Fill<S, T>(List<T> target, S[] source, Converter<S, T> convert)
         {
