@@ -8,31 +8,22 @@ namespace Rill.Editor
     /// <summary>A mesh that is to be baked: what is wrong with it, where its field goes, and what came of it.</summary>
     sealed class BakeItem
     {
-        // Seconds at most; the rest of a larger mesh is said not to have been looked at.
-        const long MostCrossingTests = 2_000_000;
-
-        readonly TriangleMesh triangles;
+        // Of the whole, where the mesh is yet to be analysed.
+        const float AnalysisFraction = 0.2f;
+        const string Cancelled = "Cancelled: nothing was written.";
 
         /// <param name="existing">The field to bake into; null for a new one at the path.</param>
-        public BakeItem(Mesh mesh, string path, SignedDistanceField existing)
+        public BakeItem(MeshAnalysis analysis, string path, SignedDistanceField existing)
         {
-            Mesh = mesh;
+            Analysis = analysis;
             Path = path;
             Existing = existing;
-            try
-            {
-                triangles = TriangleMesh.Of(mesh);
-                Report = MeshCheck.Run(triangles, MostCrossingTests);
-                Problem = Report.Problem;
-            }
-            catch (ArgumentException e)
-            {
-                // A mesh that scripts cannot read.
-                Problem = e.Message;
-            }
         }
 
-        public Mesh Mesh { get; }
+        public Mesh Mesh => Analysis.Mesh;
+
+        /// <summary>What is wrong with the mesh; may still be under way, then the bake waits for it.</summary>
+        public MeshAnalysis Analysis { get; }
 
         /// <summary>Of the asset that it goes into.</summary>
         public string Path { get; }
@@ -43,11 +34,11 @@ namespace Rill.Editor
         /// <summary>Objects of the selection that show the mesh.</summary>
         public List<GameObject> Objects { get; } = new List<GameObject>();
 
-        /// <summary>Null for a mesh that cannot be read.</summary>
-        public MeshReport Report { get; }
+        /// <summary>Null until the analysis is done.</summary>
+        public MeshReport Report => Analysis.Report;
 
-        /// <summary>Why the mesh cannot be baked with any settings; null if it can.</summary>
-        public string Problem { get; }
+        /// <summary>Why the mesh cannot be baked with any settings; null if it can or is not known yet.</summary>
+        public string Problem => Analysis.Problem;
 
         /// <summary>What came of it; null before it was tried.</summary>
         public SignedDistanceField Field { get; private set; }
@@ -57,13 +48,14 @@ namespace Rill.Editor
 
         public bool Failed { get; private set; }
 
-        /// <summary>What a bake with these settings takes.</summary>
-        /// <param name="problem">Why it cannot be; null if it can.</param>
+        /// <summary>What a bake with these settings takes. Reads no mesh.</summary>
+        /// <param name="problem">Why it cannot be; null if it can, or while the analysis is under way.</param>
+        /// <returns>False also while the analysis is under way.</returns>
         public bool TryEstimate(in MeshSdfSettings settings, out MeshSdfEstimate estimate, out string problem)
         {
             estimate = default;
             problem = Problem;
-            if (problem != null)
+            if (problem != null || Report == null)
                 return false;
             try
             {
@@ -83,6 +75,12 @@ namespace Rill.Editor
         public bool Bake(in MeshSdfSettings settings, Func<float, string, bool> progress)
         {
             Failed = true;
+            float before = Analysis.IsDone ? 0f : AnalysisFraction;
+            if (!Analysis.Finish((fraction, stage) => progress(before * fraction, stage), out TriangleMesh triangles))
+            {
+                Outcome = Cancelled;
+                return false;
+            }
             if (!TryEstimate(settings, out _, out string problem))
             {
                 Outcome = problem;
@@ -91,10 +89,10 @@ namespace Rill.Editor
             try
             {
                 double start = EditorApplication.timeSinceStartup;
-                SdfBake bake = MeshSdfBaker.Bake(triangles, settings, progress);
+                SdfBake bake = MeshSdfBaker.Bake(triangles, settings, (fraction, stage) => progress(before + (1f - before) * fraction, stage));
                 if (bake == null)
                 {
-                    Outcome = "Cancelled: nothing was written.";
+                    Outcome = Cancelled;
                     return false;
                 }
                 Write(bake);
@@ -110,10 +108,12 @@ namespace Rill.Editor
 
         void Write(SdfBake bake)
         {
-            if (Existing != null)
+            // Its own, where it was baked before.
+            SignedDistanceField into = Existing != null ? Existing : Field;
+            if (into != null)
             {
-                FieldAssets.Replace(Existing, bake, Mesh);
-                Field = Existing;
+                FieldAssets.Replace(into, bake, Mesh);
+                Field = into;
                 return;
             }
             if (!FieldAssets.TryMakeFolder(Path.Substring(0, Path.LastIndexOf('/'))))

@@ -32,7 +32,8 @@ namespace Rill.Editor
 
         /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked anew.</summary>
         /// <param name="folder">For new assets, as "Assets/Fields".</param>
-        public static BakePlan Of(IEnumerable<Object> selection, string folder)
+        /// <param name="analyses">Those that are known; no mesh is analysed here.</param>
+        public static BakePlan Of(IEnumerable<Object> selection, string folder, MeshAnalyses analyses)
         {
             var items = new List<BakeItem>();
             var notes = new List<string>();
@@ -46,7 +47,7 @@ namespace Rill.Editor
                 SignedDistanceField existing = into;
                 string path = into != null ? AssetDatabase.GetAssetPath(into) : FieldAssets.PathFor(folder, mesh, paths, out existing);
                 paths.Add(path);
-                items.Add(item = new BakeItem(mesh, path, existing));
+                items.Add(item = new BakeItem(analyses.Of(mesh), path, existing));
                 return item;
             }
 
@@ -118,10 +119,12 @@ namespace Rill.Editor
                 return;
             if (collider == null)
                 collider = Undo.AddComponent<FluidCollider>(shown);
-            var serialized = new SerializedObject(collider);
-            serialized.FindProperty("shape").intValue = (int)ColliderShape.Mesh;
-            serialized.FindProperty("field").objectReferenceValue = field;
-            serialized.ApplyModifiedProperties();
+            using (var serialized = new SerializedObject(collider))
+            {
+                serialized.FindProperty("shape").intValue = (int)ColliderShape.Mesh;
+                serialized.FindProperty("field").objectReferenceValue = field;
+                serialized.ApplyModifiedProperties();
+            }
         }
     }
 }

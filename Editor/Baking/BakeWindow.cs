@@ -19,6 +19,7 @@ namespace Rill.Editor
         [Tooltip("What is done with the field: nothing, Fluid Colliders on the selected objects take it, or objects without one get a collider.")]
         [SerializeField] BakeAssign assign = BakeAssign.ToColliders;
 
+        readonly MeshAnalyses analyses = new MeshAnalyses();
         List<Object> chosen = new List<Object>();
         BakePlan plan;
         SerializedObject self;
@@ -49,29 +50,72 @@ namespace Rill.Editor
         /// <summary>Null before anything was chosen.</summary>
         public BakePlan Plan => plan;
 
+        /// <summary>Of every mesh that was shown.</summary>
+        public MeshAnalyses Analyses => analyses;
+
+        /// <summary>Shows what there is to bake. Meshes that were not seen yet, or have changed, are analysed from the next update on.</summary>
         public void Choose(IEnumerable<Object> objects)
         {
             chosen = objects.Where(o => o != null).ToList();
-            plan = BakePlan.Of(chosen, folder);
+            plan = BakePlan.Of(chosen, folder, analyses);
             Repaint();
         }
 
         void OnEnable()
         {
             self = new SerializedObject(this);
+            EditorApplication.update += Analyse;
+            analyses.Resume();
             Choose(Selection.objects);
         }
 
-        void OnSelectionChange() => Choose(Selection.objects);
+        // Also before scripts are reloaded, which a thread should not outlive.
+        void OnDisable()
+        {
+            EditorApplication.update -= Analyse;
+            analyses.Pause();
+            self.Dispose();
+        }
+
+        void OnSelectionChange()
+        {
+            analyses.Resume();
+            Choose(Selection.objects);
+        }
+
+        void OnFocus() => Refresh();
+
+        void OnProjectChange() => Refresh();
+
+        // A mesh may have been edited, imported again or destroyed. Otherwise outcomes stay to be read.
+        void Refresh()
+        {
+            if (plan.Items.Any(item => !item.Analysis.IsCurrent))
+                Choose(chosen);
+        }
+
+        void Analyse()
+        {
+            if (analyses.Update(plan.Items.Select(item => item.Analysis)))
+                Repaint();
+        }
 
         void OnGUI()
         {
+            if (Event.current == null || Event.current.type == EventType.Layout)
+                Refresh();
             self.Update();
+            string before = folder;
             EditorGUILayout.PropertyField(self.FindProperty(nameof(settings)), true);
             EditorGUILayout.PropertyField(self.FindProperty(nameof(folder)));
             EditorGUILayout.PropertyField(self.FindProperty(nameof(assign)));
-            if (self.ApplyModifiedProperties())
+            // Settings change the estimates, which are drawn from the reports; only another folder makes other assets.
+            if (self.ApplyModifiedProperties() && folder != before)
+            {
                 Choose(chosen);
+                GUIUtility.ExitGUI();       // other rows than were laid out
+            }
+            DrawAnalysis();
 
             scroll = EditorGUILayout.BeginScrollView(scroll);
             if (chosen.Count == 0)
@@ -85,7 +129,28 @@ namespace Rill.Editor
 
             using (new EditorGUI.DisabledScope(!canBake))
                 if (GUILayout.Button(plan.Items.Count == 1 ? "Bake" : $"Bake {plan.Items.Count} Meshes"))
+                {
                     Bake();
+                    GUIUtility.ExitGUI();       // the progress bar has ended this event's layout
+                }
+        }
+
+        void DrawAnalysis()
+        {
+            int open = plan.Items.Count(item => !item.Analysis.IsDone);
+            if (open > 0 && !analyses.IsPaused)
+            {
+                if (GUILayout.Button($"Cancel Analysis ({open} to go)"))
+                    analyses.Pause();
+            }
+            else if (GUILayout.Button(open > 0 ? "Analyse" : "Analyse Again"))
+            {
+                if (open == 0)
+                    analyses.Clear();
+                analyses.Resume();
+                Choose(chosen);
+                GUIUtility.ExitGUI();
+            }
         }
 
         bool Draw(BakeItem item)
@@ -93,6 +158,12 @@ namespace Rill.Editor
             EditorGUILayout.Space();
             EditorGUILayout.LabelField(item.Mesh.name, EditorStyles.boldLabel);
             InspectorRows.Text(item.Existing != null ? "Baked in place" : "New asset", item.Path);
+            if (!item.Analysis.IsDone)
+            {
+                (float fraction, string stage) = item.Analysis.Progress;
+                EditorGUI.ProgressBar(EditorGUILayout.GetControlRect(), fraction, item.Analysis.IsRunning ? stage : "Not analysed yet: a bake does so first");
+                return true;
+            }
             bool canBake = item.TryEstimate(settings, out MeshSdfEstimate estimate, out string problem);
             if (item.Report != null)
             {

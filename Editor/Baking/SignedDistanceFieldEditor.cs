@@ -40,6 +40,7 @@ namespace Rill.Editor
         void OnDisable()
         {
             Undo.undoRedoPerformed -= Follow;
+            self.Dispose();
             slice.Release();
             surface.Release();
         }
@@ -59,7 +60,7 @@ namespace Rill.Editor
         {
             volume = SdfVolume.Of(Field, out problem);
             mesh = FieldAssets.MeshOf(Field, out staleness);
-            if (mesh != null && mesh.isReadable && Field.IsStale(TriangleMesh.Of(mesh)))
+            if (mesh != null && Field.IsStale(EditorMesh.Read(mesh)))
                 staleness = $"'{mesh.name}' has changed since it was baked: bake it anew.";
             slice.Forget();
             surface.Forget();
@@ -103,14 +104,17 @@ namespace Rill.Editor
             self.ApplyModifiedProperties();
             using (new EditorGUI.DisabledScope(mesh == null))
                 if (GUILayout.Button("Bake Anew"))
+                {
                     Bake();
+                    GUIUtility.ExitGUI();       // the progress bar has ended this event's layout
+                }
             if (outcome != null)
                 EditorGUILayout.HelpBox(outcome, MessageType.Info);
         }
 
         void Bake()
         {
-            var item = new BakeItem(mesh, AssetDatabase.GetAssetPath(Field), Field);
+            var item = new BakeItem(new MeshAnalysis(mesh), AssetDatabase.GetAssetPath(Field), Field);
             try
             {
                 item.Bake(settings, (share, stage) => !EditorUtility.DisplayCancelableProgressBar("Bake Signed Distance Field", $"{mesh.name}: {stage}", share));

@@ -1,10 +1,12 @@
 using System.Linq;
 using System.Reflection;
+using System.Threading;
 using NUnit.Framework;
 using Rill;
 using Rill.Editor;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
 namespace Host.Tests
@@ -17,6 +19,7 @@ namespace Host.Tests
         [TearDown]
         public void Delete()
         {
+            GuiTrace.Clear();
             AssetDatabase.DeleteAsset(Folder);
             Selection.objects = new Object[0];
         }
@@ -25,7 +28,7 @@ namespace Host.Tests
         {
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = 12;
-            BakePlan plan = BakePlan.Of(new Object[] { mesh }, Folder);
+            BakePlan plan = BakePlan.Of(new Object[] { mesh }, Folder, new MeshAnalyses());
             plan.Bake(settings, BakeAssign.Nothing, (share, stage) => true);
             return plan.Items[0].Field;
         }
@@ -50,6 +53,75 @@ namespace Host.Tests
             window.Close();
             foreach (Object made in new Object[] { flat, cube, empty })
                 Object.DestroyImmediate(made);
+        }
+
+        [Test]
+        public void A_mesh_is_analysed_once_however_often_it_is_chosen_and_whatever_is_set()
+        {
+            GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            BakeWindow window = BakeWindow.Open(new Object[] { cube });
+            Draw(window, "OnGUI");
+            Assert.That(window.Analyses.Started, Is.Zero, "not while it is chosen");
+            Assert.That(GuiDrawing.Buttons, Has.Some.StartWith("Cancel Analysis (1"));
+            Assert.That(SpinWait.SpinUntil(() =>
+            {
+                EditorTick.Run();
+                Draw(window, "OnGUI");
+                return window.Plan.Items[0].Analysis.IsDone;
+            }, 30000));
+
+            string[] estimates = new[] { 32, 64 }.Select(resolution =>
+            {
+                GuiTrace.Edit = property =>
+                {
+                    if (property.propertyPath != "settings")
+                        return false;
+                    property.FindPropertyRelative("resolution").intValue = resolution;
+                    return true;
+                };
+                Draw(window, "OnGUI");
+                GuiTrace.Edit = null;
+                GuiDrawing.Labels.Clear();
+                EditorTick.Run();
+                Draw(window, "OnGUI");
+                return GuiDrawing.Labels.Select(label => label.text).Single(text => text.Contains("voxels of"));
+            }).ToArray();
+            Assert.That(estimates[0], Does.StartWith("32 x"));
+            Assert.That(estimates[1], Does.StartWith("64 x"));
+            Selection.activeGameObject = cube;
+            Draw(window, "OnSelectionChange");
+            Draw(window, "OnFocus");
+            EditorTick.Run();
+            Assert.That(window.Plan.Items[0].Report, Is.Not.Null);
+            Assert.That(window.Analyses.Started, Is.EqualTo(1));
+
+            GuiDrawing.Press = text => text == "Analyse Again";
+            Draw(window, "OnGUI");
+            GuiDrawing.Press = null;
+            EditorTick.Run();
+            Assert.That(window.Analyses.Started, Is.EqualTo(2));
+            window.Close();
+            Object.DestroyImmediate(cube);
+        }
+
+        [Test]
+        public void A_cancelled_analysis_waits_to_be_asked_for_and_a_bake_makes_up_for_it()
+        {
+            GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            BakeWindow window = BakeWindow.Open(new Object[] { cube });
+            GuiDrawing.Press = text => text.StartsWith("Cancel Analysis");
+            Draw(window, "OnGUI");
+            GuiDrawing.Press = null;
+            EditorTick.Run();
+            Assert.That((window.Analyses.Started, window.Plan.Items[0].Analysis.IsDone), Is.EqualTo((0, false)));
+            GuiDrawing.Buttons.Clear();
+            Draw(window, "OnGUI");
+            Assert.That(GuiDrawing.Buttons, Has.Member("Analyse").And.Member("Bake"));
+            Draw(window, "Bake");
+            Assert.That(window.Plan.Items[0].Failed, Is.False, window.Plan.Items[0].Outcome);
+            AssetDatabase.DeleteAsset("Assets/Distance Fields");
+            window.Close();
+            Object.DestroyImmediate(cube);
         }
 
         [Test]

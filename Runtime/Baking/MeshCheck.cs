@@ -14,15 +14,26 @@ namespace Rill
         public static MeshReport Run(Mesh mesh, long mostCrossingTests = MostCrossingTests) => Run(TriangleMesh.Of(mesh), mostCrossingTests);
 
         /// <param name="mostCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
-        public static MeshReport Run(TriangleMesh mesh, long mostCrossingTests = MostCrossingTests)
+        public static MeshReport Run(TriangleMesh mesh, long mostCrossingTests = MostCrossingTests) => Run(mesh, mostCrossingTests, null);
+
+        /// <summary>The same on any thread, with progress.</summary>
+        /// <param name="mostCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
+        /// <param name="progress">Told the fraction that is done, 0 to 1, and the stage, and asked whether to go on. Null for none.</param>
+        /// <returns>Null if it was cancelled.</returns>
+        public static MeshReport Run(TriangleMesh mesh, long mostCrossingTests, Func<float, string, bool> progress)
         {
+            const float EdgesFraction = 0.3f;
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh));
+            if (progress != null && !progress(0f, "Checking edges"))
+                return null;
             var edges = new MeshEdges(new BakedTriangles(mesh));
             int nonFinite = 0;
             foreach (Vector3 vertex in mesh.Vertices)
                 nonFinite += math.all(math.isfinite((float3)vertex)) ? 0 : 1;
-            return new MeshReport(mesh, edges, nonFinite, SelfIntersections.Find(edges, mostCrossingTests));
+            bool GoOn(float fraction) => progress == null || progress(EdgesFraction + (1f - EdgesFraction) * fraction, "Looking for triangles that cross");
+            SelfIntersections.Count? crossing = SelfIntersections.Find(edges, mostCrossingTests, GoOn);
+            return crossing == null ? null : new MeshReport(mesh, edges, nonFinite, crossing.Value);
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -20,9 +21,12 @@ namespace Rill
         }
 
         const int MostCellsAcross = 128;
+        const int CellsBetweenLooks = 1024;
 
         /// <param name="mostTests">Pairs of triangles that are tested at most, and entries of the grid.</param>
-        public static Count Find(MeshEdges edges, long mostTests)
+        /// <param name="goOn">Told the fraction that is done, and asked whether to go on.</param>
+        /// <returns>Null if it was cancelled.</returns>
+        public static Count? Find(MeshEdges edges, long mostTests, Func<float, bool> goOn)
         {
             BakedTriangles triangles = edges.Triangles;
             TriangleMesh mesh = triangles.Mesh;
@@ -69,6 +73,8 @@ namespace Rill
             long tests = 0;
             for (; looked < inCell.Length && tests < mostTests; looked++)
             {
+                if (looked % CellsBetweenLooks == 0 && !goOn(math.max((float)looked / inCell.Length, tests / (float)mostTests)))
+                    return null;
                 List<int> here = inCell[looked];
                 for (int i = 0; here != null && i < here.Count; i++)
                     for (int j = i + 1; j < here.Count && tests < mostTests; j++, tests++)

@@ -38,6 +38,8 @@ namespace UnityEditor
         public static string AssetPathToGUID(string path) => made.TryGetValue(path ?? "", out Made asset) ? asset.Guid : Player.Assets?.GuidOfPath(path) ?? "";
         public static string GUIDToAssetPath(string guid) => made.FirstOrDefault(pair => pair.Value.Guid == guid).Key ?? Player.Assets?.PathOfGuid(guid) ?? "";
         public static string GetAssetPath(Object assetObject) => TryFind(assetObject, out string path, out _, out _) ? path : "";
+        /// <summary>Nothing is imported again here: the same for as long as the asset is there.</summary>
+        public static Hash128 GetAssetDependencyHash(string path) => Hash128.Parse(AssetPathToGUID(path));
         public static bool TryGetGUIDAndLocalFileIdentifier(Object obj, out string guid, out long localId) => TryFind(obj, out _, out guid, out localId);
         public static bool Contains(Object obj) => Object.IsAlive(obj) && obj.IsAsset;
         public static bool IsMainAsset(Object obj) => made.Values.Any(asset => ReferenceEquals(asset.Parts[0], obj));

@@ -37,7 +37,16 @@ namespace UnityEditor
     {
         static readonly HashSet<int> dirty = new HashSet<int>();
 
-        public static void SetDirty(Object target) => dirty.Add(target.GetInstanceID());
+        static readonly Dictionary<int, int> edits = new Dictionary<int, int>();
+
+        public static void SetDirty(Object target)
+        {
+            dirty.Add(target.GetInstanceID());
+            edits[target.GetInstanceID()] = GetDirtyCount(target) + 1;
+        }
+
+        /// <summary>How often it was marked as changed.</summary>
+        public static int GetDirtyCount(Object target) => edits.TryGetValue(target.GetInstanceID(), out int count) ? count : 0;
         public static void ClearDirty(Object target) => dirty.Remove(target.GetInstanceID());
         public static bool IsDirty(Object target) => dirty.Contains(target.GetInstanceID());
         public static bool IsPersistent(Object target) => Object.IsAlive(target) && target.IsAsset;

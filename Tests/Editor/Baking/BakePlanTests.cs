@@ -49,7 +49,7 @@ namespace Rill.Editor.Tests
 
         static bool GoOn(float share, string what) => true;
 
-        static BakePlan Plan(params Object[] selection) => BakePlan.Of(selection, Folder);
+        static BakePlan Plan(params Object[] selection) => BakePlan.Of(selection, Folder, new MeshAnalyses());
 
         [Test]
         public void A_mesh_is_baked_once_for_all_the_objects_that_show_it()
@@ -149,21 +149,46 @@ namespace Rill.Editor.Tests
         public void A_bad_mesh_says_why_and_does_not_keep_the_others_from_being_baked()
         {
             var flat = new Mesh { name = "Point", vertices = new Vector3[3], triangles = new[] { 0, 1, 2 } };
-            var locked = new Mesh { name = "Sealed", vertices = flat.vertices, triangles = flat.triangles };
-            locked.UploadMeshData(true);
-            made.AddRange(new Object[] { flat, locked });
-            BakePlan plan = Plan(flat, locked, Cube("Good"));
+            made.Add(flat);
+            BakePlan plan = Plan(flat, Cube("Good"));
             Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, GoOn), Is.True);
-            Assert.That(plan.Items.Select(item => item.Failed), Is.EqualTo(new[] { true, true, false }));
+            Assert.That(plan.Items.Select(item => item.Failed), Is.EqualTo(new[] { true, false }));
             Assert.That(plan.Items[0].Outcome, Does.Contain("'Point': none of its 1 triangles has an area").And.EqualTo(plan.Items[0].Problem));
-            Assert.That(plan.Items[1].Outcome, Does.Contain("'Sealed'").And.Contain("Read/Write"));
-            Assert.That(plan.Items[2].Field, Is.Not.Null);
+            Assert.That(plan.Items[1].Field, Is.Not.Null);
+        }
+
+        [Test]
+        public void A_mesh_that_scripts_may_not_read_is_baked_all_the_same_and_is_not_stale()
+        {
+            Mesh mesh = MeshAsset("Sealed");
+            ulong hash = TriangleMesh.Of(mesh).Hash();
+            mesh.UploadMeshData(true);
+            Assert.That(mesh.isReadable, Is.False);
+            BakePlan plan = Plan(mesh);
+            Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, GoOn), Is.True);
+            Assert.That(plan.Items[0].Failed, Is.False, plan.Items[0].Outcome);
+            Assert.That(plan.Items[0].Field.SourceHash, Is.EqualTo(hash));
+            Assert.That(plan.Items[0].Field.IsStale(EditorMesh.Read(mesh)), Is.False);
+        }
+
+        [Test]
+        public void A_second_bake_goes_into_the_asset_of_the_first()
+        {
+            BakePlan plan = Plan(Cube("Good"));
+            plan.Bake(Settings(12), BakeAssign.Nothing, GoOn);
+            SignedDistanceField first = plan.Items[0].Field;
+            plan.Bake(Settings(16), BakeAssign.Nothing, GoOn);
+            Assert.That(plan.Items[0].Field, Is.SameAs(first));
+            Assert.That(first.Resolution, Is.EqualTo(16 * Vector3Int.one));
         }
 
         [Test]
         public void The_memory_is_told_before_and_a_cap_that_is_too_low_refuses()
         {
             BakeItem item = Plan(Cube("Good")).Items.Single();
+            Assert.That(item.TryEstimate(Settings(64), out _, out string early), Is.False, "before it is analysed");
+            Assert.That(early, Is.Null);
+            Assert.That(item.Analysis.Finish(GoOn, out _));
             Assert.That(item.TryEstimate(Settings(64), out MeshSdfEstimate estimate, out _));
             Assert.That(BakeTexts.Of(estimate), Does.StartWith("64 x 64 x 64 voxels of").And.Contain("6.0 MiB while it bakes"));
             MeshSdfSettings settings = Settings(64);
@@ -192,7 +217,7 @@ namespace Rill.Editor.Tests
         [Test]
         public void A_folder_outside_of_the_project_is_refused()
         {
-            BakeItem item = BakePlan.Of(new Object[] { Cube("Good") }, "Elsewhere/Fields").Items.Single();
+            BakeItem item = BakePlan.Of(new Object[] { Cube("Good") }, "Elsewhere/Fields", new MeshAnalyses()).Items.Single();
             item.Bake(Settings(12), GoOn);
             Assert.That(item.Failed && item.Outcome.Contains("choose one below Assets"), item.Outcome);
         }

@@ -42,7 +42,7 @@ namespace Rill.Editor.Tests
             Undo.IncrementCurrentGroup();
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = resolution;
-            BakePlan plan = BakePlan.Of(new Object[] { mesh }, Root);
+            BakePlan plan = BakePlan.Of(new Object[] { mesh }, Root, new MeshAnalyses());
             plan.Bake(settings, BakeAssign.Nothing, (share, what) => true);
             Assert.That(plan.Items[0].Failed, Is.False, plan.Items[0].Outcome);
             return plan.Items[0].Field;

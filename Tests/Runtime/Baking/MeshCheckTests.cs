@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -207,11 +208,37 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void The_check_tells_how_far_it_is_and_can_be_cancelled_at_each_stage()
+        {
+            TriangleMesh mesh = TestMeshes.Torus(1f, 0.4f, 60);
+            var told = new List<(float fraction, string stage)>();
+            MeshReport report = MeshCheck.Run(mesh, MeshCheck.MostCrossingTests, (fraction, stage) =>
+            {
+                told.Add((fraction, stage));
+                return true;
+            });
+            Assert.That(report.Triangles, Is.EqualTo(MeshCheck.Run(mesh).Triangles));
+            Assert.That(told.Select(one => one.fraction), Is.Ordered.And.All.InRange(0f, 1f));
+            Assert.That(told.Select(one => one.stage).Distinct().Count(), Is.EqualTo(2));
+            foreach (string stage in told.Select(one => one.stage).Distinct())
+                Assert.That(MeshCheck.Run(mesh, MeshCheck.MostCrossingTests, (fraction, now) => now != stage), Is.Null, stage);
+        }
+
+        [Test]
+        public void A_mesh_without_vertices_has_no_triangles()
+        {
+            var mesh = new Mesh { name = "Empty" };
+            Assert.That(TriangleMesh.Of(mesh).TriangleCount, Is.Zero);
+            Assert.That(MeshCheck.Run(mesh).Problem, Does.Contain("'Empty' has no triangles"));
+            UnityEngine.Object.DestroyImmediate(mesh);
+        }
+
+        [Test]
         public void A_mesh_that_cannot_be_read_says_what_to_switch()
         {
             var mesh = new Mesh { name = "Sealed", vertices = TestMeshes.Box(Vector3.one).Vertices, triangles = TestMeshes.Box(Vector3.one).Triangles };
             mesh.UploadMeshData(true);
-            Assert.That(Assert.Throws<ArgumentException>(() => MeshCheck.Run(mesh)).Message, Does.Contain("'Sealed'").And.Contain("Read/Write"));
+            Assert.That(Assert.Throws<ArgumentException>(() => MeshCheck.Run(mesh)).Message, Does.Contain("'Sealed'").And.Contain("Read/Write").And.Contain("in the editor"));
             Assert.That(Assert.Throws<ArgumentNullException>(() => MeshCheck.Run((Mesh)null)).Message, Does.Contain("no mesh"));
             UnityEngine.Object.DestroyImmediate(mesh);
         }
