@@ -102,7 +102,7 @@ namespace Rill.Editor
 
         void OnGUI()
         {
-            if (Event.current == null || Event.current.type == EventType.Layout)
+            if (Event.current.type == EventType.Layout)
                 Refresh();
             self.Update();
             string before = folder;

@@ -75,7 +75,7 @@ namespace Rill.Editor
             if (targets.Length > 1)
                 return;
             // Both passes of a frame have to draw the same rows.
-            if (Event.current == null || Event.current.type == EventType.Layout)
+            if (Event.current.type == EventType.Layout)
                 missing = MissingPart.Of(Simulation);
             foreach (MissingPart part in missing)
             {

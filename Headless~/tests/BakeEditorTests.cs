@@ -33,7 +33,14 @@ namespace Host.Tests
             return plan.Items[0].Field;
         }
 
-        static void Draw(object drawn, string method) => drawn.GetType().GetMethod(method, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public).Invoke(drawn, null);
+        static void Draw(object drawn, string method)
+        {
+            void Call() => drawn.GetType().GetMethod(method, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public).Invoke(drawn, null);
+            if (method.EndsWith("GUI"))
+                Assert.That(GuiPasses.Draw(Call), Is.Null, drawn.GetType().Name);
+            else
+                Call();
+        }
 
         [Test]
         public void The_window_draws_nothing_good_and_bad_meshes_and_their_outcome()
@@ -53,6 +60,31 @@ namespace Host.Tests
             window.Close();
             foreach (Object made in new Object[] { flat, cube, empty })
                 Object.DestroyImmediate(made);
+        }
+
+        [TestCase("Tap and Basin")]
+        [TestCase("Water Wheel")]
+        [TestCase("Flooded Quay")]
+        public void The_meshes_of_a_sample_are_read_without_Read_Write_and_its_fields_are_of_them(string sample)
+        {
+            using (new SampleScene(sample))
+            {
+                SignedDistanceField[] fields = Object.FindObjectsOfType<FluidCollider>().Select(collider => collider.Field).Where(field => field != null).Distinct().ToArray();
+                Assert.That(fields, Is.Not.Empty);
+                foreach (SignedDistanceField field in fields)
+                {
+                    Mesh mesh = FieldAssets.MeshOf(field, out string problem);
+                    Assert.That(problem, Is.Null);
+                    Assert.That(mesh.isReadable, Is.False, "as its import settings say");
+                    Assert.That(field.IsStale(EditorMesh.Read(mesh)), Is.False, mesh.name);
+                    Assert.That(MeshCheck.Run(EditorMesh.Read(mesh)).Problem, Is.Null);
+                    Assert.That(new MeshAnalysis(mesh).Finish((fraction, stage) => true, out _));
+                    Editor editor = Editor.CreateEditor(field);
+                    Draw(editor, nameof(editor.OnInspectorGUI));
+                    Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.None.Contain("has changed"));
+                    Object.DestroyImmediate(editor);
+                }
+            }
         }
 
         [Test]
@@ -135,7 +167,7 @@ namespace Host.Tests
             Undo.ClearAll();
             Editor editor = Editor.CreateEditor(field);
             Assert.That(editor, Is.InstanceOf<SignedDistanceFieldEditor>());
-            editor.OnInspectorGUI();
+            Draw(editor, nameof(editor.OnInspectorGUI));
             Assert.That(editor.HasPreviewGUI());
             editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
             var serialized = new SerializedObject(editor);
@@ -144,14 +176,14 @@ namespace Host.Tests
             Undo.IncrementCurrentGroup();
             Draw(editor, "Bake");
             Assert.That(field.Resolution, Is.EqualTo(20 * Vector3Int.one));
-            editor.OnInspectorGUI();
+            Draw(editor, nameof(editor.OnInspectorGUI));
             editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
 
             Undo.PerformUndo();
             serialized.Update();
             Assert.That(field.Resolution, Is.EqualTo(12 * Vector3Int.one));
             Assert.That(serialized.FindProperty("settings.resolution").intValue, Is.EqualTo(12), "what was baked with, for the next bake");
-            editor.OnInspectorGUI();
+            Draw(editor, nameof(editor.OnInspectorGUI));
             editor.OnPreviewGUI(new Rect(0, 0, 200, 100), null);
             Object.DestroyImmediate(editor);
             Object.DestroyImmediate(cube);
@@ -162,7 +194,7 @@ namespace Host.Tests
         {
             var field = ScriptableObject.CreateInstance<SignedDistanceField>();
             Editor editor = Editor.CreateEditor(field);
-            editor.OnInspectorGUI();
+            Draw(editor, nameof(editor.OnInspectorGUI));
             Assert.That(editor.HasPreviewGUI(), Is.False);
             Object.DestroyImmediate(editor);
             Object.DestroyImmediate(field);

@@ -50,6 +50,18 @@ namespace Host.Tests
             Assert.That(GuiDrawing.Clipped(), Is.Empty);
         }
 
+        [TestCase(EventType.Repaint)]
+        [TestCase(EventType.Layout)]
+        public void A_row_that_one_pass_alone_draws_is_seen(EventType pass)
+        {
+            Assert.That(GuiPasses.Draw(() => GUILayout.Button("Always")), Is.Null);
+            Assert.That(GuiPasses.Draw(() =>
+            {
+                if (Event.current.type == pass)
+                    GUILayout.Button("Now and then");
+            }), Does.Contain("button 0"));
+        }
+
         [Test]
         public void A_text_that_is_clipped_is_seen()
         {

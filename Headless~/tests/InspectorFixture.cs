@@ -62,13 +62,9 @@ namespace Host.Tests
         /// <summary>Draws everything that an inspector has, with all foldouts open.</summary>
         internal static void Draw(Editor editor)
         {
-            GuiTrace.Fields.Clear();
-            GuiTrace.HelpBoxes.Clear();
-            GuiDrawing.Labels.Clear();
-            GuiDrawing.Buttons.Clear();
             foreach (string title in new[] { "Statistics", "GPU time", "GPU memory" }.Concat((editor as RillEditor)?.Sections.Select(s => s.Title) ?? new string[0]))
                 SessionState.SetBool($"Rill.{editor.GetType().Name}.{title}", true);
-            editor.OnInspectorGUI();
+            Assert.That(GuiPasses.Draw(editor.OnInspectorGUI), Is.Null, editor.GetType().Name);
             AssertClosed(editor);
         }
 
