@@ -102,8 +102,9 @@ namespace Rill.Editor
 
         void OnGUI()
         {
-            if (Event.current.type == EventType.Layout)
-                Refresh();
+            // At each event no more than this: whether a mesh was imported again is asked when the window gets the focus.
+            if (Event.current.type == EventType.Layout && plan.Items.Any(item => item.Mesh == null))
+                Choose(chosen);
             self.Update();
             string before = folder;
             EditorGUILayout.PropertyField(self.FindProperty(nameof(settings)), true);

@@ -137,6 +137,20 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_mesh_that_is_destroyed_while_the_window_shows_it_leaves_it()
+        {
+            Mesh mesh = new Mesh { name = "Gone", vertices = new Vector3[3], triangles = new[] { 0, 1, 2 } };
+            BakeWindow window = BakeWindow.Open(new Object[] { mesh });
+            Draw(window, "OnGUI");
+            EditorTick.Run();
+            Object.DestroyImmediate(mesh);
+            EditorTick.Run();
+            Draw(window, "OnGUI");
+            Assert.That(window.Plan.Items, Is.Empty);
+            window.Close();
+        }
+
+        [Test]
         public void A_cancelled_analysis_waits_to_be_asked_for_and_a_bake_makes_up_for_it()
         {
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);

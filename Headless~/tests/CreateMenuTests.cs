@@ -19,7 +19,7 @@ namespace Host.Tests
 
         static IEnumerable<string> Items => Methods.Select(item => item.Key);
 
-        static Dictionary<string, MethodInfo> Methods => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor") }
+        static Dictionary<string, MethodInfo> Methods => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") }
             .SelectMany(assembly => assembly.GetTypes()).SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
             .Where(method => method.IsDefined(typeof(MenuItem)) && method.GetCustomAttribute<MenuItem>().menuItem.StartsWith("GameObject/Rill/"))
             .ToDictionary(method => method.GetCustomAttribute<MenuItem>().menuItem);
