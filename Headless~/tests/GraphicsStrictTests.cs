@@ -71,6 +71,55 @@ namespace Host.Tests
             }
         }
 
+        [TestCase(true)]
+        [TestCase(false)]
+        public void A_recorded_native_array_that_changes_before_execution(bool disposes)
+        {
+            var data = new NativeArray<uint>(new uint[] { 1, 2, 3, 4 }, Allocator.Persistent);
+            using (GraphicsBuffer target = Buffer("Target"))
+            using (var cmd = new CommandBuffer())
+            {
+                cmd.SetBufferData(target, data, 1, 0, 2);
+                data[0] = 9;        // no part of what was recorded
+                Graphics.ExecuteCommandBuffer(cmd);
+                if (disposes)
+                    data.Dispose();
+                else
+                    data[1] = 9;
+                Refused(() => Graphics.ExecuteCommandBuffer(cmd), "SetBufferData", "Target", "managed array");
+            }
+            if (data.IsCreated && !disposes)
+                data.Dispose();
+        }
+
+        [Test]
+        public void A_recorded_managed_array_is_copied()
+        {
+            var data = new uint[] { 1 };
+            using (GraphicsBuffer target = Buffer("Target", 2))
+            using (var cmd = new CommandBuffer())
+            {
+                cmd.SetBufferData(target, data, 0, 0, 1);
+                data[0] = 2;
+                cmd.SetBufferData(target, data, 0, 1, 1);
+                data[0] = 3;
+                Graphics.ExecuteCommandBuffer(cmd);
+                var read = new uint[2];
+                target.GetData(read);
+                Assert.That(read, Is.EqualTo(new uint[] { 1, 2 }));
+            }
+        }
+
+        [Test]
+        public void Release_while_a_readback_is_on_its_way()
+        {
+            GraphicsBuffer buffer = Buffer("Leaving");
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer);
+            Refused(() => buffer.Release(), "Leaving", "read-back", "on its way");
+            request.WaitForCompletion();
+            buffer.Release();
+        }
+
         [Test]
         public void Any_use_after_release()
         {

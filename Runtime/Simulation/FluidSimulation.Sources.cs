@@ -152,10 +152,6 @@ namespace Rill
                     drain.OnRestart();
         }
 
-        void ReleaseSources()
-        {
-            sources?.Dispose();
-            sources = null;
-        }
+        void ReleaseSources() => sources = null;
     }
 }

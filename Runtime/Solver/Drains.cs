@@ -45,8 +45,8 @@ namespace Rill
         readonly int drawLots, chooseLots, drain;
         readonly LocalKeyword sleep, lifetimes, recycling;
         readonly uint[] zeros = new uint[StepSources.MostDrains * StateWords];
-        readonly Readback readback = new Readback(StepSources.MostDrains * StateWords);
-        GraphicsBuffer regions, states, histogram;
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MostDrains * StateWords));
+        GraphicsBuffer regions, histogram;
         uint gone;
 
         public Drains()
@@ -59,7 +59,6 @@ namespace Rill
             recycling = new LocalKeyword(shader, RecyclingKeyword);
             regions = GpuBuffer.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MostDrains);
             regions.SetData(new DrainRegion[StepSources.MostDrains]);
-            states = GpuBuffer.Structured<uint>("Rill.Drains.States", zeros.Length);
             Clear();
         }
 
@@ -69,7 +68,7 @@ namespace Rill
         /// <summary>No drain has drained anything.</summary>
         public void Clear()
         {
-            BufferClear.Now(states);
+            BufferClear.Now(readback.Buffer);
             readback.Forget();
         }
 
@@ -110,7 +109,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, drain, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, drain, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, drain, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, drain, Ids.DrainStates, states);
+            cmd.SetComputeBufferParam(shader, drain, Ids.DrainStates, readback.Buffer);
             cmd.SetComputeBufferParam(shader, drain, Ids.Counters, particles.Counters);
             if (tags != null)
                 cmd.SetComputeBufferParam(shader, drain, ParticleTags.Ids.Tags, tags.Current);
@@ -122,10 +121,7 @@ namespace Rill
         }
 
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
-        public void Request() => readback.Request(states);
-
-        /// <summary>Whether numbers are on their way.</summary>
-        public bool IsPending => readback.IsPending;
+        public void Request() => readback.Request();
 
         /// <summary>Particles that a drain has removed, as far as it has come back since the last <see cref="Clear"/>.</summary>
         public int Drained(int number) => readback.HasResult ? (int)readback.Latest[number * StateWords + DrainedWord] : 0;
@@ -134,7 +130,6 @@ namespace Rill
         {
             readback.Dispose();
             GpuBuffer.Release(ref regions);
-            GpuBuffer.Release(ref states);
             GpuBuffer.Release(ref histogram);
         }
 
@@ -158,14 +153,14 @@ namespace Rill
             }
             description.Kernel("Drains", "Drain", 1, variant);
             description.Buffer("Rill.Drains.Regions", stage.regions);
-            description.Buffer("Rill.Drains.States", stage.states);
+            description.Buffer("Rill.Drains.States", stage.readback.Buffer);
             description.Buffer("Rill.Drains.Histogram", stage.histogram);
             return description;
         }
 
         void RecordReset(CommandBuffer cmd, int number)
         {
-            cmd.SetBufferData(states, zeros, 0, number * StateWords, StateWords);
+            cmd.SetBufferData(readback.Buffer, zeros, 0, number * StateWords, StateWords);
             readback.Zero(number * StateWords, StateWords);
         }
 
@@ -185,7 +180,7 @@ namespace Rill
             cmd.DispatchCompute(shader, drawLots, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
             cmd.SetComputeBufferParam(shader, chooseLots, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainStates, states);
+            cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainStates, readback.Buffer);
             cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainHistogram, histogram);
             cmd.DispatchCompute(shader, chooseLots, 1, 1, 1);
         }

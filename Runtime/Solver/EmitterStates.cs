@@ -13,23 +13,17 @@ namespace Rill
         /// <summary>Words by their place; the constants of EmitterStates.hlsl.</summary>
         public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked, InSolid, Shut }
 
-        readonly uint[] zeros = new uint[StepSources.MostEmitters * Words];
-        readonly Readback readback = new Readback(StepSources.MostEmitters * Words);
-        GraphicsBuffer states;
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Emitters.States", StepSources.MostEmitters * Words));
 
-        public EmitterStates()
-        {
-            states = GpuBuffer.Structured<uint>("Rill.Emitters.States", zeros.Length);
-            Clear();
-        }
+        public EmitterStates() => Clear();
 
         /// <summary>uint [emitters * <see cref="Words"/>].</summary>
-        public GraphicsBuffer Buffer => states;
+        public GraphicsBuffer Buffer => readback.Buffer;
 
         /// <summary>No emitter has done anything, and none of what is under way counts.</summary>
         public void Clear()
         {
-            BufferClear.Now(states);
+            BufferClear.Now(Buffer);
             readback.Forget();
         }
 
@@ -37,18 +31,11 @@ namespace Rill
         public void Forget(int emitter) => readback.Zero(emitter * Words, Words);
 
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
-        public void Request() => readback.Request(states);
-
-        /// <summary>Whether numbers are on their way.</summary>
-        public bool IsPending => readback.IsPending;
+        public void Request() => readback.Request();
 
         /// <summary>The newest number that has come back since the last <see cref="Clear"/>; 0 before the first.</summary>
         public int Latest(int emitter, Word word) => readback.HasResult ? (int)readback.Latest[emitter * Words + (int)word] : 0;
 
-        public void Dispose()
-        {
-            readback.Dispose();
-            GpuBuffer.Release(ref states);
-        }
+        public void Dispose() => readback.Dispose();
     }
 }

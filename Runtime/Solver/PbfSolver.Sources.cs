@@ -40,11 +40,11 @@ namespace Rill
             hasLifetimes |= sources != null && sources.needsLifetimes;
             if (Emitters.IsNeeded(sources))
                 emitters ??= new Emitters();
-            else if (emitters != null && (sources == null || !sources.keepsEmitters) && !emitters.States.IsPending)        // releasing a pending one would wait for the GPU
+            else if (emitters != null && (sources == null || !sources.keepsEmitters))
                 ReleaseEmitters();
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
                 drains ??= new Drains();
-            else if (drains != null && (sources == null || !sources.keepsDrains) && !drains.IsPending)
+            else if (drains != null && (sources == null || !sources.keepsDrains))
                 ReleaseDrains();
             drains?.Forget(sources?.goneDrains ?? 0);
             if (ForceFields.IsNeeded(sources))

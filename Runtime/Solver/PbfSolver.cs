@@ -30,7 +30,7 @@ namespace Rill
         StatisticsPass statistics;
 
         GraphicsBuffer constants;
-        NativeArray<SolverConstants> constantsUpload;
+        readonly SolverConstants[] constantsUpload = new SolverConstants[1];        // copied as it is recorded, as Unity's own ConstantBuffer relies on
         uint stepIndex;
         int lastSubsteps;       // of the last step
         float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
@@ -47,7 +47,6 @@ namespace Rill
                 densityConstraint = new DensityConstraint(layout);
                 velocityUpdate = new VelocityUpdate();
                 constants = GpuBuffer.Constants<SolverConstants>("Rill.Constants");
-                constantsUpload = new NativeArray<SolverConstants>(1, Allocator.Persistent);
                 Clear();
             }
             catch
@@ -121,16 +120,20 @@ namespace Rill
         {
             using (NativeArray<float4> scaledPositions = InSpacings(positions))
             using (NativeArray<float4> scaledVelocities = InSpacings(velocities))
+                AddInSpacings(scaledPositions, scaledVelocities);
+        }
+
+        /// <summary>As <see cref="Add"/>, in d and d/s.</summary>
+        public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities)
+        {
+            emission.Append(particles, Layout.Capacity, positions, velocities, tags);
+            foreach (float4 position in positions.AsReadOnlySpan())
             {
-                emission.Append(particles, Layout.Capacity, scaledPositions, scaledVelocities, tags);
-                foreach (float4 position in scaledPositions)
-                {
-                    if (!math.all(math.isfinite(position.xyz)))
-                        continue;       // the first step culls it
-                    float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
-                    lowestAdded = math.min(lowestAdded, inside);
-                    highestAdded = math.max(highestAdded, inside);
-                }
+                if (!math.all(math.isfinite(position.xyz)))
+                    continue;       // the first step culls it
+                float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
+                lowestAdded = math.min(lowestAdded, inside);
+                highestAdded = math.max(highestAdded, inside);
             }
             emission.Trim();
             restingRegions?.Wake();
@@ -238,8 +241,6 @@ namespace Rill
             ReleaseSources();
             ReleaseStatistics();
             GpuBuffer.Release(ref constants);
-            if (constantsUpload.IsCreated)
-                constantsUpload.Dispose();
         }
 
         /// <summary>Gives back what measuring needs, where it is no longer wanted.</summary>

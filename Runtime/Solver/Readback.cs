@@ -5,24 +5,33 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Brings a small buffer back without waiting: at most one on its way, and what was asked for before a reset is dropped.</summary>
+    /// <summary>Brings a small buffer back without waiting: at most one request on its way, and what was asked for before a reset is dropped.</summary>
+    /// <remarks>
+    /// The data are copied in the callback out of Unity's memory: whether an array of ours may be read there, or disposed of
+    /// before, Unity does not say. Nor whether a buffer that is released first still comes back: it is released after.
+    /// </remarks>
     sealed class Readback : IDisposable
     {
         readonly Action<AsyncGPUReadbackRequest> onRead;
-        NativeArray<uint> arriving, latest;
+        AsyncGPUReadbackRequest request;
+        GraphicsBuffer buffer;
+        NativeArray<uint> latest;
         int generation, pendingGeneration;
         bool disposed;
 
-        /// <param name="words">Of the buffer.</param>
-        public Readback(int words)
+        /// <param name="buffer">uint; released with this, or when the last request for it has come back.</param>
+        public Readback(GraphicsBuffer buffer)
         {
-            arriving = new NativeArray<uint>(words, Allocator.Persistent);
-            latest = new NativeArray<uint>(words, Allocator.Persistent);
+            this.buffer = buffer;
+            latest = new NativeArray<uint>(buffer.count, Allocator.Persistent);
             onRead = OnRead;
         }
 
         /// <summary>Called when a result has come.</summary>
         public Action Arrived;
+
+        /// <summary>What is brought back; null after <see cref="Dispose"/>.</summary>
+        public GraphicsBuffer Buffer => disposed ? null : buffer;
 
         /// <summary>Whether a result is on its way.</summary>
         public bool IsPending { get; private set; }
@@ -33,13 +42,13 @@ namespace Rill
         public NativeArray<uint> Latest => latest;
 
         /// <summary>Asks for the buffer as the commands executed so far leave it. Nothing while a result is under way.</summary>
-        public void Request(GraphicsBuffer buffer)
+        public void Request()
         {
             if (IsPending)
                 return;
             IsPending = true;
             pendingGeneration = generation;
-            AsyncGPUReadback.RequestIntoNativeArray(ref arriving, buffer, onRead);
+            request = AsyncGPUReadback.Request(buffer, onRead);
         }
 
         /// <summary>Results from before this call are dropped when they come.</summary>
@@ -57,23 +66,50 @@ namespace Rill
                 latest[word] = 0;
         }
 
+        /// <summary>Waits for nothing: a buffer that is on its way is released when it has come.</summary>
         public void Dispose()
         {
+            if (disposed)
+                return;
             disposed = true;
-            if (IsPending)
-                AsyncGPUReadback.WaitAllRequests();     // it writes into memory that is about to go
-            arriving.Dispose();
+            Arrived = null;
             latest.Dispose();
+            if (IsPending)
+                PendingReadbacks.Add(this);
+            else
+                GpuBuffer.Release(ref buffer);
         }
 
-        void OnRead(AsyncGPUReadbackRequest request)
+        /// <summary>Waits for the request that is on its way, and for no other.</summary>
+        public void Complete()
         {
-            IsPending = false;
-            if (disposed || request.hasError || pendingGeneration != generation)
+            if (IsPending)
+                request.WaitForCompletion();
+            Finish();       // if the callback has not
+        }
+
+        void OnRead(AsyncGPUReadbackRequest arrived)
+        {
+            if (disposed)
+            {
+                Finish();
                 return;
-            latest.CopyFrom(arriving);      // which the next request may be writing while this one is read
+            }
+            IsPending = false;
+            if (arrived.hasError || pendingGeneration != generation)
+                return;
+            latest.CopyFrom(arrived.GetData<uint>());
             HasResult = true;
             Arrived?.Invoke();
+        }
+
+        void Finish()
+        {
+            IsPending = false;
+            if (!disposed)
+                return;
+            GpuBuffer.Release(ref buffer);
+            PendingReadbacks.Remove(this);
         }
     }
 }

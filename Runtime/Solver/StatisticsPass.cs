@@ -15,8 +15,8 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
         readonly int measure, measureBeside, reduce;
-        readonly Readback readback = new Readback(FluidStatistics.BlockSize);
-        GraphicsBuffer partials, histogram, results;
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize));
+        GraphicsBuffer partials, histogram;
 
         public StatisticsPass(int capacity)
         {
@@ -26,7 +26,6 @@ namespace Rill
             int groups = (capacity + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
             histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
-            results = GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize);
             BufferClear.Now(histogram);
         }
 
@@ -65,13 +64,13 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, reduce, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, reduce, Ids.Partials, partials);
             cmd.SetComputeBufferParam(shader, reduce, Ids.Histogram, histogram);
-            cmd.SetComputeBufferParam(shader, reduce, Ids.Statistics, results);
+            cmd.SetComputeBufferParam(shader, reduce, Ids.Statistics, readback.Buffer);
             cmd.DispatchCompute(shader, reduce, 1, 1, 1);
             cmd.EndSample(Marker);
         }
 
         /// <summary>Asks for what was recorded, after its command buffer was executed. Nothing while a result is pending.</summary>
-        public void Request() => readback.Request(results);
+        public void Request() => readback.Request();
 
         /// <summary>Results from before this call are dropped when they come.</summary>
         public void Forget() => readback.Forget();
@@ -81,7 +80,6 @@ namespace Rill
             readback.Dispose();
             GpuBuffer.Release(ref partials);
             GpuBuffer.Release(ref histogram);
-            GpuBuffer.Release(ref results);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -101,7 +99,7 @@ namespace Rill
             description.Kernel("Statistics", "Reduce", 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);
             description.Buffer("Rill.Statistics.Histogram", stage.histogram);
-            description.Buffer("Rill.Statistics.Results", stage.results);
+            description.Buffer("Rill.Statistics.Results", stage.readback.Buffer);
             return description;
         }
 

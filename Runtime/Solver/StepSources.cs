@@ -1,11 +1,7 @@
-using System;
-using Unity.Collections;
-using Unity.Mathematics;
-
 namespace Rill
 {
     /// <summary>What emitters, drains and force fields do to one step, in the domain's frame; used again for every step.</summary>
-    sealed class StepSources : IDisposable
+    sealed class StepSources
     {
         /// <summary>Most emitters of a simulation.</summary>
         public const int MostEmitters = 32;
@@ -15,8 +11,8 @@ namespace Rill
         public const int MostFields = 32;
 
         public readonly EmitterStep[] emitters = new EmitterStep[MostEmitters];
-        public NativeArray<DrainRegion> drains;
-        public NativeArray<FieldRegion> fields;
+        public readonly DrainRegion[] drains = new DrainRegion[MostDrains];
+        public readonly FieldRegion[] fields = new FieldRegion[MostFields];
         public int emitterCount, drainCount, fieldCount;
 
         /// <summary>Bit e: the emitter with number e is gone, and what waits for it is given up before this step emits.</summary>
@@ -37,12 +33,6 @@ namespace Rill
         public bool limitsDrains;
         /// <summary>Whether a wind asks for the density at the particles.</summary>
         public bool hasWind;
-
-        public StepSources()
-        {
-            drains = new NativeArray<DrainRegion>(MostDrains, Allocator.Persistent);
-            fields = new NativeArray<FieldRegion>(MostFields, Allocator.Persistent);
-        }
 
         /// <summary>Nothing acts, until it is added.</summary>
         public void Clear()
@@ -70,14 +60,6 @@ namespace Rill
         {
             fields[fieldCount++] = field;
             hasWind |= field.kind == (uint)ForceFieldKind.Wind;
-        }
-
-        public void Dispose()
-        {
-            if (drains.IsCreated)
-                drains.Dispose();
-            if (fields.IsCreated)
-                fields.Dispose();
         }
     }
 }

@@ -116,8 +116,8 @@ namespace Rill.Tests
 
         static float4[] Accelerate(ParticleState state, params FieldRegion[] regions)
         {
+            var sources = new StepSources();
             using (var stages = new SolverStages(state, SolverStages.Still()))
-            using (var sources = new StepSources())
             using (var fields = new ForceFields())
             {
                 foreach (FieldRegion region in regions)

@@ -1,5 +1,4 @@
 using System;
-using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -15,9 +14,9 @@ namespace Rill
 
         readonly ComputeShader shader;
         readonly int take;
-        readonly Readback readback = new Readback(Words);
-        GraphicsBuffer sums, taken;
-        NativeArray<uint> zeros;
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words));
+        GraphicsBuffer sums;
+        readonly uint[] zeros = new uint[Words];
         float time, takenTime;
 
         public ColliderReactions(ComputeShader shader)
@@ -25,8 +24,6 @@ namespace Rill
             this.shader = shader;
             take = shader.FindKernel("TakeReactions");
             sums = GpuBuffer.Structured<uint>("Rill.Colliders.Reactions", Words);
-            taken = GpuBuffer.Structured<uint>("Rill.Colliders.Taken", Words);
-            zeros = new NativeArray<uint>(Words, Allocator.Persistent);
             BufferClear.Now(sums);
             readback.Arrived = OnArrived;
         }
@@ -61,11 +58,11 @@ namespace Rill
             time = 0f;
             cmd.SetComputeIntParam(shader, Ids.ReactionWords, Words);
             cmd.SetComputeBufferParam(shader, take, Ids.Reactions, sums);
-            cmd.SetComputeBufferParam(shader, take, Ids.Taken, taken);
+            cmd.SetComputeBufferParam(shader, take, Ids.Taken, readback.Buffer);
             CoarseGrid.Dispatch(cmd, shader, take, Words);
         }
 
-        public void Request() => readback.Request(taken);
+        public void Request() => readback.Request();
 
         /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its moment arm.</summary>
         public void Get(int index, out double3 sum, out double3 moment)
@@ -79,15 +76,13 @@ namespace Rill
         {
             description.Kernel("Colliders", "TakeReactions", 0);
             description.Buffer("Rill.Colliders.Reactions", sums);
-            description.Buffer("Rill.Colliders.Taken", taken);
+            description.Buffer("Rill.Colliders.Taken", readback.Buffer);
         }
 
         public void Dispose()
         {
             readback.Dispose();
             GpuBuffer.Release(ref sums);
-            GpuBuffer.Release(ref taken);
-            zeros.Dispose();
         }
 
         double Signed(int at) => (long)((ulong)readback.Latest[at + 1] << 32 | readback.Latest[at]) / Scale;

@@ -1,5 +1,4 @@
 using System;
-using Unity.Collections;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
@@ -25,8 +24,8 @@ namespace Rill
         readonly int3 cells;
         readonly float cellSize;
         GraphicsBuffer constants, states, masks, boundary, insets, pathBoundary, pathInsets;
-        NativeArray<ColliderConstants> constantsUpload;
-        NativeArray<ColliderState> statesUpload;
+        readonly ColliderConstants[] constantsUpload = new ColliderConstants[1];
+        readonly ColliderState[] statesUpload = new ColliderState[ColliderSet.Most];
         int words, recordedCount;
         bool binned;
         int seenVersion = -1, seenOrder;
@@ -52,8 +51,6 @@ namespace Rill
             insets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
             pathBoundary = GpuBuffer.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
             pathInsets = GpuBuffer.Structured<float>("Rill.Colliders.PathInsets", layout.Capacity);
-            constantsUpload = new NativeArray<ColliderConstants>(1, Allocator.Persistent);
-            statesUpload = new NativeArray<ColliderState>(ColliderSet.Most, Allocator.Persistent);
         }
 
         public static bool IsNeeded(in StepInput input) => input.colliders != null && input.colliders.Count > 0;
@@ -183,8 +180,6 @@ namespace Rill
             GpuBuffer.Release(ref insets);
             GpuBuffer.Release(ref pathBoundary);
             GpuBuffer.Release(ref pathInsets);
-            constantsUpload.Dispose();
-            statesUpload.Dispose();
         }
 
         /// <param name="colliders">The stage, or null where none was made.</param>
@@ -268,11 +263,8 @@ namespace Rill
         {
             if (!set.Reacts)
             {
-                if (reactions != null && !reactions.IsPending)      // releasing a pending one would wait for the GPU
-                {
-                    reactions.Dispose();
-                    reactions = null;
-                }
+                reactions?.Dispose();
+                reactions = null;
                 return;
             }
             reactions ??= new ColliderReactions(shader);

@@ -152,6 +152,13 @@ namespace UnityEngine.Rendering
 
         void BufferData(BufferStorage buffer, Array data, int managedStart, int bufferStart, int count)
         {
+            using NativeWork.Scope native = NativeWork.Enter();
+            CopyArray(buffer, data, managedStart, bufferStart, count);
+        }
+
+        // Apart, because what a lambda captures is allocated where its method begins: here, in native code's name.
+        void CopyArray(BufferStorage buffer, Array data, int managedStart, int bufferStart, int count)
+        {
             NotNull(buffer, "buffer", "SetBufferData");
             int size = BufferBytes.ElementSize(NotNull(data, "data", "SetBufferData"), "CommandBuffer.SetBufferData");
             BufferChecks.Range(buffer, "SetBufferData", data.Length, size, managedStart, bufferStart, count);
@@ -165,6 +172,15 @@ namespace UnityEngine.Rendering
             int size = ElementSize<T>.Bytes;
             BufferChecks.Range(buffer, "SetBufferData", data.Length, size, nativeStart, bufferStart, count);
             BufferData(buffer, size, bufferStart, Transfer.Bytes(data).Slice(nativeStart * size, count * size));
+            if (Player.Strict && count > 0)
+                Watch(data.GetSubArray(nativeStart, count));
+        }
+
+        // Whether Unity copies a NativeArray as it is recorded or as it is executed, no documentation says.
+        void Watch<T>(NativeArray<T> data) where T : struct
+        {
+            using NativeWork.Scope native = NativeWork.Enter();
+            commands[commandCount - 1].Subject = new RecordedArray<T>(data);
         }
 
         public void SetBufferData(ComputeBuffer buffer, Array data) => BufferData(buffer?.Storage, data, 0, 0, data?.Length ?? 0);

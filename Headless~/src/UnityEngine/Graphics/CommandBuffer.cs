@@ -180,7 +180,10 @@ namespace UnityEngine.Rendering
                     EndKernel();
                     break;
 
-                case Op.BufferData: Upload((BufferStorage)c.Object, (uint)c.A, Data(c)); break;
+                case Op.BufferData:
+                    (c.Subject as RecordedArray)?.Check(Data(c), (BufferStorage)c.Object);
+                    Upload((BufferStorage)c.Object, (uint)c.A, Data(c));
+                    break;
                 case Op.BufferCounter: ((BufferStorage)c.Object).SetCounter((uint)c.A); break;
                 case Op.CopyCounter: BufferStorage.CopyCount((BufferStorage)c.Subject, (BufferStorage)c.Object, (uint)c.A); break;
                 case Op.CopyBuffer: GraphicsCopies.Buffer((BufferStorage)c.Subject, (BufferStorage)c.Object); break;

@@ -18,6 +18,15 @@ namespace UnityEngine.Headless
         public static int Frame { get; private set; }
         public static int PendingCount => requests.Count;
 
+        /// <summary>Whether a request for a buffer is on its way.</summary>
+        public static bool IsPending(BufferStorage buffer)
+        {
+            foreach (ReadbackRequest request in requests)
+                if (ReferenceEquals(request.Buffer, buffer) && !request.IsDone && !request.HasError)
+                    return true;
+            return false;
+        }
+
         public static void BeginFrame()
         {
             Frame++;
@@ -79,7 +88,7 @@ namespace UnityEngine.Headless
                 throw new ArgumentException($"AsyncGPUReadback.Request of {bytes:N0} bytes at byte {offset:N0} of {buffer}, which holds {buffer.Bytes:N0}.");
             if (output != null && output.Bytes < bytes)
                 throw new ArgumentException($"AsyncGPUReadback.Request of {bytes:N0} bytes of {buffer} into an array of {output.Bytes:N0} bytes.");
-            var request = new ReadbackRequest { LayerCount = 1, LayerBytes = checked((int)bytes), Width = (int)bytes, Height = 1, Depth = 1, Source = buffer.ToString() };
+            var request = new ReadbackRequest { LayerCount = 1, LayerBytes = checked((int)bytes), Width = (int)bytes, Height = 1, Depth = 1, Source = buffer.ToString(), Buffer = buffer };
             // The device copies whole words.
             long start = offset & ~3, end = Math.Min((buffer.Bytes + 3) & ~3, (offset + bytes + 3) & ~3);
             request.Copies.Add(Gpu.Device.BeginReadback(buffer.Device, start, end - start));

@@ -84,6 +84,8 @@ namespace UnityEngine.Headless
         public int DueFrame, DoneFrame = -1;
         /// <summary>For messages: the buffer or texture.</summary>
         public object Source;
+        /// <summary>What it reads; null for a texture.</summary>
+        public BufferStorage Buffer;
 
         public List<DeviceReadback> Copies = new List<DeviceReadback>();
         /// <summary>Turns what the device copied into the layers that were asked for; null takes them as they are.</summary>

@@ -1,0 +1,106 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>What is brought back without waiting, also when its owner has gone meanwhile.</summary>
+    public class ReadbackTests
+    {
+        [TearDown]
+        public void PlayOn() => PendingReadbacks.Begin();
+
+        [Test]
+        public void Switching_a_fluid_off_waits_for_no_request()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 2000).Fill(0.2f))
+            {
+                GraphicsBuffer others = GpuTest.Upload("Others", new uint[4]);
+                AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(others);
+                scene.Fluid.StatisticsInterval = 1;
+                scene.Step();
+                Assert.That(scene.Fluid.Solver.StatisticsPending);
+
+                scene.Fluid.enabled = false;
+                Assert.That(request.done, Is.False, "somebody else's");
+                Assert.That(PendingReadbacks.Count, Is.EqualTo(1), "its own");
+                request.WaitForCompletion();
+                others.Release();
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator A_buffer_on_its_way_is_released_when_it_has_come()
+        {
+            GraphicsBuffer buffer = GpuTest.Upload("Buffer", new uint[4]);
+            var readback = new Readback(buffer);
+            readback.Arrived = () => Assert.Fail("its owner is gone");
+            readback.Request();
+            readback.Dispose();
+            readback.Dispose();
+            Assert.That(buffer.IsValid(), "while it is on its way");
+            for (int frame = 0; frame < 30 && PendingReadbacks.Count > 0; frame++)
+                yield return null;
+            Assert.That(buffer.IsValid(), Is.False, "when it has come");
+            Assert.That(PendingReadbacks.Count, Is.Zero);
+        }
+
+        [Test]
+        public void A_buffer_of_which_nothing_is_on_its_way_is_released_at_once()
+        {
+            GraphicsBuffer buffer = GpuTest.Upload("Buffer", new uint[4]);
+            new Readback(buffer).Dispose();
+            Assert.That(buffer.IsValid(), Is.False);
+            Assert.That(PendingReadbacks.Count, Is.Zero);
+        }
+
+        [Test]
+        public void As_play_ends_its_own_requests_are_waited_for_and_no_others()
+        {
+            GraphicsBuffer others = GpuTest.Upload("Others", new uint[4]), before = GpuTest.Upload("Before", new uint[4]), after = GpuTest.Upload("After", new uint[4]);
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(others);
+            Leave(before);
+            PendingReadbacks.End();
+            Assert.That(before.IsValid(), Is.False);
+            Leave(after);
+            Assert.That(after.IsValid(), Is.False, "nothing comes back any more");
+            Assert.That(PendingReadbacks.Count, Is.Zero);
+            Assert.That(request.done, Is.False);
+            request.WaitForCompletion();
+            others.Release();
+        }
+
+        [UnityTest]
+        public IEnumerator A_result_comes_and_one_from_before_a_reset_is_dropped()
+        {
+            GraphicsBuffer buffer = GpuTest.Upload("Buffer", new uint[] { 7, 8 });
+            using (var readback = new Readback(buffer))
+            {
+                readback.Request();
+                readback.Forget();
+                yield return Arrive(readback);
+                Assert.That(readback.HasResult, Is.False);
+                readback.Request();
+                yield return Arrive(readback);
+                Assert.That(readback.HasResult);
+                Assert.That(readback.Latest.ToArray(), Is.EqualTo(new uint[] { 7, 8 }));
+            }
+        }
+
+        static IEnumerator Arrive(Readback readback)
+        {
+            for (int frame = 0; frame < 30 && readback.IsPending; frame++)
+                yield return null;
+            Assert.That(readback.IsPending, Is.False);
+        }
+
+        static void Leave(GraphicsBuffer buffer)
+        {
+            var readback = new Readback(buffer);
+            readback.Request();
+            readback.Dispose();
+        }
+    }
+}
