@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
     [RequireComponent(typeof(FluidSimulation))]
-    [DefaultExecutionOrder(100)]    // after the simulation's step
+    [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
     public abstract class FluidRenderer : MonoBehaviour, IUsesStages
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
@@ -111,7 +111,7 @@ namespace Rill
 
         void OnValidate() => shaders.Follow(Stage);
 
-        void Update() => DrawFrame();
+        void LateUpdate() => DrawFrame();
 
         /// <summary>Draws this frame if the simulation is running. Allocates no managed memory.</summary>
         internal void DrawFrame()

@@ -18,8 +18,12 @@ namespace Rill
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Simulation")]
     [DisallowMultipleComponent]
+    [DefaultExecutionOrder(ExecutionOrder)]
     public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems
     {
+        /// <summary>When it steps, in LateUpdate: what scripts of a lower order and animations move in a frame acts on the fluid in that frame.</summary>
+        public const int ExecutionOrder = 1000;
+
         const float DefaultStepRate = 60f;
         static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
 
@@ -241,7 +245,8 @@ namespace Rill
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
         }
 
-        void Update() => Advance(Time.deltaTime);
+        // After the scripts and animations that move what acts on the fluid.
+        void LateUpdate() => Advance(Time.deltaTime);
 
         /// <summary>Lets time pass: takes the fixed steps that fit. Allocates no managed memory once it runs.</summary>
         /// <param name="frameTime">Time since the last call, s.</param>
@@ -286,7 +291,7 @@ namespace Rill
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && HasStages(StageSet.Statistics);
             if (measures)
                 pbf.RecordStatistics(commands, input);
-            else if (statisticsInterval <= 0 && !pbf.StatisticsPending)     // releasing a pending one would wait for the GPU
+            else if (statisticsInterval <= 0)
                 pbf.ReleaseStatistics();
             ColliderReactions reactions = TakeReactions();
             Graphics.ExecuteCommandBuffer(commands);

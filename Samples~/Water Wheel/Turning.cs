@@ -3,8 +3,6 @@ using UnityEngine;
 namespace Rill.Samples
 {
     /// <summary>Turns its object evenly, as a motor would: whatever the water does to it.</summary>
-    /// <remarks>Before the fluid's Update: the water meets the wheel where it is drawn.</remarks>
-    [DefaultExecutionOrder(-100)]
     public sealed class Turning : MonoBehaviour
     {
         [Tooltip("Axis in the object's own frame.")]
