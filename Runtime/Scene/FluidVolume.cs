@@ -10,7 +10,7 @@ namespace Rill
     /// <summary>What a <see cref="FluidVolume"/> has the shape of.</summary>
     public enum VolumeShape { Box, Sphere, SignedDistanceField }
 
-    /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform scale.</summary>
+    /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform scale; a negative one mirrors.</summary>
     [AddComponentMenu("Rill/Fluid Volume")]
     public sealed class FluidVolume : MonoBehaviour, IHasProblems
     {
@@ -28,9 +28,6 @@ namespace Rill
 
         [Tooltip("Velocity at the start in world space, m/s.")]
         [SerializeField] Vector3 velocity;
-
-        /// <summary>Offset of a particle from its lattice place, spacings: breaks the symmetry that a perfect lattice would keep.</summary>
-        const float Jitter = 0.02f;
 
         /// <summary>A box, a sphere or the inside of a field.</summary>
         public VolumeShape Shape { get => shape; set => shape = value; }
@@ -55,39 +52,36 @@ namespace Rill
             return (int3)math.floor(Extent / spacing + 1e-3f);
         }
 
-        /// <summary>Places of the particles on a cubic lattice, each offset a little; the caller disposes both arrays.</summary>
+        /// <summary>Positions of the particles on a cubic lattice, each offset a little; the caller disposes the array.</summary>
         /// <param name="spacing">m.</param>
-        /// <param name="positions">xyz, world space, m.</param>
-        /// <param name="velocities">xyz, world space, m/s.</param>
+        /// <returns>xyz, world space, m.</returns>
         /// <exception cref="ArgumentException">Field missing or unreadable, or size, velocity or transform is not finite, or the particles are too many for any simulation.</exception>
-        internal void Fill(float spacing, int seed, out NativeArray<float4> positions, out NativeArray<float4> velocities)
+        internal NativeArray<float4> Fill(float spacing, int seed)
         {
             if (ProblemWith(spacing) is string problem)
                 throw new ArgumentException(problem);
 
-            float3 center = transform.position;
-            IVolume volume = Solid(spacing);
-            int3 counts = math.max(LatticeCounts(spacing), 0);
-            float3 first = (float3)(counts - 1) * -0.5f;
-            float3 middle = Middle;
-            int inside = 0;
-            for (int i = 0; i < counts.x * counts.y * counts.z; i++)
-                inside += volume.Contains(Place(i) * spacing) ? 1 : 0;
-            positions = new NativeArray<float4>(inside, Allocator.Persistent);
-            velocities = new NativeArray<float4>(inside, Allocator.Persistent);
-            var random = new Random(math.hash(new int2(seed, inside)) | 1u);
-            for (int i = 0, filled = 0; filled < inside; i++)
-            {
-                if (!volume.Contains(Place(i) * spacing))
-                    continue;
-                float3 local = middle + (Place(i) + random.NextFloat3(-Jitter, Jitter)) * spacing;
-                positions[filled] = new float4(center + (float3)(transform.rotation * (Vector3)local), 0f);
-                velocities[filled] = new float4(velocity, 0f);
-                filled++;
-            }
+            var lattice = new VolumeLattice(LatticeCounts(spacing), spacing);
+            if (shape == VolumeShape.Box)       // the lattice fits into it
+                return Fill(lattice, lattice.Total, default, seed);
+            using (var marks = new NativeArray<byte>(lattice.Total, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
+                return Fill(lattice, Mark(lattice, spacing, marks.AsSpan()), marks.AsSpan(), seed);
+        }
 
-            // Spacings, in the volume's own frame.
-            float3 Place(int i) => first + new float3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y));
+        int Mark(in VolumeLattice lattice, float spacing, Span<byte> marks)
+        {
+            if (shape == VolumeShape.Sphere)
+                return lattice.Mark(new SphereVolume(radius - 0.5f * spacing), marks);
+            field.TryGetSampler(out FieldSampler sampler);
+            return lattice.Mark(new FieldVolume(sampler, Middle, SignedScale, -0.5f * spacing), marks);
+        }
+
+        NativeArray<float4> Fill(in VolumeLattice lattice, int inside, ReadOnlySpan<byte> marks, int seed)
+        {
+            var positions = new NativeArray<float4>(inside, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+            if (inside > 0)
+                lattice.Fill(marks, new Random(math.hash(new int2(seed, inside)) | 1u), Middle, transform.position, transform.rotation, positions.AsSpan());
+            return positions;
         }
 
         // Of the box around the shape, m.
@@ -102,9 +96,11 @@ namespace Rill
         }
 
         // Of that box, m, in this object's frame without its scale.
-        float3 Middle => shape == VolumeShape.SignedDistanceField ? (float3)field.Bounds.center * Scale : float3.zero;
+        float3 Middle => shape == VolumeShape.SignedDistanceField ? (float3)field.Bounds.center * SignedScale : float3.zero;
 
         float Scale => math.abs(transform.lossyScale.x);
+
+        float3 SignedScale => Scale * math.select(new float3(1f, 1f, 1f), new float3(-1f, -1f, -1f), (float3)transform.lossyScale < 0f);
 
         string SizeText => shape == VolumeShape.Sphere ? $"radius {radius}" : $"size {(Vector3)Extent}";
 
@@ -147,27 +143,6 @@ namespace Rill
             }
         }
 
-        IVolume Solid(float spacing)
-        {
-            if (shape == VolumeShape.SignedDistanceField)
-                return new FieldVolume(field, Middle, Scale, -0.5f * spacing);
-            return shape == VolumeShape.Sphere ? (IVolume)new SphereVolume(radius - 0.5f * spacing) : new BoxVolume();
-        }
-
-        /// <summary>Says where particles may be.</summary>
-        interface IVolume
-        {
-            /// <param name="place">Of a particle's centre, m, from the middle of the volume in its own frame.</param>
-            /// <returns>Whether all of the particle is inside.</returns>
-            bool Contains(float3 place);
-        }
-
-        // The lattice fits into the box.
-        readonly struct BoxVolume : IVolume
-        {
-            public bool Contains(float3 place) => true;
-        }
-
         readonly struct SphereVolume : IVolume
         {
             readonly float radius;
@@ -179,19 +154,22 @@ namespace Rill
 
         readonly struct FieldVolume : IVolume
         {
-            readonly SignedDistanceField field;
-            readonly float3 middle;
-            readonly float scale, mostDistance;
+            readonly FieldSampler field;
+            readonly float3 middle, scale;
+            readonly float evenScale, mostDistance;
 
-            public FieldVolume(SignedDistanceField field, float3 middle, float scale, float mostDistance)
+            /// <param name="middle">Of the field's bounds, scaled, m.</param>
+            /// <param name="scale">The same along all axes but for its signs: a negative one mirrors.</param>
+            public FieldVolume(in FieldSampler field, float3 middle, float3 scale, float mostDistance)
             {
                 this.field = field;
                 this.middle = middle;
                 this.scale = scale;
                 this.mostDistance = mostDistance;
+                evenScale = math.abs(scale.x);
             }
 
-            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance) && distance * scale <= mostDistance;
+            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance) && distance * evenScale <= mostDistance;
         }
     }
 }

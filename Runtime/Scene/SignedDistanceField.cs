@@ -1,5 +1,4 @@
 using System;
-using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -139,23 +138,16 @@ namespace Rill
         public bool TrySample(float3 local, out float distance)
         {
             distance = float.PositiveInfinity;
-            if (texture == null || !texture.isReadable || !(voxelSize > 0f) || !math.all(math.isfinite(local)))
-                return false;
+            return TryGetSampler(out FieldSampler sampler) && sampler.TrySample(local, out distance);
+        }
 
-            float3 low = bounds.min, high = bounds.max;
-            float3 inside = math.clamp(local, low, high);
-            int3 last = new int3(texture.width, texture.height, texture.depth) - 1;
-            float3 at = math.clamp((inside - low) / voxelSize - 0.5f, 0f, last);
-            int3 a = math.min((int3)math.floor(at), last), b = math.min(a + 1, last);
-            float3 weight = at - a;
-
-            var voxels = new Voxels(texture);
-            float4 row = math.lerp(
-                new float4(voxels[a.x, a.y, a.z], voxels[a.x, b.y, a.z], voxels[a.x, a.y, b.z], voxels[a.x, b.y, b.z]),
-                new float4(voxels[b.x, a.y, a.z], voxels[b.x, b.y, a.z], voxels[b.x, a.y, b.z], voxels[b.x, b.y, b.z]), weight.x);
-            float2 plane = math.lerp(row.xz, row.yw, weight.y);
-            distance = math.lerp(plane.x, plane.y, weight.z) + math.distance(local, inside);
-            return true;
+        /// <summary>For many samples: looks the texture up once.</summary>
+        /// <returns>False without a texture that can be read.</returns>
+        internal bool TryGetSampler(out FieldSampler sampler)
+        {
+            bool isThere = texture != null && texture.isReadable && voxelSize > 0f;
+            sampler = isThere ? new FieldSampler(texture, bounds, voxelSize) : default;
+            return isThere;
         }
 
         /// <summary>What lies inside of the surface, m³: summed over all voxels at the first call after a bake. 0 without a texture that can be read.</summary>
@@ -175,7 +167,7 @@ namespace Rill
         // Of a voxel the share that a flat surface at its distance leaves inside.
         float MeasureVolume()
         {
-            var voxels = new Voxels(texture);
+            var voxels = new FieldVoxels(texture);
             double sum = 0.0;
             for (int z = 0; z < texture.depth; z++)
                 for (int y = 0; y < texture.height; y++)
@@ -221,32 +213,6 @@ namespace Rill
         {
             volumeIsKnown = false;
             Migrate();
-        }
-
-        /// <summary>The texture's copy in memory.</summary>
-        readonly struct Voxels
-        {
-            readonly NativeArray<ushort> halves;
-            readonly NativeArray<float> floats;
-            readonly int width, height;
-
-            public Voxels(Texture3D texture)
-            {
-                bool isHalf = texture.format == TextureFormat.RHalf;
-                halves = isHalf ? texture.GetPixelData<ushort>(0) : default;
-                floats = isHalf ? default : texture.GetPixelData<float>(0);
-                width = texture.width;
-                height = texture.height;
-            }
-
-            public float this[int x, int y, int z]
-            {
-                get
-                {
-                    int index = (z * height + y) * width + x;
-                    return halves.IsCreated ? Mathf.HalfToFloat(halves[index]) : floats[index];
-                }
-            }
         }
     }
 }

@@ -47,26 +47,15 @@ namespace Rill
         // Returns the particles that it gave to the solver.
         int Fill(FluidVolume volume)
         {
-            NativeArray<float4> positions = default, velocities = default;
+            NativeArray<float4> positions = default;
             try
             {
-                volume.Fill(particleSpacing, seed, out positions, out velocities);
-                GetPlace(out Vector3 place, out Quaternion rotation);
-                Quaternion toDomain = Quaternion.Inverse(rotation);
-                int inside = 0;
-                for (int i = 0; i < positions.Length; i++)
-                {
-                    float3 local = ToDomain(positions[i].xyz, place, toDomain);
-                    if (math.any(local < 0f) || math.any(local > (float3)domainSize))
-                        continue;
-                    positions[inside] = new float4(local, 0f);
-                    velocities[inside] = new float4((float3)(toDomain * (Vector3)velocities[i].xyz), 0f);
-                    inside++;
-                }
+                positions = volume.Fill(particleSpacing, seed);
+                int inside = KeepInside(positions.AsSpan());
                 if (inside < positions.Length)
                     Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume '{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
                 if (inside > 0)
-                    pbf.Add(positions.GetSubArray(0, inside), velocities.GetSubArray(0, inside));
+                    Add(positions.GetSubArray(0, inside), volume.Velocity);
                 return inside;
             }
             catch (ArgumentException problem)
@@ -78,8 +67,35 @@ namespace Rill
             {
                 if (positions.IsCreated)
                     positions.Dispose();
-                if (velocities.IsCreated)
-                    velocities.Dispose();
+            }
+        }
+
+        // From world space into the domain's frame, in spacings; those in the box come first.
+        int KeepInside(Span<float4> positions)
+        {
+            GetPlace(out Vector3 place, out Quaternion rotation);
+            Quaternion toDomain = Quaternion.Inverse(rotation);
+            float3 size = domainSize;
+            int inside = 0;
+            foreach (float4 position in positions)
+            {
+                float3 local = ToDomain(position.xyz, place, toDomain);
+                if (math.any(local < 0f) || math.any(local > size))
+                    continue;
+                positions[inside++] = new float4(local, 0f) / particleSpacing;
+            }
+            return inside;
+        }
+
+        // Particles in the domain's frame, in spacings, all with one velocity in world space, m/s.
+        void Add(NativeArray<float4> positions, Vector3 velocity)
+        {
+            GetPlace(out _, out Quaternion rotation);
+            float4 local = new float4((float3)(Quaternion.Inverse(rotation) * velocity), 0f) / particleSpacing;
+            using (var velocities = new NativeArray<float4>(positions.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
+            {
+                velocities.AsSpan().Fill(local);
+                pbf.AddInSpacings(positions, velocities);
             }
         }
 

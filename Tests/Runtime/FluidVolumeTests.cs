@@ -45,6 +45,26 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_negative_scale_fills_the_mirror_image()
+        {
+            SignedDistanceField field = BallField(new float3(0.2f, -0.1f, 0f), 0.3f);
+            try
+            {
+                AssertBall(volume =>
+                {
+                    volume.Shape = VolumeShape.SignedDistanceField;
+                    volume.Field = field;
+                    volume.transform.localScale = new Vector3(-1f, 1f, 1f);
+                }, new float3(0.1f, 0f, 0f) + new float3(-0.2f, -0.1f, 0f), 0.3f);
+            }
+            finally
+            {
+                Object.DestroyImmediate(field.Texture);
+                Object.DestroyImmediate(field);
+            }
+        }
+
+        [Test]
         public void A_field_that_is_not_there_or_stretched_is_said_by_name()
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 100))
@@ -63,6 +83,34 @@ namespace Rill.Tests
                 scene.Fluid.Restart();
                 Object.DestroyImmediate(volume.Field.Texture);
                 Object.DestroyImmediate(volume.Field);
+            }
+        }
+
+        // To the bit: a scene that is played again begins as it did.
+        [Test]
+        public void Positions_are_those_of_the_lattice_point_by_point([Values(VolumeShape.Box, VolumeShape.Sphere)] VolumeShape shape)
+        {
+            var volume = new GameObject("Volume").AddComponent<FluidVolume>();
+            try
+            {
+                volume.transform.SetPositionAndRotation(new Vector3(1f, -2f, 3f), Quaternion.Euler(10f, 20f, 30f));
+                volume.Shape = shape;
+                volume.Size = new Vector3(0.5f, 0.35f, 0.6f);
+                volume.Radius = 0.31f;
+                int3 counts = volume.LatticeCounts(Spacing);
+                float3 Point(int i) => (float3)(counts - 1) * -0.5f + new float3(i % counts.x, i / counts.x % counts.y, i / (counts.x * counts.y));
+                int[] inside = Enumerable.Range(0, counts.x * counts.y * counts.z)
+                    .Where(i => shape == VolumeShape.Box || math.length(Point(i) * Spacing) <= (0.31f - 0.5f * Spacing) * (1f + 1e-4f)).ToArray();
+                var random = new Unity.Mathematics.Random(math.hash(new int2(7, inside.Length)) | 1u);
+                float4[] expected = inside.Select(i => float3.zero + (Point(i) + random.NextFloat3(-0.02f, 0.02f)) * Spacing)
+                    .Select(local => new float4((float3)volume.transform.position + (float3)(volume.transform.rotation * (Vector3)local), 0f)).ToArray();
+                using (Unity.Collections.NativeArray<float4> positions = volume.Fill(Spacing, 7))
+                    Compare.Same("positions", positions.ToArray(), expected);
+                Assert.That(expected.Length, Is.GreaterThan(500));
+            }
+            finally
+            {
+                Object.DestroyImmediate(volume.gameObject);
             }
         }
 
