@@ -1,3 +1,4 @@
+using System.Collections;
 using System.Collections.Generic;
 using UnityEngine;
 
@@ -165,13 +166,23 @@ namespace Rill
         void Attach()
         {
             attached = Wanted;
-            if (MustSay(NoSimulation, attached == null))
-                Say(NoSimulationProblem);
             if (attached == null)
+            {
+                StartCoroutine(SayWhileAlone());
                 return;
+            }
+            MustSay(NoSimulation, false);
             attached.Attach(this);
             if (MustSay(TooMany, Number < 0))
                 Say(TooManyProblem);
+        }
+
+        // A frame later: what is instantiated is put below its fluid right after.
+        IEnumerator SayWhileAlone()
+        {
+            yield return null;
+            if (isActiveAndEnabled && MustSay(NoSimulation, attached == null))
+                Say(NoSimulationProblem);
         }
 
         void Detach()

@@ -1,4 +1,5 @@
 using System;
+using System.Collections;
 using System.Linq;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
@@ -303,14 +304,38 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
-        public void Without_a_fluid_it_says_so_and_with_one_it_works()
+        [UnityTest]
+        public IEnumerator What_is_put_below_a_fluid_in_the_frame_in_which_it_is_made_says_nothing()
+        {
+            using (var scene = new SourceScene(Box, Spacing, 500))
+            {
+                var prefab = new GameObject("Prefab");
+                prefab.SetActive(false);
+                prefab.AddComponent<FluidEmitter>();
+                GameObject copy = Object.Instantiate(prefab);
+                copy.SetActive(true);
+                Assert.That(copy.GetComponent<FluidEmitter>().Simulation, Is.Null);
+                copy.transform.SetParent(scene.Fluid.transform);
+                for (int frame = 0; frame < 3; frame++)
+                    yield return null;
+                LogAssert.NoUnexpectedReceived();
+                Assert.That(copy.GetComponent<FluidEmitter>().Simulation, Is.SameAs(scene.Fluid));
+                Object.DestroyImmediate(copy);
+                Object.DestroyImmediate(prefab);
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator Without_a_fluid_it_says_so_and_with_one_it_works()
         {
             using (var scene = new SourceScene(Box, Spacing, 500))
             {
                 var alone = new GameObject("Alone");
-                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter 'Alone': there is no FluidSimulation"));
                 FluidEmitter emitter = alone.AddComponent<FluidEmitter>();
+                LogAssert.NoUnexpectedReceived();
+                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter 'Alone': there is no FluidSimulation"));
+                yield return null;
+                yield return null;
                 Assert.That(emitter.Simulation, Is.Null);
                 Assert.That(emitter.DueVolume, Is.Zero);
                 emitter.Simulation = scene.Fluid;
