@@ -16,7 +16,7 @@ struct Collider
     uint flags;
     float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides
     float sweep;            // furthest that a point of it moves in the substep, d
-    float3 fieldScale;      // from its own frame, d, to a share of the atlas of its shape
+    float3 fieldScale;      // from its own frame, d, to a share of the atlas of its shape; negative along the axes of a mirrored mesh
     float fieldUnit;        // d, of one stored unit of distance
     float3 fieldCenter;     // share of the atlas at its own frame's origin
     float voxel;            // side of a voxel, d

@@ -9,7 +9,8 @@ namespace Rill
     /// two steps sweeps the water along, however fast; what is switched on where water is lets it out slowly.
     /// </summary>
     /// <remarks>
-    /// Sizes follow the object's scale: a box in all three sides, a sphere, a capsule and a mesh evenly, a height field not at all. A simulation takes up
+    /// Sizes follow the object's scale: a box in all three sides, a sphere, a capsule and a mesh evenly, a height field not at all. A negative scale
+    /// mirrors a mesh. A simulation takes up
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
@@ -58,7 +59,8 @@ namespace Rill
         readonly List<FluidForce> forces = new List<FluidForce>();
         float3 lastPosition;
         quaternion lastRotation = quaternion.identity;
-        float3 lastScale = 1f;
+        float3 lastScale = 1f;      // above 0
+        bool3 lastMirrored;         // axes of the object's frame along which its scale is negative
         bool problemIsKnown;
         string clamped;     // what the newest validation changed
 
@@ -187,7 +189,7 @@ namespace Rill
         internal string Describe(out ColliderMotion motion)
         {
             string problem = FollowTransform();
-            RigidPose pose = new RigidPose(lastPosition + math.mul(lastRotation, lastScale * (float3)center), lastRotation);
+            RigidPose pose = new RigidPose(PointOf(center), lastRotation);
             float evenScale = math.cmax(lastScale);
             motion = new ColliderMotion { shape = shape, friction = friction, bounce = bounce, insideOut = insideOut, carriesDensity = carriesDensity, reacts = measuresForce };
             switch (shape)
@@ -251,8 +253,12 @@ namespace Rill
             lastPosition = position;
             lastRotation = rotation;
             lastScale = math.abs((float3)scale);
+            lastMirrored = (float3)scale < 0f;
             return null;
         }
+
+        // In world space, m.
+        float3 PointOf(float3 local) => lastPosition + math.mul(lastRotation, math.select(lastScale, -lastScale, lastMirrored) * local);
 
         string DescribeField(ref ColliderMotion motion, ref RigidPose pose, float scale)
         {
@@ -261,7 +267,8 @@ namespace Rill
             if (!field.Validate(out string problem))
                 return problem;
             Bounds bounds = field.Bounds;
-            pose.position = lastPosition + math.mul(lastRotation, scale * (float3)bounds.center);
+            pose.position = PointOf(bounds.center);
+            motion.mirrored = lastMirrored;
             motion.size = scale * (float3)bounds.extents;
             motion.voxel = scale * field.VoxelSize;
             motion.fieldUnit = scale;

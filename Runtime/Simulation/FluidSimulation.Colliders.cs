@@ -124,7 +124,7 @@ namespace Rill
 
         static bool SameShape(in ColliderMotion a, in ColliderMotion b)
         {
-            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && a.voxel == b.voxel && a.friction == b.friction
+            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && math.all(a.mirrored == b.mirrored) && a.voxel == b.voxel && a.friction == b.friction
                 && a.bounce == b.bounce && a.insideOut == b.insideOut && a.carriesDensity == b.carriesDensity;
         }
 

@@ -54,6 +54,16 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void The_middle_of_a_shape_is_mirrored_with_its_object()
+        {
+            FluidCollider collider = Make(ColliderShape.Capsule, water.transform.position);
+            collider.Center = new Vector3(0.1f, 0.2f, -0.1f);
+            collider.transform.localScale = new Vector3(-0.5f, 0.5f, 0.5f);
+            Assert.That(collider.TryDescribe(out ColliderMotion motion));
+            Assert.That(math.distance(motion.end.position, collider.Middle), Is.LessThan(1e-5f));
+        }
+
+        [Test]
         public void What_moves_between_two_frames_moves_over_their_steps()
         {
             FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position);

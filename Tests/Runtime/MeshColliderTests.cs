@@ -72,6 +72,39 @@ namespace Rill.Tests
             });
         }
 
+        // Two balls of which no mirror image is a turn, on an object or below a parent with a negative scale.
+        [TestCase(-1f, 1f, 1f, 1f)]
+        [TestCase(1f, 1f, -1f, 1f)]
+        [TestCase(-1f, -1f, -1f, 1f)]
+        [TestCase(1f, 1f, 1f, -1f)]
+        [TestCase(1f, -1f, 1f, -1f)]
+        public void A_negative_scale_mirrors_the_mesh(float x, float y, float z, float parentX)
+        {
+            FluidSimulation simulation = Simulation(Places());
+            SignedDistanceField field = Balls();
+            var parent = new GameObject("Parent");
+            try
+            {
+                FluidCollider collider = Add(field, new Vector3(0.05f, 0.1f, -0.05f));
+                collider.transform.SetParent(parent.transform);
+                parent.transform.localScale = new Vector3(parentX, 1f, 1f);
+                parent.transform.SetPositionAndRotation(water.transform.TransformPoint(new Vector3(0.1f, 0.1f, 0f)), Quaternion.Euler(-20f, 40f, 5f));
+                collider.transform.localPosition = Vector3.zero;
+                collider.transform.localScale = 0.8f * new Vector3(x, y, z);
+                simulation.Advance(simulation.FixedStep);
+
+                float3 ToDomain(Vector3 local) => simulation.DomainToWorld.inverse.MultiplyPoint3x4(collider.transform.TransformPoint(local));
+                float3 large = ToDomain(LargeBall), small = ToDomain(SmallBall);
+                AssertDistances(simulation, p => math.min(math.distance(p, large) - 0.8f * LargeRadius / Spacing, math.distance(p, small) - 0.8f * SmallRadius / Spacing));
+            }
+            finally
+            {
+                Object.DestroyImmediate(parent);
+                Object.DestroyImmediate(field.Texture);
+                Object.DestroyImmediate(field);
+            }
+        }
+
         [Test]
         public void A_mesh_that_is_stretched_is_refused_by_name()
         {
@@ -100,6 +133,28 @@ namespace Rill.Tests
                 near += wanted < 1.9f ? 1 : 0;
             }
             Assert.That(near, Is.GreaterThan(50));
+        }
+
+        const float LargeRadius = 0.35f, SmallRadius = 0.2f;
+        static readonly Vector3 LargeBall = new Vector3(-0.25f, 0.1f, 0f), SmallBall = new Vector3(0.3f, -0.3f, 0.25f);
+
+        // What a bake of both, finely meshed, gives.
+        static SignedDistanceField Balls()
+        {
+            MeshSdfSettings settings = MeshSdfSettings.Default;
+            settings.resolution = 48;
+            settings.padding = 3;
+            var bounds = new Bounds(LargeBall, 2f * LargeRadius * Vector3.one);
+            bounds.Encapsulate(new Bounds(SmallBall, 2f * SmallRadius * Vector3.one));
+            var grid = new SdfGrid(bounds, settings, false);
+            int3 resolution = grid.Resolution;
+            var distances = new float[resolution.x * resolution.y * resolution.z];
+            for (int i = 0; i < distances.Length; i++)
+            {
+                float3 place = grid.Min + (new float3(i % resolution.x, i / resolution.x % resolution.y, i / (resolution.x * resolution.y)) + 0.5f) * grid.VoxelSize;
+                distances[i] = math.min(math.distance(place, LargeBall) - LargeRadius, math.distance(place, SmallBall) - SmallRadius);
+            }
+            return SignedDistanceField.Create(new SdfBake("Balls", grid, distances, settings, MeshSdfSign.WindingNumber, 1));
         }
 
         static float3[] Places()

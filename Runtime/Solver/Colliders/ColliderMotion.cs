@@ -22,6 +22,8 @@ namespace Rill
         public bool reacts;
         /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for other kinds.</summary>
         public Texture3D field;
+        /// <summary>Axes of its own frame along which its field is looked up mirrored: those of a negative scale.</summary>
+        public bool3 mirrored;
         /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>
         public float voxel, fieldUnit;
         /// <summary>Of the height over a height field, what is free on all sides even beside its steepest place.</summary>

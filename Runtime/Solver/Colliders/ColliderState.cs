@@ -59,7 +59,7 @@ namespace Rill
                 state.size = motion.size - 0.5f * motion.voxel;       // to the centres of the outermost voxels
                 state.voxel = motion.voxel;
                 state.fieldUnit = motion.fieldUnit;
-                state.fieldScale = brick.VoxelShare / motion.voxel;
+                state.fieldScale = math.select(brick.VoxelShare, -brick.VoxelShare, motion.mirrored) / motion.voxel;
                 state.fieldCenter = brick.Center;
             }
             if (motion.shape == ColliderShape.HeightField)
