@@ -8,9 +8,14 @@ namespace Rill.Editor
         /// <summary>Of the folder Runtime/Stages, wherever the package lies.</summary>
         const string FolderGuid = "30daecba402c7b162e48d7f2fd730ac6";
 
+        static string Folder => AssetDatabase.GUIDToAssetPath(FolderGuid);
+
+        /// <summary>The package's folder Runtime, as a path of the project.</summary>
+        public static string RuntimeFolder => Folder.Substring(0, Folder.LastIndexOf('/'));
+
         [InitializeOnLoadMethod]
         static void Install() => StageShader.EditorFind = Find;
 
-        static StageShader Find(string stage) => AssetDatabase.LoadAssetAtPath<StageShader>($"{AssetDatabase.GUIDToAssetPath(FolderGuid)}/{stage}.asset");
+        static StageShader Find(string stage) => AssetDatabase.LoadAssetAtPath<StageShader>($"{Folder}/{stage}.asset");
     }
 }

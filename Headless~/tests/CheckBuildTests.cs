@@ -1,10 +1,15 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Host.Assets;
 using Host.Check.Build;
 using Host.Commands;
+using Host.Fluids;
 using NUnit.Framework;
 using Rill;
+using Rill.Editor;
+using UnityEditor;
 using UnityEngine;
 using UnityEngine.TestTools;
 
@@ -86,6 +91,86 @@ namespace Host.Tests
                     Assert.That(Logged.Count(line => line.Contains("FluidSimulation 'Fluid' goes on without colliders: the shaders of the stage 'Colliders'")), Is.EqualTo(1), string.Join("\n", Logged));
                     Assert.That(Object.FindObjectOfType<FluidSimulation>().StepCount, Is.EqualTo(4));
                 }
+            }
+        }
+    }
+
+    /// <summary>Prefabs of a project with the package, as they are when a build begins.</summary>
+    public class PrefabBuildTests : AssetFixture
+    {
+        const string Prefab = "Assets/Tap.prefab";
+        static readonly string Package = Path.GetFullPath(Path.Combine(TestFolder.Path, "..", ".."));
+
+        [Test]
+        public void A_prefab_without_the_stages_that_it_uses_is_saved_with_them()
+        {
+            ProjectAssets project = Project("Assets", "  lifetime: 2\n", "Runtime/Scene/FluidEmitter.cs");
+            LogAssert.Expect(LogType.Log, "Rill: the prefab Assets/Tap.prefab now refers to the stages that it uses: Emitters, Drains.");
+            Build();
+            Assert.That(PrefabUtility.Saved, Is.EqualTo(new[] { Prefab }));
+            IUsesStages emitter = project.LoadAtPath<FluidEmitter>(Prefab);
+            Assert.That(emitter.StageReferences.Stages.Select(stage => stage.name), Is.EqualTo(new[] { "Emitters", "Drains" }));
+        }
+
+        [Test]
+        public void A_prefab_that_refers_to_its_stages_is_left_alone()
+        {
+            Project("Assets", $"  shaders:\n    stages:\n    - {{fileID: 11400000, guid: {Guid("Runtime/Stages/Emitters.asset")}, type: 2}}\n", "Runtime/Scene/FluidEmitter.cs");
+            Build();
+            Assert.That(PrefabUtility.Saved, Is.Empty);
+        }
+
+        [Test]
+        public void A_prefab_of_other_scripts_is_left_alone()
+        {
+            Project("Assets", "  size: 2\n", null);
+            Build();
+            Assert.That(PrefabUtility.Saved, Is.Empty);
+        }
+
+        [Test]
+        public void A_prefab_that_cannot_be_written_is_an_error_with_the_remedy()
+        {
+            Project("Packages/com.other", "", "Runtime/Scene/FluidEmitter.cs");
+            LogAssert.Expect(LogType.Error, new Regex("^Rill: the prefab Packages/com.other/Tap.prefab uses stages that it does not refer to \\(Emitters\\).*FluidShaders.*Preloaded Assets"));
+            Build();
+            Assert.That(PrefabUtility.Saved, Is.Empty);
+        }
+
+        static void Build()
+        {
+            EditorInitializers.Run();
+            PrefabUtility.Saved.Clear();
+            new PrefabBuildStep().OnPreprocessBuild(null);
+        }
+
+        // A prefab of one object with one component, in a folder beside the package.
+        ProjectAssets Project(string folder, string fields, string script)
+        {
+            TemporaryProject files = Temporary().Write("Assets/Tap.prefab", TemporaryProject.SceneText(fields, script == null ? TemporaryProject.PartGuid : Guid(script)), "e0000000000000000000000000000009");
+            var mounts = new List<MountedFolder> { new("Packages/com.rill.fluids", Package), new(folder, Path.Combine(files.Root, "Assets")) };
+            var project = new ProjectAssets(mounts, new[] { typeof(FluidEmitter).Assembly, typeof(AssetFixture).Assembly }, strict: true);
+            Play(project, files.Root);
+            return project;
+        }
+
+        static string Guid(string file) => File.ReadAllLines(Path.Combine(Package, file + ".meta"))[1].Substring(6);
+    }
+
+    /// <summary>What <c>rill explain</c> says of builds.</summary>
+    public class ExplainBuildTests : GraphicsFixture
+    {
+        [Test]
+        public void The_stages_of_a_build_are_listed_with_what_asks_for_them()
+        {
+            using (new SampleScene("Tap and Basin"))
+            {
+                var text = new StringWriter();
+                ExplainCommand.WriteBuild(Object.FindObjectsOfType<MonoBehaviour>(true), text);
+                string[] lines = text.ToString().Split('\n');
+                Assert.That(lines, Has.Some.Match("^      Colliders: [0-9]+ kernels.*, for FluidCollider 'Basin' and 'Cup'$"));
+                Assert.That(lines, Has.Some.Match("^      ParticleRenderer: the shader Rill/.*, for ParticleRenderer 'Fluid'$"));
+                Assert.That(lines, Has.None.Contains("Viscoelasticity"));
             }
         }
     }

@@ -10,6 +10,7 @@ namespace Rill
         [SerializeField] StageShader[] stages = Array.Empty<StageShader>();
 
         StageShader[] held;
+        StageSet followed;
 
         /// <summary>What is stored; an element is null where its asset is gone.</summary>
         public StageShader[] Stages => stages;
@@ -33,11 +34,13 @@ namespace Rill
             held = null;
         }
 
-        /// <summary>Of OnValidate: <see cref="Update"/> outside of play mode, in which nothing is stored.</summary>
+        /// <summary>Of OnValidate, which setters call too: <see cref="Update"/> where other groups are wanted than at the last call.</summary>
         public void Follow(StageSet wanted)
         {
-            if (!Application.isPlaying)
-                Update(wanted);
+            if (wanted == followed)
+                return;
+            followed = wanted;
+            Update(wanted);
         }
 
         /// <summary>In the Editor: refers to the stages of these groups and no others. In a player it leaves all as it is.</summary>

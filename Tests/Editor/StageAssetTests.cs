@@ -1,5 +1,8 @@
+using System;
 using NUnit.Framework;
+using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Rill.Editor.Tests
 {
@@ -28,6 +31,33 @@ namespace Rill.Editor.Tests
                 Assert.That(shader.IsSupported(shader.FindKernel(kernel)), $"{stage}.compute: {kernel} is not supported");
             }
         }
+
+        [Test]
+        public void A_setting_that_is_changed_in_the_editor_changes_the_stages_that_are_stored()
+        {
+            using (var scene = new EditorScene())
+            {
+                var fluid = scene.Add<FluidSimulation>();
+                Change(fluid, "statisticsInterval", property => property.intValue = 0);
+                Assert.That(Stored(fluid), Has.Member("Emission").And.Member("CoarseGrid").And.No.Member("Statistics").And.No.Member("VorticityConfinement"));
+                Change(fluid, "material.vorticity", property => property.floatValue = 1f);
+                Assert.That(Stored(fluid), Has.Member("VorticityConfinement"));
+                Change(fluid, "shadersInBuild", property => property.intValue = (int)ShadersInBuild.AllFeatures);
+                Assert.That(Stored(fluid), Has.Member("Colliders").And.Member("ParticleRenderer").And.No.Member("MeshSdf"));
+                Change(fluid, "shadersInBuild", property => property.intValue = (int)ShadersInBuild.UsedBySettings);
+                Change(fluid, "material.vorticity", property => property.floatValue = 0f);
+                Assert.That(Stored(fluid), Has.No.Member("VorticityConfinement").And.No.Member("Colliders"));
+            }
+        }
+
+        static void Change(Object target, string path, Action<SerializedProperty> set)
+        {
+            var serialized = new SerializedObject(target);
+            set(serialized.FindProperty(path));
+            serialized.ApplyModifiedProperties();
+        }
+
+        static string[] Stored(IUsesStages user) => Array.ConvertAll(user.StageReferences.Stages, stage => stage.name);
 
         [TestCase("ParticleRenderer")]
         [TestCase("DomainRenderer")]

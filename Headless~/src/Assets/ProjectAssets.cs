@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Reflection;
+using System.Text.RegularExpressions;
 using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
@@ -92,6 +94,14 @@ namespace Host.Assets
 
         public string GuidOfPath(string assetPath) => Index.ByPath(assetPath)?.Guid;
         public string PathOfGuid(string guid) => Index.ByGuid(guid)?.Path;
+
+        public IEnumerable<string> AllPaths() => Index.Entries.Where(entry => !entry.IsFolder).Select(entry => entry.Path);
+
+        public IEnumerable<string> ReferencesIn(string assetPath)
+        {
+            if (Index.ByPath(assetPath) is not AssetEntry entry || !YamlExtensions.Contains(entry.Extension)) return Enumerable.Empty<string>();
+            return Regex.Matches(File.ReadAllText(entry.File), "guid: ([0-9a-f]{32})").Select(match => PathOfGuid(match.Groups[1].Value)).Where(path => path != null).Distinct();
+        }
 
         public IEnumerable<Object> LoadAllAtPath(string assetPath) =>
             Index.ByPath(assetPath) is AssetEntry entry && Load(entry) is LoadedAsset asset ? asset.Objects.Values : Enumerable.Empty<Object>();

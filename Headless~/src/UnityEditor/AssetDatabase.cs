@@ -137,6 +137,28 @@ namespace UnityEditor
             return free;
         }
 
+        /// <summary>The GUIDs of the project's files of one type, of which the host knows prefabs.</summary>
+        public static string[] FindAssets(string filter)
+        {
+            if (filter != "t:Prefab")
+                throw new NotSupportedException($"AssetDatabase.FindAssets(\"{filter}\"): the host finds \"t:Prefab\" alone.");
+            return Player.Assets?.AllPaths().Where(path => path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase)).Select(AssetPathToGUID).ToArray() ?? Array.Empty<string>();
+        }
+
+        /// <summary>Files that a file refers to as it is stored, scripts too; with all that those refer to and itself where recursive.</summary>
+        public static string[] GetDependencies(string pathName, bool recursive)
+        {
+            var found = new List<string>();
+            if (recursive)
+                found.Add(pathName);
+            foreach (string path in Player.Assets?.ReferencesIn(pathName) ?? Enumerable.Empty<string>())
+                if (!found.Contains(path))
+                    found.Add(path);
+            for (int i = 1; recursive && i < found.Count; i++)
+                found.AddRange(Player.Assets.ReferencesIn(found[i]).Where(path => !found.Contains(path)).Distinct().ToList());
+            return found.ToArray();
+        }
+
         public static void Refresh() { }
         public static void SaveAssets() { }
         public static void SaveAssetIfDirty(Object obj) => EditorUtility.ClearDirty(obj);

@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using Host.Assets;
 using Rill;
+using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
@@ -30,9 +31,30 @@ namespace Host.Fluids
                     PlayerLoop.Frame(1f / 60f);
                 foreach (FluidSimulation simulation in Object.FindObjectsOfType<FluidSimulation>())
                     Write(simulation.name, simulation.Describe(), System.Console.Out);
+                WriteBuild(Object.FindObjectsOfType<MonoBehaviour>(true), System.Console.Out);
                 return 0;
             });
             return command;
+        }
+
+        /// <summary>The stages that a build of the scene contains, and the components that ask for each.</summary>
+        internal static void WriteBuild(IEnumerable<MonoBehaviour> components, TextWriter output)
+        {
+            output.WriteLine();
+            output.WriteLine("A build of this scene contains");
+            var users = components.OfType<IUsesStages>().SelectMany(user => user.StageReferences.Stages.Where(stage => stage != null).Select(stage => (stage, user: (MonoBehaviour)user))).ToList();
+            foreach (var use in users.GroupBy(use => use.stage).OrderBy(use => use.Key.name, System.StringComparer.Ordinal))
+                output.WriteLine($"      {use.Key.name}: {Contents(use.Key)}, for {string.Join(", ", use.GroupBy(u => u.user.GetType().Name).OrderBy(kind => kind.Key, System.StringComparer.Ordinal).Select(kind => $"{kind.Key} {string.Join(" and ", kind.Select(u => $"'{u.user.name}'").OrderBy(name => name, System.StringComparer.Ordinal))}"))}");
+            if (users.Count == 0)
+                output.WriteLine("      no stage");
+        }
+
+        static string Contents(StageShader stage)
+        {
+            if (stage.Compute == null)
+                return $"the shader {stage.Shader.name}";
+            ComputeShaderSource source = stage.Compute.Source;
+            return $"{source.Kernels.Count} kernels{(source.Keywords.Count > 0 ? $" with {string.Join(", ", source.Keywords)}" : "")}";
         }
 
         internal static void Write(string name, List<StageDescription> stages, TextWriter output)

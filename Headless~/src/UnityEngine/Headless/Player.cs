@@ -48,6 +48,10 @@ namespace UnityEngine.Headless
         Object LoadAtPath(string assetPath, Type type);
         string GuidOfPath(string assetPath);
         string PathOfGuid(string guid);
+        /// <summary>Of every file of the project.</summary>
+        IEnumerable<string> AllPaths();
+        /// <summary>Paths of the files that a text asset refers to; nothing for another kind of file.</summary>
+        IEnumerable<string> ReferencesIn(string assetPath);
         /// <summary>Everything in the file, if it is one that makes objects.</summary>
         IEnumerable<Object> LoadAllAtPath(string assetPath);
         /// <summary>Where a loaded asset, or a part of one, came from. A built-in one is in "Library/unity default resources".</summary>
