@@ -64,7 +64,7 @@ namespace Host.Check
             {
                 ShaderProgram program = variant.Compile().Program;
                 var needs = new ProgramNeeds(program);
-                string Reason(Target target) => string.Join("; ", target.Excesses(needs).Concat(target.Translation == null ? Array.Empty<string>() : new[] { translator.Try(program, target.Translation) }).Where(r => r != null));
+                string Reason(Target target) => string.Join("; ", target.Limits.Excesses(needs).Concat(target.Translation == null ? Array.Empty<string>() : new[] { translator.Try(program, target.Translation) }).Where(r => r != null));
                 return new Verdict { Variant = variant, Needs = needs, Reasons = targets.Select(Reason).ToArray() };
             }
             catch (ShaderCompileException e)
@@ -79,7 +79,7 @@ namespace Host.Check
             {
                 Title = "Other targets",
                 About = "What each program needs, and whether it fits: Metal as MSL 2.1 and Vulkan as GLSL, both as SPIRV-Cross writes them (Unity has a translator of its own), Vulkan's and OpenGL ES's text read back by glslang; "
-                    + "WebGPU by its default limits alone; OpenGL ES 3.1 by the least that the specification grants. The host's own programs are judged: they are what Direct3D's defines select, and subtract the base vertex as Direct3D does, which OpenGL ES lacks.",
+                    + "mobile devices and WebGPU by their limits alone; OpenGL ES 3.1 by the least that the specification grants. The host's own programs are judged: they are what Direct3D's defines select, and subtract the base vertex as Direct3D does, which OpenGL ES lacks.",
                 Columns = new[] { "file", "kernel or stage", "keywords", "storage buffers", "textures", "threads", "shared B" }.Concat(targets.Select(t => t.Name)).ToArray(),
             };
             foreach (Verdict verdict in verdicts)

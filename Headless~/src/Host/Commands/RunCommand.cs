@@ -31,11 +31,13 @@ namespace Host.Commands
             var strict = new Option<bool>("--strict") { Description = "With --project: stop where Unity logs and goes on or is undefined." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
             Option<string> shaders = ShadersOption.Create();
+            Option<string> limits = LimitsOption.Create();
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, shaders };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, shaders, limits };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                LimitsOption.Use(parsed.GetValue(limits));
                 (int width, int height) = Size(parsed.GetValue(size));
                 double rate = Positive(parsed.GetValue(fps), "--fps");
                 if (parsed.GetValue(scene) == null && parsed.GetValue(project) == null)

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Reflection;
 using Host.Testing;
 using NUnit.Framework.Internal;
+using UnityEngine.Headless;
 
 namespace Host.Commands
 {
@@ -24,10 +25,12 @@ namespace Host.Commands
             var noValidation = new Option<bool>("--no-validation") { Description = "Without Vulkan's validation layer, where it is not installed." };
             var written = new Option<bool>("--output") { Description = "Also print what tests wrote that passed: their figures." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, written, shaders };
+            Option<string> limits = LimitsOption.Create();
+            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, written, shaders, limits };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                LimitsOption.Use(parsed.GetValue(limits));
                 return Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation), parsed.GetValue(written));
             });
             return command;
@@ -65,7 +68,7 @@ namespace Host.Commands
                 complaints.Add("no test ran");
 
             output.WriteLine();
-            output.WriteLine($"device: {session.DescribeDevice()}");
+            output.WriteLine($"device: {session.DescribeDevice()}, with the limits of {Player.Limits.Title}");
             output.WriteLine(validation ? $"validation layer: {session.ValidationMessages.Count} messages" : "validation layer: off (--no-validation)");
             output.WriteLine($"{run.Methods} test methods, {run.DispatchingMethods} of them dispatched on the device");
             ShadersOption.Report(output);

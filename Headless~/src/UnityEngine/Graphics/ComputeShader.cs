@@ -68,7 +68,7 @@ namespace UnityEngine
             if (!CheckKernel(kernelIndex, "IsSupported") || !Gpu.Available)
                 return false;
             ProgramLayout layout = Layout(kernelIndex, report: false);
-            return layout != null && layout.Program.GroupX * layout.Program.GroupY * layout.Program.GroupZ <= Player.Device.Info.MaxGroupInvocations
+            return layout != null && layout.Excess == null && layout.Program.GroupX * layout.Program.GroupY * layout.Program.GroupZ <= Player.Device.Info.MaxGroupInvocations
                 && layout.Program.GroupsharedBytes <= Player.Device.Info.MaxGroupsharedBytes;
         }
 
@@ -165,7 +165,7 @@ namespace UnityEngine
                 Debug.LogError($"{name}.compute: Kernel at index ({kernel}) is invalid");
                 return false;
             }
-            return GpuChecks.Kernel(layout.Program);
+            return GpuChecks.Program(layout);
         }
 
         // ---- values; bits are taken as they are, arrays are not spread to 16 bytes an element

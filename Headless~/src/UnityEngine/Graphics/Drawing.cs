@@ -76,6 +76,8 @@ namespace UnityEngine.Headless
                     return;
             }
 
+            if (!GpuChecks.Program(vertex) || !GpuChecks.Program(fragment))
+                return;
             stateMaterial = material;
             DeviceRasterState state = material.shader.Source.Passes[passIndex].ResolveState(materialFloat);
             if (!Topology(call, out state.Topology, out bool quads))

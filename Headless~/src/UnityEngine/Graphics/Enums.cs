@@ -112,6 +112,11 @@ namespace UnityEngine.Rendering
     }
 }
 
+namespace UnityEngine
+{
+    public enum DeviceType { Unknown, Handheld, Console, Desktop }
+}
+
 namespace UnityEngine.Experimental.Rendering
 {
     public enum DefaultFormat { LDR, HDR, DepthStencil, Shadow, Video }

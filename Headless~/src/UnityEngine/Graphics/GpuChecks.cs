@@ -8,19 +8,16 @@ namespace UnityEngine.Headless
     {
         public const int MaxGroups = 65535;
         const int MaxUavs = 8;
-        const int MaxGroupsharedBytes = 32 * 1024;
-        const int MaxThreads = 1024;
 
-        /// <summary>Limits of shader model 5.0 that a kernel may exceed on other devices.</summary>
-        public static bool Kernel(ShaderProgram program)
+        /// <summary>What the player's limits, and Unity's own of 8 views to write, do not hold is refused.</summary>
+        public static bool Program(ProgramLayout layout)
         {
+            ShaderProgram program = layout.Program;
             string strict = null;
             if (program.UavCount > MaxUavs)
-                strict = $"{program.Name} uses {program.UavCount} unordered access views (append and consume counters included in their buffers'); Direct3D 11 allows {MaxUavs}. Pack or split buffers.";
-            else if (program.GroupsharedBytes > MaxGroupsharedBytes)
-                strict = $"{program.Name} uses {program.GroupsharedBytes:N0} bytes of groupshared memory; shader model 5.0 allows {MaxGroupsharedBytes:N0}.";
-            else if (program.GroupX * program.GroupY * program.GroupZ > MaxThreads)
-                strict = $"{program.Name} has {program.GroupX} x {program.GroupY} x {program.GroupZ} threads in a group; shader model 5.0 allows {MaxThreads}.";
+                strict = $"{program.Name} uses {program.UavCount} unordered access views (append and consume counters included in their buffers'); Direct3D 11 allows {MaxUavs}, and so does Unity elsewhere. Pack or split buffers.";
+            else if (layout.Excess != null)
+                strict = $"{program.Name} is more than {Player.Limits.Title} holds: {layout.Excess}. Use a smaller variant where SystemInfo reports less.";
             if (strict == null)
                 return true;
             GpuError.Report(strict, strict);

@@ -33,6 +33,8 @@ namespace UnityEngine.Headless
 
         public readonly ShaderProgram Program;
         public readonly Slot[] Slots;
+        ApiLimits judgedBy;
+        string excess;
 
         ProgramLayout(ShaderProgram program)
         {
@@ -40,6 +42,20 @@ namespace UnityEngine.Headless
             Slots = new Slot[program.Resources.Length];
             for (int i = 0; i < Slots.Length; i++)
                 Slots[i] = SlotOf(program.Resources[i]);
+        }
+
+        /// <summary>Why the player's limits do not hold the program; null when they do. Found once.</summary>
+        public string Excess
+        {
+            get
+            {
+                if (judgedBy != Player.Limits)
+                {
+                    judgedBy = Player.Limits;
+                    excess = judgedBy.WhyNot(new ProgramNeeds(Program));
+                }
+                return excess;
+            }
         }
 
         public static ProgramLayout Of(ShaderProgram program) => layouts.GetValue(program, p => new ProgramLayout(p));

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    /// <summary>Limits are Direct3D 11's or the device's, whichever is less.</summary>
+    /// <summary>Limits are those of <see cref="Player.Limits"/> or the device's, whichever is less.</summary>
     public sealed class SystemInfo
     {
         public const string unsupportedIdentifier = "n/a";
@@ -46,7 +46,7 @@ namespace UnityEngine
         public static RenderingThreadingMode renderingThreadingMode => RenderingThreadingMode.SingleThreaded;
         public static NPOTSupport npotSupport => NPOTSupport.Full;
 
-        public static GraphicsDeviceType graphicsDeviceType => Info != null ? GraphicsDeviceType.Direct3D11 : GraphicsDeviceType.Null;
+        public static GraphicsDeviceType graphicsDeviceType => Info != null ? Player.Limits.Type : GraphicsDeviceType.Null;
         public static string graphicsDeviceName => Info?.Name ?? "Null Device";
         public static string graphicsDeviceVendor => Info?.Vendor ?? "";
         public static string graphicsDeviceVersion => Info == null ? "Null Device" : $"{Info.Api} {Info.Driver}";
@@ -56,19 +56,19 @@ namespace UnityEngine
         public static int graphicsMemorySize => Info == null ? 0 : (int)Math.Min(int.MaxValue, Info.MemoryBytes >> 20);
 
         /// <summary>Bytes: what one binding can cover.</summary>
-        public static long maxGraphicsBufferSize => Info == null ? 0 : Math.Min(Gpu.MaxResourceBytes, Info.MaxBufferBytes);
-        public static int maxConstantBufferSize => 64 * 1024;
+        public static long maxGraphicsBufferSize => Info == null ? 0 : Math.Min(Math.Min(Gpu.MaxResourceBytes, Player.Limits.BufferBytes), Info.MaxBufferBytes);
+        public static int maxConstantBufferSize => Player.Limits.ConstantBytes;
         public static int constantBufferOffsetAlignment => 256;
-        public static int maxComputeBufferInputsCompute => Compute ? 128 : 0;
-        public static int maxComputeBufferInputsVertex => Compute ? 128 : 0;
-        public static int maxComputeBufferInputsFragment => Compute ? 128 : 0;
+        public static int maxComputeBufferInputsCompute => Compute ? Math.Min(Player.Limits.StorageBuffers, Player.Limits.Buffers) : 0;
+        public static int maxComputeBufferInputsVertex => Compute ? Math.Min(Player.Limits.StorageBuffersInGraphics, Player.Limits.Buffers) : 0;
+        public static int maxComputeBufferInputsFragment => Compute ? Math.Min(Player.Limits.StorageBuffersInGraphics, Player.Limits.Buffers) : 0;
         public static int maxComputeBufferInputsGeometry => 0;
         public static int maxComputeBufferInputsHull => 0;
         public static int maxComputeBufferInputsDomain => 0;
-        public static int maxComputeWorkGroupSize => Compute ? Math.Min(1024, Info.MaxGroupInvocations) : 0;
-        public static int maxComputeWorkGroupSizeX => Compute ? Math.Min(1024, Info.MaxGroupSizeX) : 0;
-        public static int maxComputeWorkGroupSizeY => Compute ? Math.Min(1024, Info.MaxGroupSizeY) : 0;
-        public static int maxComputeWorkGroupSizeZ => Compute ? Math.Min(64, Info.MaxGroupSizeZ) : 0;
+        public static int maxComputeWorkGroupSize => Compute ? Math.Min(Player.Limits.Threads, Info.MaxGroupInvocations) : 0;
+        public static int maxComputeWorkGroupSizeX => Compute ? Math.Min(Player.Limits.Threads, Info.MaxGroupSizeX) : 0;
+        public static int maxComputeWorkGroupSizeY => Compute ? Math.Min(Player.Limits.Threads, Info.MaxGroupSizeY) : 0;
+        public static int maxComputeWorkGroupSizeZ => Compute ? Math.Min(Player.Limits.ThreadsZ, Info.MaxGroupSizeZ) : 0;
         public static int computeSubGroupSize => Compute ? Info.SubgroupSize : 0;
         public static int supportedRandomWriteTargetCount => Compute ? 8 : 0;
         public static int supportedRenderTargetCount => Info != null ? 4 : 0;
@@ -80,6 +80,7 @@ namespace UnityEngine
 
         public static string deviceName => Environment.MachineName;
         public static string deviceModel => "Headless";
+        public static DeviceType deviceType => Player.Limits.IsHandheld ? DeviceType.Handheld : DeviceType.Desktop;
         public static string deviceUniqueIdentifier => unsupportedIdentifier;
         public static string operatingSystem => Environment.OSVersion.ToString();
         public static string processorType => unsupportedIdentifier;

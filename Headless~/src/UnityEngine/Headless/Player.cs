@@ -18,6 +18,8 @@ namespace UnityEngine.Headless
         public static GpuTimes GpuTimes = GpuTimes.Samples;
         /// <summary>While the device times, each dispatch of a command buffer is a sample of its own, named after its kernel.</summary>
         public static bool TimesKernels;
+        /// <summary>Of the graphics API, or class of devices, that the player pretends to run on. Never null.</summary>
+        public static ApiLimits Limits = ApiLimits.Direct3D11;
         /// <summary>Lets a test or a command pretend that the machine cannot run compute shaders.</summary>
         public static bool PretendNoCompute;
     }

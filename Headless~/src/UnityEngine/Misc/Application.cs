@@ -32,7 +32,7 @@ namespace UnityEngine
         public static bool isBatchMode => true;
         public static bool isFocused => true;
         public static bool isConsolePlatform => false;
-        public static bool isMobilePlatform => false;
+        public static bool isMobilePlatform => Player.Limits.IsHandheld;
         public static bool runInBackground { get; set; } = true;
         public static bool genuine => true;
         public static bool genuineCheckAvailable => false;

@@ -1,10 +1,9 @@
 using System.Linq;
-using UnityEngine.Headless;
 
-namespace Host.Check
+namespace UnityEngine.Headless
 {
     /// <summary>What a program takes of a device, counted as other graphics APIs count it.</summary>
-    sealed class ProgramNeeds
+    internal sealed class ProgramNeeds
     {
         public readonly ShaderStage Stage;
         public readonly int StorageBuffers, ConstantBuffers, TypedBuffers, Textures, StorageTextures, Samplers, Threads, SharedBytes;
