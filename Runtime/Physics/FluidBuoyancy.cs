@@ -148,7 +148,7 @@ namespace Rill
         void Wait()
         {
             waited += Time.fixedDeltaTime;
-            if (waited < PatienceTime)
+            if (waited < PatienceTime || DeviceGate.HasNoGraphics)
                 return;
             waited = float.NegativeInfinity;
             Debug.LogWarning($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs has it in its box. Place it there, or enable the simulation.", this);

@@ -18,6 +18,7 @@ namespace Rill
         MaterialPropertyBlock edgeProperties, floorProperties;
 
         private protected override StageSet Stage => StageSet.DomainRenderer;
+        private protected override string ShaderFile => "Domain";
 
         private protected override void Draw()
         {
@@ -27,7 +28,7 @@ namespace Rill
             Draw(floorProperties, MeshTopology.Triangles, FloorVertices, 1f);
         }
 
-        private protected override void DescribeDraws(StageDescription description) => description.Draw("Domain", 2);
+        private protected override void DescribeDraws(StageDescription description) => description.Draw(ShaderFile, 2);
 
         void Draw(MaterialPropertyBlock properties, MeshTopology topology, int vertices, float drawFloor)
         {

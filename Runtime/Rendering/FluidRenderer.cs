@@ -21,6 +21,9 @@ namespace Rill
 
         StageReferences IUsesStages.StageReferences => shaders;
 
+        /// <summary>The shader's file, without its extension.</summary>
+        private protected abstract string ShaderFile { get; }
+
         private protected FluidSimulation Simulation { get; private set; }
 
         /// <summary>Draws one frame; the simulation is running.</summary>
@@ -87,9 +90,13 @@ namespace Rill
         {
             Simulation = GetComponent<FluidSimulation>();
             keyword = null;
+            if (DeviceGate.HasNoGraphics)
+                return;
             shaders.Hold();
             try
             {
+                if (DeviceGate.ProblemOfDraw(ShaderFile, DeviceLimits.Current) is string tooSmall)
+                    throw new InvalidOperationException(tooSmall);
                 material = new Material(StageShader.Load(StageSets.StageAt(Stage, 0)).Shader) { hideFlags = HideFlags.HideAndDontSave };
             }
             catch (InvalidOperationException problem)

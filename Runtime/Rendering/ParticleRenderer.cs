@@ -58,6 +58,7 @@ namespace Rill
         public Light Sun { get => sun; set => sun = value; }
 
         private protected override StageSet Stage => StageSet.ParticleRenderer;
+        private protected override string ShaderFile => "Particles";
 
         private protected override void Draw()
         {
@@ -66,7 +67,7 @@ namespace Rill
             Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments);
         }
 
-        private protected override void DescribeDraws(StageDescription description) => description.Draw("Particles", 1);
+        private protected override void DescribeDraws(StageDescription description) => description.Draw(ShaderFile, 1);
 
         void SetProperties()
         {

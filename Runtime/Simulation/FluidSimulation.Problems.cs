@@ -21,9 +21,9 @@ namespace Rill
             problems.AddIfAny(placeIsLost ? LostPlaceProblem : null);
             problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
             problems.AddIfAny(missingProblem);
+            foreach ((DeviceFeature _, string refusal) in gate.Refusals)
+                problems.Add(refusal);
         }
-
-        static string DeviceProblem => SystemInfo.supportsComputeShaders ? null : "this device has no compute shaders, which the fluid is computed with. Run on Direct3D 11, Vulkan or Metal.";
 
         string NoPlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.";
 

@@ -202,9 +202,20 @@ namespace Rill
         void OnEnable()
         {
             failure = null;
-            if (DeviceProblem != null || NoPlaceProblem != null)
+            if (HasNoGraphics)
             {
-                Fail(DeviceProblem ?? NoPlaceProblem);
+                layoutChanged = false;
+                LogNoGraphics();
+                return;
+            }
+            if (DeviceGate.MissingAbility() is string missing)
+            {
+                Fail(missing);
+                return;
+            }
+            if (NoPlaceProblem != null)
+            {
+                Fail(NoPlaceProblem);
                 return;
             }
             FollowTransform();
@@ -213,11 +224,17 @@ namespace Rill
             shaders.Hold();
             try
             {
-                pbf = new PbfSolver(MakeLayout());
+                SolverLayout layout = MakeLayout();
+                if (ProblemOnDevice(layout) is string problem)
+                {
+                    Fail(problem);
+                    return;
+                }
+                pbf = new PbfSolver(layout, limits);
             }
-            catch (Exception problem) when (problem is ArgumentException || problem is InvalidOperationException)
+            catch (Exception refusal) when (refusal is ArgumentException || refusal is InvalidOperationException)
             {
-                Fail(problem.Message);
+                Fail(refusal.Message);
                 return;
             }
             commands = new CommandBuffer { name = "Rill" };
@@ -288,7 +305,7 @@ namespace Rill
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
 
-            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && HasStages(StageSet.Statistics);
+            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
             if (measures)
                 pbf.RecordStatistics(commands, input);
             else if (statisticsInterval <= 0)
@@ -314,6 +331,7 @@ namespace Rill
                     input.frameFrom = i / (float)steps;
                     input.frameTo = (i + 1) / (float)steps;
                     input.sources = TakeSources();
+                    LimitToDevice();
                     input.needsDensity |= input.sources != null && input.sources.hasWind;
                     budgeted?.BeginStep(commands);
                     pbf.Step(commands, input);
@@ -353,6 +371,7 @@ namespace Rill
             };
             NeedsDensity = false;
             LeaveOutMissing(ref input);
+            wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
         }

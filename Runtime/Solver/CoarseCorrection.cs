@@ -30,7 +30,10 @@ namespace Rill
         GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
-        public CoarseCorrection(SolverLayout layout, float cellSize)
+        public CoarseCorrection(SolverLayout layout, float cellSize) : this(layout, cellSize, DeviceLimits.Current) { }
+
+        /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
+        public CoarseCorrection(SolverLayout layout, float cellSize, in DeviceLimits limits)
         {
             binFlow = shader.FindKernel("BinFlow");
             findDivergence = shader.FindKernel("FindDivergence");
@@ -46,8 +49,9 @@ namespace Rill
             reactToFlow = shader.FindKernel("ReactToFlow");
             reactToErrors = shader.FindKernel("ReactToErrors");
 
-            Grid = new CoarseGrid(layout.DomainSize, cellSize);
-            Solver = new CoarseSolver(Grid);
+            CoarseSolverPath path = CoarseSolverPath.For(limits);
+            Grid = new CoarseGrid(layout.DomainSize, cellSize, path.TailCells);
+            Solver = new CoarseSolver(Grid, path);
             Bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
             flow = GpuBuffer.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
             fill = GpuBuffer.Structured<float>("Rill.Coarse.Fill", Grid.Total);

@@ -15,6 +15,9 @@ namespace Rill
         /// <summary>Cells of all levels that one thread group holds; kTailCells in CoarseSolver.compute.</summary>
         public const int TailCells = 2048;
 
+        /// <summary>The same of the kernels for 16 KB of groupshared memory.</summary>
+        public const int SmallTailCells = 1024;
+
         /// <summary>Most cells: a larger domain gets larger ones.</summary>
         public const int MaxCells = 1 << 22;
 
@@ -25,7 +28,8 @@ namespace Rill
 
         /// <param name="domainSize">d.</param>
         /// <param name="cellSize">Wanted side of a cell, d; what it is comes from whole cells along each axis.</param>
-        public CoarseGrid(float3 domainSize, float cellSize)
+        /// <param name="tailCells">Cells of all levels that one thread group holds.</param>
+        public CoarseGrid(float3 domainSize, float cellSize, int tailCells = TailCells)
         {
             WantedSize = cellSize;
             Counts = math.max((int3)math.round(domainSize / cellSize), 1);
@@ -42,7 +46,7 @@ namespace Rill
             while (Cells(levels.Count - 1) > EnoughCells && levels.Count < MaxLevels);
             LevelCells = (int)first;
             FirstTailLevel = 1;
-            while (LevelCells - levels[FirstTailLevel].w > TailCells)
+            while (LevelCells - levels[FirstTailLevel].w > tailCells)
                 FirstTailLevel++;
         }
 

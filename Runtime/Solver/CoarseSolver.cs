@@ -8,27 +8,30 @@ namespace Rill
     /// <summary>V-cycles for the potential of a <see cref="CoarseGrid"/>: each smooths, corrects from coarser levels, smooths.</summary>
     sealed class CoarseSolver : IDisposable
     {
-        const int Tile = 8;                 // kTile in CoarseSolver.compute
+        const int Tile = 8, SmallTile = 6;  // kTile in CoarseSolver.compute
         const int Children = 8;             // threads that restrict to a cell
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
+        readonly CoarseSolverPath path;
         readonly int smooth, smoothSolids, correctAndSmooth, correctAndSmoothSolids, restrictGrid, restrictGridSolids, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
         GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
 
-        public CoarseSolver(CoarseGrid grid)
+        /// <param name="grid">With the tail of the path.</param>
+        public CoarseSolver(CoarseGrid grid, CoarseSolverPath path)
         {
             this.grid = grid;
-            smooth = shader.FindKernel("Smooth");
-            smoothSolids = shader.FindKernel("SmoothSolids");
+            this.path = path;
+            smooth = Tiled("Smooth");
+            smoothSolids = Tiled("SmoothSolids");
             restrictGrid = shader.FindKernel("RestrictGrid");
             restrictGridSolids = shader.FindKernel("RestrictGridSolids");
-            smoothLevel = shader.FindKernel("SmoothLevel");
+            smoothLevel = Tiled("SmoothLevel");
             restrictLevel = shader.FindKernel("RestrictLevel");
-            correctAndSmoothLevel = shader.FindKernel("CorrectAndSmoothLevel");
-            solveTail = shader.FindKernel("SolveTail");
-            correctAndSmooth = shader.FindKernel("CorrectAndSmooth");
-            correctAndSmoothSolids = shader.FindKernel("CorrectAndSmoothSolids");
+            correctAndSmoothLevel = Tiled("CorrectAndSmoothLevel");
+            solveTail = shader.FindKernel(path.Tail);
+            correctAndSmooth = Tiled("CorrectAndSmooth");
+            correctAndSmoothSolids = Tiled("CorrectAndSmoothSolids");
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
             residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
@@ -85,16 +88,16 @@ namespace Rill
             int levels = grid.FirstTailLevel - 1;
             string variant = solids ? "Solids" : "";
             perStep *= Cycles;
-            stage.Kernel("CoarseSolver", "Smooth" + variant, perStep);
+            stage.Kernel("CoarseSolver", path.Tiled("Smooth" + variant), perStep);
             stage.Kernel("CoarseSolver", "RestrictGrid" + variant, perStep);
             if (levels > 0)
             {
-                stage.Kernel("CoarseSolver", "SmoothLevel", levels * perStep);
+                stage.Kernel("CoarseSolver", path.Tiled("SmoothLevel"), levels * perStep);
                 stage.Kernel("CoarseSolver", "RestrictLevel", levels * perStep);
-                stage.Kernel("CoarseSolver", "CorrectAndSmoothLevel", levels * perStep);
+                stage.Kernel("CoarseSolver", path.Tiled("CorrectAndSmoothLevel"), levels * perStep);
             }
-            stage.Kernel("CoarseSolver", "SolveTail", perStep);
-            stage.Kernel("CoarseSolver", "CorrectAndSmooth" + variant, perStep);
+            stage.Kernel("CoarseSolver", path.Tail, perStep);
+            stage.Kernel("CoarseSolver", path.Tiled("CorrectAndSmooth" + variant), perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);
             stage.Buffer("Rill.Coarse.Residuals", residuals);
@@ -127,9 +130,12 @@ namespace Rill
 
         void DispatchTiles(CommandBuffer cmd, int kernel, int3 counts)
         {
-            int3 tiles = (counts + Tile - 1) / Tile;
+            int tile = path.SmallTiles ? SmallTile : Tile;
+            int3 tiles = (counts + tile - 1) / tile;
             cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }
+
+        int Tiled(string kernel) => shader.FindKernel(path.Tiled(kernel));
 
         void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
         {

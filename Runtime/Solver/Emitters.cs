@@ -20,16 +20,20 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
         readonly int findRoomAlone, findRoomBeside, emit, reset;
+        readonly string emitName;
         readonly LocalKeyword sleep, withTags;
         readonly GraphicsBuffer[] placeBuffers = new GraphicsBuffer[StepSources.MostEmitters];
         readonly EmitterPlaces[] uploaded = new EmitterPlaces[StepSources.MostEmitters];
         GraphicsBuffer free;
 
-        public Emitters()
+        public Emitters() : this(DeviceLimits.Current) { }
+
+        public Emitters(in DeviceLimits limits)
         {
             findRoomAlone = shader.FindKernel("FindRoom");
             findRoomBeside = shader.FindKernel("FindRoomBeside");
-            emit = shader.FindKernel("Emit");
+            emitName = limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small;
+            emit = shader.FindKernel(emitName);
             reset = shader.FindKernel("Reset");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
@@ -81,7 +85,7 @@ namespace Rill
                 return description;
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, resting);
             description.Kernel("Emitters", colliders != null ? "FindRoomBeside" : "FindRoom", sources.emitterCount, variant);
-            description.Kernel("Emitters", "Emit", sources.emitterCount, variant);
+            description.Kernel("Emitters", stage.emitName, sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
             foreach (GraphicsBuffer places in stage.placeBuffers)

@@ -15,19 +15,23 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
         readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags, gatherOrigins;
         readonly LocalKeyword sleep;
+        readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
         readonly PrefixSum prefixSum;
         GraphicsBuffer cellHistogram, cellRanks;
 
-        public NeighborSearch(SolverLayout layout)
+        public NeighborSearch(SolverLayout layout) : this(layout, DeviceLimits.Current) { }
+
+        public NeighborSearch(SolverLayout layout, in DeviceLimits limits)
         {
+            isNarrow = !limits.Holds("NeighborSearch", "Gather");
             countCells = shader.FindKernel("CountCells");
             countCellsDeep = shader.FindKernel("CountCellsDeep");
             countCellsBeside = shader.FindKernel("CountCellsBeside");
             countCellsDeepBeside = shader.FindKernel("CountCellsDeepBeside");
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
-            gather = shader.FindKernel("Gather");
+            gather = shader.FindKernel(isNarrow ? "Gather" + KernelNeed.Narrow : "Gather");
             gatherBeside = shader.FindKernel("GatherBeside");
             gatherTags = shader.FindKernel("GatherTags");
             gatherOrigins = shader.FindKernel("GatherOrigins");
@@ -72,6 +76,8 @@ namespace Rill
                 DispatchOrdered(cmd, particles, gatherOrigins);
             }
 
+            if (isNarrow && colliders == null)
+                RecordGather(cmd, particles, particles.Ids, particles.SortedIds);
             int kernel = colliders == null ? gather : gatherBeside;
             resting?.Bind(cmd, shader, kernel);
             colliders?.BindSort(cmd, shader, kernel);
@@ -124,7 +130,10 @@ namespace Rill
             stage.Kernel("NeighborSearch", (deep ? "CountCellsDeep" : "CountCells") + beside, settings.substeps, RestingRegions.Variant(null, resting));
             prefixSum.Describe(stage, settings.substeps);
             stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps, RestingRegions.Variant(null, resting));
-            stage.Kernel("NeighborSearch", "Gather" + beside, settings.substeps, RestingRegions.Variant(null, resting));
+            bool narrow = isNarrow && colliders == null;
+            if (narrow)
+                stage.Kernel("NeighborSearch", "GatherTags", settings.substeps);
+            stage.Kernel("NeighborSearch", (narrow ? "Gather" + KernelNeed.Narrow : "Gather") + beside, settings.substeps, RestingRegions.Variant(null, resting));
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);

@@ -39,7 +39,7 @@ namespace Rill
                 tags ??= new ParticleTags(Layout.Capacity);
             hasLifetimes |= sources != null && sources.needsLifetimes;
             if (Emitters.IsNeeded(sources))
-                emitters ??= new Emitters();
+                emitters ??= new Emitters(limits);
             else if (emitters != null && (sources == null || !sources.keepsEmitters))
                 ReleaseEmitters();
             if (Drains.IsNeeded(sources, TagsWithLifetimes))

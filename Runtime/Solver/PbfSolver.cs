@@ -17,6 +17,7 @@ namespace Rill
     /// </remarks>
     sealed partial class PbfSolver : IDisposable
     {
+        readonly DeviceLimits limits;
         readonly ParticleBuffers particles;
         readonly Emission emission;
         readonly NeighborSearch neighborSearch;
@@ -36,14 +37,18 @@ namespace Rill
         float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
-        public PbfSolver(SolverLayout layout)
+        public PbfSolver(SolverLayout layout) : this(layout, DeviceLimits.Current) { }
+
+        /// <param name="limits">By which kernels that have stand-ins are chosen.</param>
+        public PbfSolver(SolverLayout layout, in DeviceLimits limits)
         {
             Layout = layout;
+            this.limits = limits;
             try
             {
                 particles = new ParticleBuffers(layout.Capacity);
                 emission = new Emission();
-                neighborSearch = new NeighborSearch(layout);
+                neighborSearch = new NeighborSearch(layout, limits);
                 densityConstraint = new DensityConstraint(layout);
                 velocityUpdate = new VelocityUpdate();
                 constants = GpuBuffer.Constants<SolverConstants>("Rill.Constants");
@@ -270,7 +275,7 @@ namespace Rill
             float cellSize = CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep, coarseCorrection?.Grid.WantedSize ?? 0f);
             if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
                 ReleaseCoarse();
-            return coarseCorrection ??= new CoarseCorrection(Layout, cellSize);
+            return coarseCorrection ??= new CoarseCorrection(Layout, cellSize, limits);
         }
 
         RestingRegions RestingFor(in StepInput input)

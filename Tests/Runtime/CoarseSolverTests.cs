@@ -8,9 +8,27 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>The V-cycle against a solution in double precision.</summary>
+    /// <summary>The V-cycle against a solution in double precision, on each path that the device runs.</summary>
+    [TestFixtureSource(nameof(Paths))]
     public class CoarseSolverTests
     {
+        const string Large = "large kernels", Small = "small kernels";
+
+        static IEnumerable<string> Paths
+        {
+            get
+            {
+                CoarseSolverPath path = CoarseSolverPath.For(DeviceLimits.Current);
+                return path.SmallTiles || path.SmallTail ? new[] { Small } : new[] { Large, Small };
+            }
+        }
+
+        readonly CoarseSolverPath path;
+
+        public CoarseSolverTests(string path) => this.path = PathOf(path);
+
+        static CoarseSolverPath PathOf(string name) => new CoarseSolverPath(name == Small, name == Small);
+
         const float Inactive = 1e30f;       // kInactive in CoarseGrid.hlsl
         const float CellSize = 4f;
 
@@ -52,7 +70,7 @@ namespace Rill.Tests
         [TestCaseSource(nameof(Names))]
         public void Cycles_converge_to_the_reference(string name)
         {
-            using (var problem = new Problem(name, Dense))
+            using (var problem = new Problem(name, Dense, path))
             {
                 double first = problem.Reference.Residual(new double[problem.Cells.Total]), residual = first;
                 int cycles = 0;
@@ -76,7 +94,7 @@ namespace Rill.Tests
         [TestCase("large half filled box", Dilute)]
         public void Where_the_water_would_be_in_tension_the_potential_is_zero_and_the_rest_converges(string name, double source)
         {
-            using (var problem = new Problem(name, source))
+            using (var problem = new Problem(name, source, path))
             {
                 problem.Cycle(24);
                 Assert.That(problem.Raw.Where((value, cell) => problem.Cells.active[cell]).Count(value => value == 0f), Is.GreaterThan(20), "no cell is in tension");
@@ -89,7 +107,7 @@ namespace Rill.Tests
         [TestCase("scattered cells")]
         public void After_every_cycle_the_potential_is_nowhere_negative_and_zero_in_inactive_cells(string name)
         {
-            using (var problem = new Problem(name, Dilute))
+            using (var problem = new Problem(name, Dilute, path))
             {
                 for (int cycle = 0; cycle < 6; cycle++)
                 {
@@ -105,7 +123,7 @@ namespace Rill.Tests
         public void Two_runs_give_the_same_potential_bit_for_bit()
         {
             const string name = "half filled, one level above the tail";
-            using (Problem one = new Problem(name, Dilute).Cycle(3), other = new Problem(name, Dilute).Cycle(3))
+            using (Problem one = new Problem(name, Dilute, path).Cycle(3), other = new Problem(name, Dilute, path).Cycle(3))
                 Compare.Same("potential", other.Raw.Select(math.asuint).ToArray(), one.Raw.Select(math.asuint).ToArray());
         }
 
@@ -113,7 +131,7 @@ namespace Rill.Tests
         [TestCase("deep column")]
         public void A_cycle_starts_from_the_potential_that_it_is_given(string name)
         {
-            using (var problem = new Problem(name, Dense))
+            using (var problem = new Problem(name, Dense, path))
             {
                 double cold = problem.Reference.Residual(problem.Cycle().Potential);
                 double[] solved = problem.Cycle(29).Potential;
@@ -127,7 +145,7 @@ namespace Rill.Tests
         [Test]
         public void A_reference_of_another_equation_is_noticed()
         {
-            using (var problem = new Problem("primes", Dense))
+            using (var problem = new Problem("primes", Dense, path))
             {
                 problem.Cycle(15).AssertSolution(1e-3);
                 problem.Cells.active[problem.Cells.Index(new int3(3, 4, 5))] = false;
@@ -138,8 +156,37 @@ namespace Rill.Tests
         [Test]
         public void The_boxes_have_none_one_and_two_levels_above_the_tail()
         {
-            foreach ((string name, int first) in new[] { ("half filled box", 1), ("half filled, one level above the tail", 2), ("large half filled box", 3) })
-                Assert.That(new CoarseGrid(CellSize * (float3)Boxes[name].counts, CellSize).FirstTailLevel, Is.EqualTo(first), name);
+            foreach ((string name, int first) in new[] { ("half filled box", path.SmallTail ? 2 : 1), ("half filled, one level above the tail", 2), ("large half filled box", 3), ("primes", 1) })
+                Assert.That(new CoarseGrid(CellSize * (float3)Boxes[name].counts, CellSize, path.TailCells).FirstTailLevel, Is.EqualTo(first), name);
+        }
+
+        [TestCase("large half filled box")]
+        [TestCase("primes")]
+        [TestCase("scattered cells")]
+        public void Tiles_of_each_size_give_the_same_potential_bit_for_bit(string name)
+        {
+            uint[] expected = null;
+            foreach (string other in Paths)
+            {
+                var tiles = new CoarseSolverPath(PathOf(other).SmallTiles, smallTail: true);
+                using (Problem problem = new Problem(name, Dilute, tiles).Cycle(3))
+                {
+                    uint[] actual = problem.Raw.Select(math.asuint).ToArray();
+                    expected = expected ?? actual;
+                    Compare.Same(other, actual, expected);
+                }
+            }
+            Assert.That(expected, Has.Some.Not.Zero);
+        }
+
+        [Test]
+        public void A_device_gets_the_largest_kernels_that_it_holds()
+        {
+            CoarseSolverPath For(int threads, int groupshared) => CoarseSolverPath.For(new DeviceLimits(16, 16, threads, groupshared));
+            Assert.That(For(1024, 32768), Is.EqualTo(PathOf(Large)));
+            Assert.That(For(256, 32768), Is.EqualTo(new CoarseSolverPath(smallTiles: false, smallTail: true)));
+            Assert.That(For(1024, 16384), Is.EqualTo(PathOf(Small)));
+            Assert.That(For(256, 16384), Is.EqualTo(PathOf(Small)));
         }
 
         // Full cells, a layer of any fill, none above.
@@ -155,10 +202,10 @@ namespace Rill.Tests
             readonly GraphicsBuffer constants, source, diagonal, potential;
 
             /// <param name="mean">Of the right-hand side.</param>
-            public Problem(string name, double mean)
+            public Problem(string name, double mean, CoarseSolverPath path)
             {
                 (int3 counts, Func<int3, double, double> fill) = Boxes[name];
-                Grid = new CoarseGrid(CellSize * (float3)counts, CellSize);
+                Grid = new CoarseGrid(CellSize * (float3)counts, CellSize, path.TailCells);
                 Cells = new CoarseCells(CellSize * (double3)counts, counts);
                 var random = new Unity.Mathematics.Random(811);
                 var sources = new float[Cells.Total];
@@ -176,7 +223,7 @@ namespace Rill.Tests
                     diagonals[cell] = Cells.active[cell] ? (float)Cells.Diagonal(cell) : 1f;
                 }
                 Reference = new CoarsePotential(Cells, sources.Select(s => (double)s).ToArray(), diagonals.Select(d => (double)d).ToArray());
-                solver = new CoarseSolver(Grid);
+                solver = new CoarseSolver(Grid, path);
                 constants = GpuTest.UploadConstants(CoarseConstants.For(Grid));
                 source = GpuTest.Upload("Source", sources);
                 diagonal = GpuTest.Upload("Diagonal", diagonals);

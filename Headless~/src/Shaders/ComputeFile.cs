@@ -49,7 +49,7 @@ namespace Host.Shaders
             {
                 var list = new VariantList(compiler, Path, kernel.Name);
                 foreach (string[] enabled in keywords.Choices(Path))
-                    list.Add(Request(kernel, enabled), enabled, () => CompileKernel(kernel, enabled), string.Join(" ", kernel.Defines.Select(d => d.Key)));
+                    list.Add(Request(kernel, enabled), enabled, () => CompileKernel(kernel, enabled), string.Join(" ", kernel.Defines.Where(d => d.Value != kernel.Name).Select(d => d.Key)));
                 variants.AddRange(list.Variants);
             }
             return variants;

@@ -3,9 +3,17 @@ namespace Rill
     /// <summary>What a variant of a kernel, or a stage of a draw shader, takes of a device.</summary>
     readonly struct KernelNeed
     {
+        /// <summary>Ends the name of a kernel that stands in for another where a group has 256 threads or 16 KB of groupshared memory.</summary>
+        public const string Small = "Small";
+        /// <summary>Ends the name of a kernel that stands in for another where a kernel has 8 storage buffers.</summary>
+        public const string Narrow = "Narrow";
+
+        /// <summary>In place of a kernel's name, the vertex stage of a draw shader.</summary>
+        public const string Vertex = "Vertex";
+
         /// <summary>Shader file without its extension.</summary>
         public readonly string File;
-        /// <summary>The kernel; "Vertex" or "Fragment" of a draw shader.</summary>
+        /// <summary>The kernel; <see cref="Vertex"/> or "Fragment" of a draw shader.</summary>
         public readonly string Kernel;
         /// <summary>Names that its #pragma kernel line defines, then keywords, with blanks between.</summary>
         public readonly string Defines;

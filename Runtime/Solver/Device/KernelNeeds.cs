@@ -1,14 +1,88 @@
+using System;
 using System.Collections.Generic;
 
 namespace Rill
 {
-    /// <summary>The table of what each program of the package takes of a device.</summary>
+    /// <summary>The table of what each program of the package takes of a device, and which of its rows a scene needs.</summary>
     static partial class KernelNeeds
     {
-        /// <summary>A row for each variant of each kernel.</summary>
+        /// <summary>A row for each variant of each kernel; of a kernel the one without keywords first.</summary>
         public static IReadOnlyList<KernelNeed> OfKernels => Kernels;
 
         /// <summary>A row for each stage of each draw shader.</summary>
         public static IReadOnlyList<KernelNeed> OfDraws => Draws;
+
+        /// <summary>What a scene has to have for a kernel's variant to run in it.</summary>
+        /// <exception cref="ArgumentException">The table has a file or define that this does not know.</exception>
+        public static DeviceFeature FeaturesOf(in KernelNeed need)
+        {
+            DeviceFeature features = OfFile(need.File);
+            foreach (string word in need.Defines.Split(' '))
+                features |= OfDefine(word, need);
+            return features;
+        }
+
+        static DeviceFeature OfFile(string file)
+        {
+            switch (file)
+            {
+                case "Clear":
+                case "DensityConstraint":
+                case "Emission":
+                case "NeighborSearch":
+                case "PrefixSum":
+                case "VelocityUpdate": return DeviceFeature.None;
+                case "CoarseGrid":
+                case "CoarseSolver": return DeviceFeature.DeepWater;
+                case "CoarseSolids": return DeviceFeature.DeepWater | DeviceFeature.Colliders;
+                case "Colliders": return DeviceFeature.Colliders;
+                case "Drains": return DeviceFeature.Drains;
+                case "Emitters": return DeviceFeature.Emitters;
+                case "ForceFields": return DeviceFeature.ForceFields;
+                case "MeshSdf": return DeviceFeature.Baking;
+                case "RestingRegions": return DeviceFeature.Sleep;
+                case "Statistics": return DeviceFeature.Statistics;
+                case "Viscoelasticity": return DeviceFeature.Elasticity;
+                case "VorticityConfinement": return DeviceFeature.Vorticity;
+                default: throw new ArgumentException($"{file}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
+            }
+        }
+
+        static DeviceFeature OfDefine(string word, in KernelNeed need)
+        {
+            switch (word)
+            {
+                case "":
+                case "APPLY":
+                case "ARTIFICIAL_PRESSURE":
+                case "AT_REST":
+                case "BINS":
+                case "CONFINE":
+                case "CORRECT":
+                case "EMIT":
+                case "FIELDS":
+                case "LAST":
+                case "PASS":
+                case "PATHS":
+                case "PROJECTION":
+                case "REDUCE":
+                case "RILL_BUILD_LIST":
+                case "NARROW":
+                case "SMALL": return DeviceFeature.None;
+                case "BESIDE":
+                case "CARRIES":
+                case "SOLIDS": return DeviceFeature.Colliders;
+                case "DEEP": return DeviceFeature.DeepWater;
+                case "REACT":
+                case "TAKE": return DeviceFeature.Reactions;
+                case "RILL_LIFETIMES":
+                case "RILL_TAGS": return DeviceFeature.Tags;
+                case "RILL_RECYCLING": return DeviceFeature.Drains | DeviceFeature.Emitters;
+                case "RILL_SLEEP": return DeviceFeature.Sleep;
+                case "RILL_TWO_LISTS": return DeviceFeature.TwoLists;
+                case "VISCOUS": return DeviceFeature.Viscosity;
+                default: throw new ArgumentException($"'{word}' of kernel '{need.Kernel}' in {need.File}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
+            }
+        }
     }
 }

@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Rill.Tests
+{
+    /// <summary>What a scene may have on a device that is too small for all of it.</summary>
+    public class DeviceGateTests
+    {
+        const DeviceFeature Everything = DeviceFeature.Colliders | DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Tags | DeviceFeature.Drains
+            | DeviceFeature.ForceFields | DeviceFeature.Elasticity | DeviceFeature.Vorticity | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Statistics;
+
+        static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384) => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
+
+        [TestCase(14)]
+        [TestCase(16)]
+        [TestCase(31)]
+        [TestCase(128)]
+        public void Fourteen_storage_buffers_or_more_hold_every_feature_at_once(int buffers)
+        {
+            DeviceGate gate = With(buffers);
+            Assert.That(gate.ProblemOf(DeviceFeature.TwoLists), Is.Null);
+            gate.Decide(Everything | DeviceFeature.TwoLists);
+            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None), string.Join("\n", gate.Refusals));
+            Assert.That(gate.Refusals, Is.Empty);
+        }
+
+        [Test]
+        public void Eight_storage_buffers_hold_deep_viscous_water_with_emitters_drains_and_fields()
+        {
+            DeviceGate gate = With(8);
+            Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
+            gate.Decide(DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Drains | DeviceFeature.ForceFields | DeviceFeature.Vorticity | DeviceFeature.Statistics);
+            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None), string.Join("\n", gate.Refusals));
+        }
+
+        [TestCase(nameof(DeviceFeature.Colliders), "colliders", "disable the colliders in its box")]
+        [TestCase(nameof(DeviceFeature.Elasticity), "elasticity", "set the shear modulus to 0")]
+        [TestCase(nameof(DeviceFeature.Sleep), "sleep", "set the sleep speed to 0")]
+        public void With_eight_a_feature_that_takes_more_is_refused_by_name(string wanted, string name, string remedy)
+        {
+            var feature = (DeviceFeature)Enum.Parse(typeof(DeviceFeature), wanted);
+            DeviceGate gate = With(8);
+            gate.Decide(feature);
+            Assert.That(gate.Refused, Is.EqualTo(feature));
+            Assert.That(gate.Refusals.Single().problem, Does.Match($@"^goes on without {name}: kernel '\w+' of \w+\.compute takes \d+ storage buffers, and this device has 8 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on .*, or {Regex.Escape(remedy)}\.$"));
+        }
+
+        [Test]
+        public void Fewer_than_eight_storage_buffers_are_refused_with_the_kernel_and_the_limit()
+        {
+            Assert.That(With(7).ProblemOf(DeviceFeature.None), Does.Match(@"^kernel '\w+' of \w+\.compute takes 8 storage buffers, and this device has 7 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on "));
+        }
+
+        [Test]
+        public void Groups_of_fewer_than_256_threads_are_refused()
+        {
+            Assert.That(With(16, threads: 128).ProblemOf(DeviceFeature.None), Does.Contain("has groups of 256 threads, and this device's have at most 128"));
+        }
+
+        [Test]
+        public void A_fluid_whose_lists_are_two_buffers_takes_no_more_than_eight_either()
+        {
+            Assert.That(With(8).ProblemOf(DeviceFeature.TwoLists), Is.Null);
+        }
+
+        [Test]
+        public void The_more_important_of_two_features_is_kept_where_both_are_too_much()
+        {
+            DeviceGate gate = With(13);
+            gate.Decide(DeviceFeature.Colliders | DeviceFeature.Sleep);
+            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.Sleep), string.Join("\n", gate.Refusals));
+            gate.Decide(DeviceFeature.Sleep);
+            Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None));
+        }
+
+        [Test]
+        public void What_is_wanted_still_is_not_decided_again()
+        {
+            DeviceGate gate = With(8);
+            Assert.That(gate.Decide(DeviceFeature.Sleep), Is.True);
+            Assert.That(gate.Decide(DeviceFeature.Sleep), Is.False);
+            Assert.That(gate.Refusals.Count, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Shaders_of_features_that_nobody_wants_are_not_loaded()
+        {
+            var loaded = new HashSet<string>();
+            var gate = new DeviceGate(DeviceLimits.Current, stage =>
+            {
+                loaded.Add(stage);
+                return TestShaders.Load(stage);
+            });
+            Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
+            Assert.That(loaded, Is.EquivalentTo(new[] { "Clear", "DensityConstraint", "Emission", "NeighborSearch", "PrefixSum", "VelocityUpdate" }));
+            gate.Decide(DeviceFeature.Drains);
+            Assert.That(loaded, Has.Member("Drains").And.No.Member("Emitters"));
+        }
+
+        [Test]
+        public void A_draw_shader_that_reads_more_than_the_vertex_stage_has_is_refused()
+        {
+            Assert.That(DeviceGate.ProblemOfDraw("Particles", new DeviceLimits(16, 0, 256, 16384)), Does.StartWith("the vertex stage of Particles.shader reads ").And.Contain("this device has 0 there"));
+            Assert.That(DeviceGate.ProblemOfDraw("Particles", DeviceLimits.Current), Is.Null);
+            Assert.That(DeviceGate.ProblemOfDraw("Domain", new DeviceLimits(16, 0, 256, 16384)), Is.Null);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using System.Linq;
+using NUnit.Framework;
+
+namespace Rill.Tests
+{
+    /// <summary>The table of what kernels take of a device.</summary>
+    public class KernelNeedsTests
+    {
+        const int SmallThreads = 256, SmallGroupshared = 16384;
+
+        [Test]
+        public void Every_row_belongs_to_a_feature_or_to_every_fluid()
+        {
+            foreach (KernelNeed need in KernelNeeds.OfKernels)
+                Assert.That(() => KernelNeeds.FeaturesOf(need), Throws.Nothing, $"{need.File} {need.Kernel} {need.Defines}");
+        }
+
+        [TestCase("Unknown", "")]
+        [TestCase("Emission", "RILL_UNKNOWN")]
+        public void A_file_or_define_that_no_feature_has_is_named(string file, string defines)
+        {
+            var need = new KernelNeed(file, "Kernel", defines, 64, 0, 1, 1, 0);
+            Assert.That(() => KernelNeeds.FeaturesOf(need), Throws.ArgumentException.With.Message.Contains(defines.Length > 0 ? defines : file).And.Message.Contains("feature"));
+        }
+
+        [Test]
+        public void Of_each_kernel_the_variant_without_keywords_comes_first()
+        {
+            foreach (IGrouping<(string, string), KernelNeed> kernel in KernelNeeds.OfKernels.GroupBy(need => (need.File, need.Kernel)))
+                Assert.That(kernel.First().Defines.Length, Is.EqualTo(kernel.Min(need => need.Defines.Length)), $"{kernel.Key}");
+        }
+
+        [Test]
+        public void What_takes_more_than_256_threads_or_16_KB_has_a_small_stand_in_of_the_same_name()
+        {
+            KernelNeed[] large = KernelNeeds.OfKernels.Where(need => need.Threads > SmallThreads || need.GroupsharedBytes > SmallGroupshared).ToArray();
+            Assert.That(large, Is.Not.Empty);
+            foreach (KernelNeed need in large)
+            {
+                KernelNeed small = KernelNeeds.OfKernels.SingleOrDefault(other => other.File == need.File && other.Kernel == need.Kernel + KernelNeed.Small && other.Defines.Replace(" SMALL", "") == need.Defines || other.File == need.File && other.Kernel == need.Kernel + KernelNeed.Small && other.Defines == (need.Defines + " SMALL").Trim());
+                Assert.That(small.File, Is.Not.Null, $"{need.File} {need.Kernel} {need.Defines}");
+                Assert.That(small.Threads, Is.InRange(1, SmallThreads), small.Kernel);
+                Assert.That(small.GroupsharedBytes, Is.AtMost(SmallGroupshared), small.Kernel);
+                Assert.That(small.StorageBuffers, Is.AtMost(need.StorageBuffers), small.Kernel);
+            }
+        }
+    }
+}
