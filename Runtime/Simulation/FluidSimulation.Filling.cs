@@ -56,11 +56,11 @@ namespace Rill
             try
             {
                 positions = volume.Fill(particleSpacing, seed);
-                int inside = KeepInside(positions.AsSpan());
+                int inside = KeepInside(positions.AsSpan(), out float3 low, out float3 high);
                 if (inside < positions.Length)
                     Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume '{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
                 if (inside > 0)
-                    Add(positions.GetSubArray(0, inside), volume.Velocity);
+                    Add(positions.GetSubArray(0, inside), volume.Velocity, low, high);
                 return inside;
             }
             catch (ArgumentException problem)
@@ -75,9 +75,11 @@ namespace Rill
             }
         }
 
-        // From world space into the domain's frame, in spacings; those in the box come first.
-        int KeepInside(Span<float4> positions)
+        // From world space into the domain's frame, in spacings; those in the box come first, from low to high.
+        int KeepInside(Span<float4> positions, out float3 low, out float3 high)
         {
+            low = float.MaxValue;
+            high = float.MinValue;
             GetPlace(out Vector3 place, out Quaternion rotation);
             Quaternion toDomain = Quaternion.Inverse(rotation);
             float3 size = domainSize;
@@ -87,20 +89,23 @@ namespace Rill
                 float3 local = ToDomain(position.xyz, place, toDomain);
                 if (math.any(local < 0f) || math.any(local > size))
                     continue;
-                positions[inside++] = new float4(local, 0f) / particleSpacing;
+                float4 scaled = new float4(local, 0f) / particleSpacing;
+                positions[inside++] = scaled;
+                low = math.min(low, scaled.xyz);
+                high = math.max(high, scaled.xyz);
             }
             return inside;
         }
 
         // Particles in the domain's frame, in spacings, all with one velocity in world space, m/s.
-        void Add(NativeArray<float4> positions, Vector3 velocity)
+        void Add(NativeArray<float4> positions, Vector3 velocity, float3 low, float3 high)
         {
             GetPlace(out _, out Quaternion rotation);
             float4 local = new float4((float3)(Quaternion.Inverse(rotation) * velocity), 0f) / particleSpacing;
             using (var velocities = new NativeArray<float4>(positions.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
             {
                 velocities.AsSpan().Fill(local);
-                pbf.AddInSpacings(positions, velocities);
+                pbf.AddInSpacings(positions, velocities, low, high);
             }
         }
 

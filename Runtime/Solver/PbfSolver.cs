@@ -125,21 +125,28 @@ namespace Rill
         {
             using (NativeArray<float4> scaledPositions = InSpacings(positions))
             using (NativeArray<float4> scaledVelocities = InSpacings(velocities))
-                AddInSpacings(scaledPositions, scaledVelocities);
+            {
+                float3 low = float.MaxValue, high = float.MinValue;
+                foreach (float4 position in scaledPositions.AsReadOnlySpan())
+                {
+                    if (!math.all(math.isfinite(position.xyz)))
+                        continue;       // the first step culls it
+                    float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
+                    low = math.min(low, inside);
+                    high = math.max(high, inside);
+                }
+                AddInSpacings(scaledPositions, scaledVelocities, low, high);
+            }
         }
 
         /// <summary>As <see cref="Add"/>, in d and d/s.</summary>
-        public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities)
+        /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
+        /// <param name="high">And the highest.</param>
+        public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high)
         {
             emission.Append(particles, Layout.Capacity, positions, velocities, tags);
-            foreach (float4 position in positions.AsReadOnlySpan())
-            {
-                if (!math.all(math.isfinite(position.xyz)))
-                    continue;       // the first step culls it
-                float3 inside = math.clamp(position.xyz, 0f, Layout.DomainSize);
-                lowestAdded = math.min(lowestAdded, inside);
-                highestAdded = math.max(highestAdded, inside);
-            }
+            lowestAdded = math.min(lowestAdded, low);
+            highestAdded = math.max(highestAdded, high);
             emission.Trim();
             restingRegions?.Wake();
         }
