@@ -114,6 +114,17 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_kernel_that_Unity_calls_unsupported_is_named_whatever_the_numbers_say()
+        {
+            Player.Limits = new ApiLimits { Title = "a device without textures", Type = ApiLimits.Mobile.Type, StorageBuffers = 16, StorageBuffersInGraphics = 16, Textures = 0, Threads = 1024, ThreadsZ = 64, SharedBytes = 32768 };
+            LogAssert.Expect(LogType.Error, new Regex("goes on without colliders: kernel '.*' of Colliders.compute is not supported by this device \\(ComputeShader.IsSupported\\)"));
+            FluidSimulation simulation = FluidSceneTests.Build("everything off");
+            AddCollider(simulation);
+            PlayerLoop.Frame(FrameTime);
+            Assert.That(simulation.IsRunning, Is.True);
+        }
+
+        [Test]
         public void A_device_with_seven_storage_buffers_is_refused_at_start_by_name()
         {
             Player.Limits = new ApiLimits { Title = "a small device", Type = ApiLimits.Mobile.Type, IsHandheld = true, StorageBuffers = 7, StorageBuffersInGraphics = 7, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
