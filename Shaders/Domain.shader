@@ -1,12 +1,17 @@
-// The fluid's box: a chequered floor and twelve edges, from SV_VertexID alone.
+// The fluid's box, see Domain.hlsl: a SubShader for each render pipeline, with the passes that it asks for.
 Shader "Rill/Domain"
 {
     SubShader
     {
-        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "17.0" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 17
+        ENDHLSL
         Pass
         {
-            Name "Domain"
+            Name "Forward"
+            Tags { "LightMode" = "ForwardOnly" }
             Cull Off
             ZWrite On
             ZTest LEqual
@@ -14,43 +19,287 @@ Shader "Rill/Domain"
             HLSLPROGRAM
             #pragma target 5.0
             #pragma vertex DomainVertex
-            #pragma fragment DomainColor
+            #pragma fragment DomainFragment
+            #define RILL_PASS_FORWARD
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthForwardOnly"
+            Tags { "LightMode" = "DepthForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
 
-            float4x4 unity_MatrixVP;
-            float4x4 _BoxToWorld;       // unit cube, corner at 0, to world
-            float4 _BoxSize;            // m
-            float4 _LineColor;          // linear
-            float4 _FloorColor;         // linear
-            float _FloorTile;           // m
-            float _DrawFloor;           // 1 floor, 0 edges
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_DEPTH
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ZClip [_ZClip]
+            ColorMask 0
 
-            struct Fragment
-            {
-                float4 clip : SV_Position;
-                float3 box : TEXCOORD0;     // unit cube
-            };
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_SHADOW
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Stencil { Ref 32 WriteMask 32 Comp Always Pass Replace }
 
-            // Ends of the edges as corner numbers, bit 0 x, bit 1 y, bit 2 z.
-            static const uint kEdges[24] = { 0,1, 2,3, 4,5, 6,7, 0,2, 1,3, 4,6, 5,7, 0,4, 1,5, 2,6, 3,7 };
-            static const uint kFloor[6] = { 0,4,5, 0,5,1 };
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_MOTION
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "[14.0,15.0)" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 14
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
 
-            Fragment DomainVertex(uint vertex : SV_VertexID)
-            {
-                uint corner = _DrawFloor > 0.5 ? kFloor[vertex % 6] : kEdges[vertex % 24];
-                Fragment result;
-                result.box = float3(corner & 1, (corner >> 1) & 1, corner >> 2);
-                result.clip = mul(unity_MatrixVP, mul(_BoxToWorld, float4(result.box, 1.0)));
-                return result;
-            }
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_FORWARD
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthForwardOnly"
+            Tags { "LightMode" = "DepthForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
 
-            float4 DomainColor(Fragment fragment) : SV_Target
-            {
-                if (_DrawFloor < 0.5)
-                    return float4(_LineColor.rgb, 1.0);
-                float2 tile = floor(fragment.box.xz * _BoxSize.xz / max(_FloorTile, 1e-6));
-                float odd = frac((tile.x + tile.y) * 0.5) * 2.0;
-                return float4(_FloorColor.rgb * (1.0 - 0.18 * odd), 1.0);
-            }
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_DEPTH
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ZClip [_ZClip]
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_SHADOW
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Stencil { Ref 32 WriteMask 32 Comp Always Pass Replace }
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_MOTION
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.universal" : "14.0" }
+        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" "UniversalMaterialType" = "Unlit" "AlwaysRenderMotionVectors" = "true" }
+        HLSLINCLUDE
+        #define RILL_UNIVERSAL
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "UniversalForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
+            #define RILL_PASS_FORWARD
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_DEPTH
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthNormals"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
+            #define RILL_PASS_NORMALS
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_SHADOW
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_MOTION
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_BUILT_IN
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardBase" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #pragma multi_compile_fragment _ SHADOWS_SCREEN
+            #define RILL_PASS_FORWARD
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_SHADOW
+            #include "Domain.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite Off
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex DomainVertex
+            #pragma fragment DomainFragment
+            #define RILL_PASS_MOTION
+            #include "Domain.hlsl"
             ENDHLSL
         }
     }

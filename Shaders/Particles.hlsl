@@ -1,104 +1,163 @@
-// Draws each particle as a sphere: a camera-facing quad from SV_VertexID, intersected with the ray through the pixel,
-// lit, with the depth of the hit. Includes nothing of a pipeline: the pass around it defines
-//   RillWorldToClip(float3)  the pipeline's world to clip transform
-// and is compiled for any pipeline that sets Unity's own camera constants.
+// Draws each particle as a sphere: a quad towards the eye from SV_VertexID, intersected with the ray through the pixel, with
+// the depth of the hit. One vertex and one fragment program for every pass; which, a pass says by one of
+//   RILL_PASS_FORWARD   lit, with the main light's shadow
+//   RILL_PASS_DEPTH     depth alone
+//   RILL_PASS_NORMALS   world normals
+//   RILL_PASS_SHADOW    into a shadow map, or the Built-in pipeline's depth texture
+//   RILL_PASS_MOTION    motion on the screen
+// and the SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
 //   _Tags         uint, the phase in the highest byte, see ParticleTags.hlsl; where RILL_TAGS is on
 //   and the buffers of DrawnParticles.hlsl
+#if defined(RILL_PASS_FORWARD)
+#include "MainLight.hlsl"
+#elif defined(RILL_PASS_NORMALS)
+#include "View.hlsl"
+#include "ScreenNormal.hlsl"
+#elif defined(RILL_PASS_SHADOW)
+#include "ShadowBias.hlsl"
+#elif defined(RILL_PASS_MOTION)
+#include "ScreenMotion.hlsl"
+#else
+#include "View.hlsl"
+#endif
+
 #include "DrawnParticles.hlsl"
 
+float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
+float4x4 _LastDomainToWorld;    // at the frame before
+float _ParticleRadius;          // m
+
+#ifdef RILL_PASS_FORWARD
 #ifdef RILL_TAGS
 StructuredBuffer<uint> _Tags;
 float4 _PhaseColors[8];         // linear
 #endif
-
-float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
 float _ParticleSpacing;         // m
-float _ParticleRadius;          // m
 float4 _SlowColor;              // linear, at value 0 of the ramp
 float4 _MiddleColor;            // at 0.5
 float4 _FastColor;              // at 1
 float4 _ColorRange;             // ramp value = speed * x + (density - 1) * y + z
-float4 _LightDirection;         // world, towards the light
-float4 _LightColor;             // linear, intensity applied
 float4 _AmbientColor;           // linear
+#endif
 
-struct ParticleFragment
+struct ParticleVaryings
 {
     float4 clip : SV_Position;
     float3 world : TEXCOORD0;               // on the quad
-    nointerpolation float3 center : TEXCOORD1;
-    nointerpolation float3 color : TEXCOORD2;
+    // The fourth components are free: a register each, as some translators of SV_RenderTargetArrayIndex need it.
+    nointerpolation float4 center : TEXCOORD1;
+#if defined(RILL_PASS_FORWARD)
+    nointerpolation float4 color : TEXCOORD2;
+#elif defined(RILL_PASS_MOTION)
+    nointerpolation float4 displacement : TEXCOORD2;    // since the last frame, m
+#endif
+    RILL_VIEW_OUTPUT
 };
 
+#ifdef RILL_PASS_FORWARD
 float3 RampColor(float value)
 {
     value = saturate(value);
     return value < 0.5 ? lerp(_SlowColor.rgb, _MiddleColor.rgb, value * 2.0) : lerp(_MiddleColor.rgb, _FastColor.rgb, value * 2.0 - 1.0);
 }
 
-// World direction from the eye towards a point: the camera looks along -z of its view matrix.
-float3 ViewRay(float3 world)
+float3 ParticleColor(uint i)
 {
-    if (unity_OrthoParams.w > 0.5)
-        return -unity_MatrixV[2].xyz;
-    return normalize(world - _WorldSpaceCameraPos);
+#ifdef RILL_TAGS
+    return _PhaseColors[min(_Tags[i] >> 24, 7)].rgb;
+#else
+    float4 velocity = _Velocities[i];
+    float speed = length(velocity.xyz) * _ParticleSpacing;
+    return RampColor(speed * _ColorRange.x + (velocity.w - 1.0) * _ColorRange.y + _ColorRange.z);
+#endif
 }
+#endif
 
-ParticleFragment ParticleVertex(uint vertex : SV_VertexID)
+ParticleVaryings ParticleVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
     static const float2 kCorners[6] = { float2(-1, -1), float2(-1, 1), float2(1, 1), float2(-1, -1), float2(1, 1), float2(1, -1) };
+    ParticleVaryings result = (ParticleVaryings)0;
+    bool drawn = SelectView(instance);
+    PassViewOn(result);
+    result.clip = kNowhere;
+    if (!drawn)
+        return result;
+
     uint i = vertex / 6;
     float2 corner = kCorners[vertex % 6];
-
-    ParticleFragment result;
-    float4 velocity = _Velocities[i];
-    result.center = mul(_DomainToWorld, float4(DrawnPosition(i), 1.0)).xyz;
-    float speed = length(velocity.xyz) * _ParticleSpacing;
-#ifdef RILL_TAGS
-    result.color = _PhaseColors[min(_Tags[i] >> 24, 7)].rgb;
-#else
-    result.color = RampColor(speed * _ColorRange.x + (velocity.w - 1.0) * _ColorRange.y + _ColorRange.z);
+    float3 center = mul(_DomainToWorld, float4(DrawnPosition(i), 1.0)).xyz;
+    result.center = float4(center, 1.0);
+#if defined(RILL_PASS_FORWARD)
+    result.color = float4(ParticleColor(i), 1.0);
+#elif defined(RILL_PASS_MOTION)
+    result.displacement = float4(center - mul(_LastDomainToWorld, float4(LastDrawnPosition(i), 1.0)).xyz, 0.0);
 #endif
 
     // The silhouette of a sphere seen in perspective is wider than its radius in the plane of its centre.
-    float3 ray = ViewRay(result.center);
+    float3 ray = -ToEye(center);
     float size = _ParticleRadius;
-    if (unity_OrthoParams.w < 0.5)
+    if (!IsOrthographic())
     {
-        float3 eye = result.center - _WorldSpaceCameraPos;
-        float distanceSquared = dot(eye, eye);
+        float distanceSquared = EyeDistanceSquared(center);
         size *= sqrt(distanceSquared / max(distanceSquared - _ParticleRadius * _ParticleRadius, 1e-4 * distanceSquared));
     }
     float3 side = normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
     float3 up = cross(ray, side);
-    result.world = result.center + (side * corner.x + up * corner.y) * size;
-    result.clip = RillWorldToClip(result.world);
+    result.world = center + (side * corner.x + up * corner.y) * size;
+    result.clip = WorldToClip(result.world);
     return result;
 }
 
-float4 ParticleColor(ParticleFragment fragment, out float depth : SV_Depth) : SV_Target
+struct SphereHit
 {
-    float3 ray = ViewRay(fragment.world);
-    float3 toCenter = fragment.center - fragment.world;
-    float along = dot(toCenter, ray);
-    float3 offset = toCenter - ray * along;
+    float3 world;
+    float3 normal;
+    float3 ray;         // unit, away from the eye
+};
+
+// Discards what passes the sphere by.
+SphereHit HitSphere(ParticleVaryings input)
+{
+    SphereHit hit;
+    hit.ray = -ToEye(input.world);
+    float3 toCenter = input.center.xyz - input.world;
+    float along = dot(toCenter, hit.ray);
+    float3 offset = toCenter - hit.ray * along;
     float missing = _ParticleRadius * _ParticleRadius - dot(offset, offset);
     if (missing < 0.0)
         discard;
+    hit.world = input.world + hit.ray * (along - sqrt(max(missing, 0.0)));
+    hit.normal = (hit.world - input.center.xyz) / _ParticleRadius;
+    return hit;
+}
 
-    float3 hit = fragment.world + ray * (along - sqrt(max(missing, 0.0)));
-    float3 normal = (hit - fragment.center) / _ParticleRadius;
-    float4 clip = RillWorldToClip(hit);
-    depth = clip.z / clip.w;
-#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)
-    depth = depth * 0.5 + 0.5;      // OpenGL's clip space is -1 to 1
+float4 ParticleFragment(ParticleVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    SphereHit hit = HitSphere(input);
+#if defined(RILL_PASS_SHADOW)
+    float4 clip = ShadowClip(hit.world, hit.normal);
+#elif defined(RILL_PASS_MOTION)
+    float4 clip = MotionClip(WorldToClip(hit.world));
+#else
+    float4 clip = WorldToClip(hit.world);
 #endif
+    depth = DeviceDepth(clip);
 
-    float diffuse = saturate(dot(normal, _LightDirection.xyz) * 0.6 + 0.4);
-    float highlight = pow(saturate(dot(reflect(ray, normal), _LightDirection.xyz)), 40.0);
-    float rim = 1.0 - saturate(-dot(ray, normal));
-    float3 sky = _AmbientColor.rgb * (0.6 + 0.4 * normal.y);
-    float3 lit = fragment.color * (sky + _LightColor.rgb * diffuse) + _LightColor.rgb * (0.25 * highlight) + sky * (0.2 * rim * rim * rim);
-    return float4(lit, 1.0);
+#if defined(RILL_PASS_FORWARD)
+    MainLight light = GetMainLight();
+    float3 lightColor = light.color * MainLightShadow(light, hit.world, clip);
+    float diffuse = saturate(dot(hit.normal, light.direction) * 0.6 + 0.4);
+    float highlight = pow(saturate(dot(reflect(hit.ray, hit.normal), light.direction)), 40.0);
+    float rim = 1.0 - saturate(-dot(hit.ray, hit.normal));
+    float3 sky = _AmbientColor.rgb * (0.6 + 0.4 * hit.normal.y);
+    return float4(input.color.rgb * (sky + lightColor * diffuse) + lightColor * (0.25 * highlight) + sky * (0.2 * rim * rim * rim), 1.0);
+#elif defined(RILL_PASS_NORMALS)
+    return ScreenNormal(hit.normal);
+#elif defined(RILL_PASS_MOTION)
+    return ScreenMotion(hit.world, hit.world - input.displacement.xyz);
+#else
+    return depth;
+#endif
 }

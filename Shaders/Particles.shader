@@ -1,12 +1,18 @@
-// Spheres in one untagged pass: drawn by the Built-in pipeline and by URP. HDRP, camera-relative, needs a pass of its own.
+// Spheres, see Particles.hlsl: a SubShader for each render pipeline, with the passes that it asks for. Unity compiles only those
+// of the pipelines whose packages a project has.
 Shader "Rill/Particles"
 {
     SubShader
     {
-        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "17.0" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 17
+        ENDHLSL
         Pass
         {
-            Name "Particles"
+            Name "Forward"
+            Tags { "LightMode" = "ForwardOnly" }
             Cull Off
             ZWrite On
             ZTest LEqual
@@ -14,15 +20,290 @@ Shader "Rill/Particles"
             HLSLPROGRAM
             #pragma target 5.0
             #pragma vertex ParticleVertex
-            #pragma fragment ParticleColor
-            #pragma multi_compile_local _ RILL_TAGS
+            #pragma fragment ParticleFragment
+            #pragma multi_compile_local_vertex _ RILL_TAGS
+            #define RILL_PASS_FORWARD
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthForwardOnly"
+            Tags { "LightMode" = "DepthForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
 
-            float4x4 unity_MatrixVP;
-            float4x4 unity_MatrixV;
-            float4 unity_OrthoParams;
-            float3 _WorldSpaceCameraPos;
-            #define RillWorldToClip(world) mul(unity_MatrixVP, float4(world, 1.0))
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_DEPTH
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ZClip [_ZClip]
+            ColorMask 0
 
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_SHADOW
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Stencil { Ref 32 WriteMask 32 Comp Always Pass Replace }
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_MOTION
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "[14.0,15.0)" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 14
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #pragma multi_compile_local_vertex _ RILL_TAGS
+            #define RILL_PASS_FORWARD
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthForwardOnly"
+            Tags { "LightMode" = "DepthForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_DEPTH
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ZClip [_ZClip]
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_SHADOW
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Stencil { Ref 32 WriteMask 32 Comp Always Pass Replace }
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_MOTION
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.universal" : "14.0" }
+        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" "UniversalMaterialType" = "Unlit" "AlwaysRenderMotionVectors" = "true" }
+        HLSLINCLUDE
+        #define RILL_UNIVERSAL
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "UniversalForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
+            #pragma multi_compile_local_vertex _ RILL_TAGS
+            #define RILL_PASS_FORWARD
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthOnly"
+            Tags { "LightMode" = "DepthOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask R
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_DEPTH
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "DepthNormals"
+            Tags { "LightMode" = "DepthNormalsOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
+            #define RILL_PASS_NORMALS
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_SHADOW
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_MOTION
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_BUILT_IN
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardBase" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #pragma multi_compile_fragment _ SHADOWS_SCREEN
+            #pragma multi_compile_local_vertex _ RILL_TAGS
+            #define RILL_PASS_FORWARD
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask 0
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_SHADOW
+            #include "Particles.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite Off
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ParticleVertex
+            #pragma fragment ParticleFragment
+            #define RILL_PASS_MOTION
             #include "Particles.hlsl"
             ENDHLSL
         }

@@ -16,6 +16,8 @@ namespace Host.Shaders
             public string[] Names;      // "" = none of them
             public ShaderStage? Stage;
             public bool Dynamic;
+            /// <summary>Unity adds the line to every program, and turns its keywords on by itself.</summary>
+            public bool Implicit;
         }
 
         const int MostChoices = 4096;
@@ -23,10 +25,14 @@ namespace Host.Shaders
         readonly List<Line> lines = new List<Line>();
 
         public const string Instancing = "INSTANCING_ON", ProceduralInstancing = "PROCEDURAL_INSTANCING_ON";
+        public const string StereoInstancing = "STEREO_INSTANCING_ON", StereoMultiview = "STEREO_MULTIVIEW_ON";
 
         /// <param name="procedural">Whether "#pragma instancing_options procedural:" names a function.</param>
-        public Keywords(IEnumerable<PragmaLine> pragmas, bool procedural = false)
+        /// <param name="stereo">Whether it is a graphics program, to which Unity adds the keywords of two eyes in one pass (manual, "Default shader keywords").</param>
+        public Keywords(IEnumerable<PragmaLine> pragmas, bool procedural = false, bool stereo = false)
         {
+            if (stereo)
+                lines.Add(new Line { Names = new[] { "", StereoInstancing, StereoMultiview }, Implicit = true });
             foreach (PragmaLine pragma in pragmas)
             {
                 string[] words = pragma.Text.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
@@ -51,7 +57,7 @@ namespace Host.Shaders
             }
         }
 
-        public IReadOnlyList<string> All => lines.SelectMany(l => l.Names).Where(n => n.Length > 0).Distinct().ToArray();
+        public IReadOnlyList<string> All => lines.Where(l => !l.Implicit).SelectMany(l => l.Names).Where(n => n.Length > 0).Distinct().ToArray();
 
         /// <summary>Whether it is a line such as multi_compile_fog, whose keywords are Unity's and not known here.</summary>
         public static bool AreOfUnity(PragmaLine pragma)

@@ -17,7 +17,11 @@ namespace Host.Shaders
         /// <param name="resolver">As above; a package is in the project when "Packages/name/package.json" resolves.</param>
         /// <exception cref="ShaderCompileException">The ShaderLab part or a pragma is wrong; programs are compiled, and judged, later.</exception>
         public static ShaderSource ImportShader(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache)
-            => new ShaderFile(filePath, displayPath, resolver, new ShaderCompiler(resolver, cache));
+            => ImportShader(filePath, displayPath, resolver, cache, "");
+
+        /// <summary>As above, where a scriptable render pipeline of that RenderPipeline tag runs.</summary>
+        public static ShaderSource ImportShader(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache, string pipeline)
+            => new ShaderFile(filePath, displayPath, resolver, new ShaderCompiler(resolver, cache), pipeline);
 
         /// <summary>Everything that Unity compiles from a .compute or .shader file.</summary>
         /// <param name="backend">Compiles the variants when asked; null = glslang.</param>

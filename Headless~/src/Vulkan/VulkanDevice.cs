@@ -188,7 +188,7 @@ namespace Host.Vulkan
             {
                 pNext = &use13, scalarBlockLayout = VkBool32.True, uniformBufferStandardLayout = has12.uniformBufferStandardLayout,
                 timelineSemaphore = VkBool32.True, hostQueryReset = VkBool32.True, samplerMirrorClampToEdge = has12.samplerMirrorClampToEdge,
-                shaderFloat16 = has12.shaderFloat16,
+                shaderFloat16 = has12.shaderFloat16, shaderOutputLayer = has12.shaderOutputLayer,
             };
             var use11 = new VkPhysicalDeviceVulkan11Features
             {

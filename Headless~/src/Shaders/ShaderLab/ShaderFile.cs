@@ -19,14 +19,15 @@ namespace Host.Shaders
         readonly PassFile[] passes;
         readonly Func<ParsedPass, ParsedSubShader, PassFile> read;
 
-        public ShaderFile(string filePath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler)
+        /// <param name="pipeline">The RenderPipeline tag of the pipeline that runs; empty for the Built-in one.</param>
+        public ShaderFile(string filePath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler, string pipeline = "")
         {
             Path = displayPath;
             parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, package => resolver?.Invoke($"Packages/{package}/package.json") != null);
             // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
-            ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Passes.Count > 0 && (!s.Tags.TryGetValue("RenderPipeline", out string pipeline) || pipeline.Length == 0));
+            ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Available && s.Passes.Any(p => p.Available) && (!s.Tags.TryGetValue("RenderPipeline", out string wanted) || wanted.Length == 0 || wanted == pipeline));
             read = (pass, subShader) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler);
-            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Select(p => read(p, usable)).ToArray();
+            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Where(p => p.Available).Select(p => read(p, usable)).ToArray();
             RenderQueue = usable != null && usable.Tags.TryGetValue("Queue", out string queue) ? ParseQueue(queue) : Queues["Geometry"];
             if (usable == null)
                 parsed.Notes.Add("no SubShader is for the pipeline and packages of this project");
@@ -42,7 +43,7 @@ namespace Host.Shaders
 
         /// <summary>
         /// Every vertex and fragment program of every pass under every choice of keywords that makes a difference to it; of
-        /// every SubShader, those of other pipelines too, since Unity compiles them all.
+        /// every SubShader, those of other pipelines and absent packages too, since Unity compiles them where those are.
         /// </summary>
         /// <exception cref="ShaderCompileException">A pragma is wrong, or the keywords make too many.</exception>
         public IReadOnlyList<ShaderVariant> AllVariants() => parsed.SubShaders.SelectMany(subShader => subShader.Passes, (subShader, pass) => read(pass, subShader)).SelectMany(pass => pass.AllVariants()).ToList();
@@ -127,7 +128,7 @@ namespace Host.Shaders
                 throw new ShaderCompileException(displayPath, pass.Line, "a program outside of a Pass needs #pragma surface");
             if (surface != null && !surface.NoInstancing && !pragmas.Any(p => p.Text.StartsWith("multi_compile_instancing", StringComparison.Ordinal)))
                 pragmas.Add(new PragmaLine("multi_compile_instancing", entries[ShaderStage.Vertex].where));
-            keywords = new Keywords(pragmas, proceduralFunction != null);
+            keywords = new Keywords(pragmas, proceduralFunction != null, stereo: true);
             state = surface != null ? pass.State.With(surface.Blend) : pass.State;
         }
 
@@ -173,6 +174,9 @@ namespace Host.Shaders
         List<KeyValuePair<string, string>> Defines(ShaderStage stage, ICollection<string> enabledKeywords)
         {
             List<KeyValuePair<string, string>> defines = ShaderCompiler.PlatformDefines(stage, target).Concat(keywords.Select(stage, enabledKeywords)).ToList();
+            // Direct3D 11 has no multiview: that variant is for Vulkan, which Unity compiles by FXC too.
+            if (enabledKeywords != null && enabledKeywords.Contains(Shaders.Keywords.StereoMultiview))
+                defines[defines.FindIndex(d => d.Key == "SHADER_API_D3D11")] = KeyValuePair.Create("SHADER_API_VULKAN", "1");
             if (proceduralFunction != null)
                 defines.Add(KeyValuePair.Create("UNITY_INSTANCING_PROCEDURAL_FUNC", proceduralFunction));
             if (surface != null && surface.Blend == SurfaceBlend.Premultiplied)

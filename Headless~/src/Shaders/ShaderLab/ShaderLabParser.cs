@@ -12,6 +12,8 @@ namespace Host.Shaders
         public RenderState State;
         /// <summary>The program stands in the SubShader itself: its pass is written by the host.</summary>
         public bool Surface;
+        /// <summary>Whether the project has the packages that it requires.</summary>
+        public bool Available = true;
         /// <summary>Include blocks before the pass, then its own program.</summary>
         public List<CodeBlock> Code = new List<CodeBlock>();
     }
@@ -20,6 +22,8 @@ namespace Host.Shaders
     {
         public Dictionary<string, string> Tags = new Dictionary<string, string>();
         public List<ParsedPass> Passes = new List<ParsedPass>();
+        /// <summary>Whether the project has the packages that it requires.</summary>
+        public bool Available = true;
     }
 
     sealed class ParsedShader
@@ -44,7 +48,7 @@ namespace Host.Shaders
             this.hasPackage = hasPackage;
         }
 
-        /// <param name="hasPackage">Whether the project has a package of that name; SubShaders and passes that require others are left out.</param>
+        /// <param name="hasPackage">Whether the project has a package of that name; SubShaders and passes that require others are marked.</param>
         /// <exception cref="ShaderCompileException"/>
         public static ParsedShader Parse(string text, string path, Func<string, bool> hasPackage)
         {
@@ -159,6 +163,7 @@ namespace Host.Shaders
         void ReadSubShader(Scope scope)
         {
             var subShader = new ParsedSubShader();
+            int notes = shader.Notes.Count;
             reader.Expect('{');
             while (!reader.TakeSymbol('}'))
             {
@@ -177,8 +182,10 @@ namespace Host.Shaders
                     throw reader.Unexpected("Pass, Tags, render state or '}'");
             }
             subShader.Tags = scope.Tags;
-            if (scope.Available)
-                shader.SubShaders.Add(subShader);
+            subShader.Available = scope.Available;
+            shader.SubShaders.Add(subShader);
+            if (!scope.Available)
+                shader.Notes.RemoveRange(notes, shader.Notes.Count - notes);
         }
 
         void ReadSurface(ParsedSubShader subShader, Scope scope, CodeBlock program)
@@ -208,8 +215,6 @@ namespace Host.Shaders
                 else if (!TryReadRequirements(scope) && !TryReadCommon(scope))
                     throw reader.Unexpected("Name, Tags, render state, HLSLPROGRAM or '}'");
             }
-            if (!scope.Available)
-                return;
             if (program == null)
                 throw new ShaderCompileException(reader.Path, pass.Line, "this pass has no HLSLPROGRAM");
             foreach (CodeBlock include in scope.Includes)
@@ -218,6 +223,7 @@ namespace Host.Shaders
             pass.Code.Add(program);
             pass.Tags = scope.Tags;
             pass.State = scope.State;
+            pass.Available = scope.Available;
             subShader.Passes.Add(pass);
         }
 

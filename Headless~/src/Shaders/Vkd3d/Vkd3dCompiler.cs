@@ -44,8 +44,8 @@ namespace Host.Shaders
             new Regex("^fixme:vkd3d_dxbc_compiler_emit_sync: Unhandled sync flags"),
             // 0x2 globallycoherent, read from the bytecode too; 0x100 a counter.
             new Regex("^fixme:vkd3d_dxbc_compiler_emit_dcl_resource_(structured|raw|typed): Unhandled UAV flags 0x(2|100|102)\\.$"),
-            // Least precisions (min16float): more is allowed. With more bits set it would also drop a sign.
-            new Regex("^fixme:shader_sm4_read_param: Skipping modifier 0x000(04|08|10|14)001\\.$"),
+            // Least precisions (min16float): more is allowed; 00 is none at all. With more bits set it would also drop a sign.
+            new Regex("^fixme:shader_sm4_read_param: Skipping modifier 0x000(00|04|08|10|14)001\\.$"),
             // Bits for refactoring allowed, raw buffers, no optimization, least precisions.
             new Regex("^fixme:vkd3d_dxbc_compiler_emit_dcl_global_flags: Unhandled global flags 0x[0123]?[0189]\\.$"),
         };

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Runtime.InteropServices;
+using System.Text;
 
 namespace Host.Shaders
 {
@@ -89,6 +91,17 @@ namespace Host.Shaders
             foreach (Instruction variable in module.Instructions.Where(i => i.Op == Op.Variable && storageBuffers.ContainsKey(i[1])))
                 editor.Add(variable);
             editor.Commit(output);
+        }
+
+        // vkd3d writes SV_RenderTargetArrayIndex, and does not say what a vertex program needs for it.
+        void AllowLayers()
+        {
+            const uint layer = 9, shaderViewportIndexLayer = 5254;
+            if (!module.Instructions.Any(i => i.Op == Op.Decorate && (Decoration)i[1] == Decoration.BuiltIn && i[2] == layer))
+                return;
+            byte[] text = Encoding.ASCII.GetBytes("SPV_EXT_shader_viewport_index_layer\0");
+            module.Instructions.Insert(module.Instructions.FindLastIndex(i => i.Op == Op.Capability) + 1, new Instruction(Op.Extension, MemoryMarshal.Cast<byte, uint>(text).ToArray()));
+            module.Instructions.Insert(0, new Instruction(Op.Capability, shaderViewportIndexLayer));
         }
 
         // vkd3d goes on behind the end of a block where a loop's last instruction leaves it.

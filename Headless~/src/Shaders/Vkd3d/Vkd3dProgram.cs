@@ -50,6 +50,8 @@ namespace Host.Shaders
             else
                 builder.Link(result, vertexOutputs);
             builder.Rewrite();
+            if (stage == ShaderStage.Vertex)
+                builder.AllowLayers();
             DirectXArithmetic.Apply(builder.module);
             program.Spirv = builder.module.Write();
             return result;
