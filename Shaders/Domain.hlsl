@@ -13,7 +13,7 @@
 #endif
 
 float4x4 _BoxToWorld;           // unit cube, corner at 0, to world
-float4x4 _PreviousBoxToWorld;   // at the last frame
+float4x4 _LastBoxToWorld;       // at the frame before
 float4 _BoxSize;                // m
 float4 _LineColor;              // linear
 float4 _FloorColor;             // linear
@@ -73,7 +73,7 @@ float4 DomainFragment(DomainVaryings input) : SV_Target
 #elif defined(RILL_PASS_NORMALS)
     return ScreenNormal(_DrawFloor > 0.5 ? FloorNormal() : ToEye(mul(_BoxToWorld, float4(input.box, 1.0)).xyz));
 #elif defined(RILL_PASS_MOTION)
-    return ScreenMotion(mul(_BoxToWorld, float4(input.box, 1.0)).xyz, mul(_PreviousBoxToWorld, float4(input.box, 1.0)).xyz);
+    return ScreenMotion(mul(_BoxToWorld, float4(input.box, 1.0)).xyz, mul(_LastBoxToWorld, float4(input.box, 1.0)).xyz);
 #else
     return input.clip.z;
 #endif

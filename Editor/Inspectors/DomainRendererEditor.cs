@@ -12,6 +12,7 @@ namespace Rill.Editor
                 new InspectorField("edges"),
                 new InspectorField("floor"),
                 new InspectorField("tile", "m")),
+            Shadows,
         };
 
         internal override InspectorSection[] Sections => AllSections;

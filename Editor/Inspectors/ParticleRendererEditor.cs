@@ -20,6 +20,7 @@ namespace Rill.Editor
             new InspectorSection("Light", true,
                 new InspectorField("sun"),
                 new InspectorField("ambient")),
+            Shadows,
         };
 
         internal override InspectorSection[] Sections => AllSections;

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -17,6 +18,9 @@ namespace Rill
 
         MaterialPropertyBlock edgeProperties, floorProperties;
 
+        // What stands around the fluid is a frame to look at, not a thing.
+        DomainRenderer() : base(ShadowCastingMode.Off) { }
+
         private protected override StageSet Stage => StageSet.DomainRenderer;
         private protected override string ShaderFile => "Domain";
 
@@ -32,8 +36,10 @@ namespace Rill
 
         void Draw(MaterialPropertyBlock properties, MeshTopology topology, int vertices, float drawFloor)
         {
-            Matrix4x4 box = Simulation.DomainToWorld * Matrix4x4.Scale(Simulation.DomainSize / Simulation.ParticleSpacing);
-            properties.SetMatrix(Ids.BoxToWorld, box);
+            Matrix4x4 scale = Matrix4x4.Scale(Simulation.DomainSize / Simulation.ParticleSpacing);
+            properties.SetMatrix(Ids.BoxToWorld, Simulation.DomainToWorld * scale);
+            properties.SetMatrix(Ids.LastBoxToWorld, LastDomainToWorld * scale);
+            SetSun(properties, null);
             properties.SetVector(Ids.BoxSize, Simulation.DomainSize);
             properties.SetVector(Ids.LineColor, ShaderColor(edges));
             properties.SetVector(Ids.FloorColor, ShaderColor(floor));
@@ -45,6 +51,7 @@ namespace Rill
         static class Ids
         {
             public static readonly int BoxToWorld = Shader.PropertyToID("_BoxToWorld");
+            public static readonly int LastBoxToWorld = Shader.PropertyToID("_LastBoxToWorld");
             public static readonly int BoxSize = Shader.PropertyToID("_BoxSize");
             public static readonly int LineColor = Shader.PropertyToID("_LineColor");
             public static readonly int FloorColor = Shader.PropertyToID("_FloorColor");

@@ -11,8 +11,25 @@ namespace Rill
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
+        [Tooltip("Whether it casts shadows of the scene's lights.")]
+        [SerializeField] ShadowCastingMode castShadows;
+
+        [Tooltip("Whether the shadow of the main light falls on it.")]
+        [SerializeField] bool receiveShadows = true;
+
         Material material;
         string keyword;
+        Matrix4x4 domainToWorld;
+        int drawnFrame = -2;
+
+        /// <param name="castShadows">What a new component of this kind has.</param>
+        private protected FluidRenderer(ShadowCastingMode castShadows) => this.castShadows = castShadows;
+
+        /// <summary>Whether it casts shadows of the scene's lights; <c>TwoSided</c> is the same as <c>On</c>.</summary>
+        public ShadowCastingMode CastShadows { get => castShadows; set => castShadows = value; }
+
+        /// <summary>Whether the shadow of the main light falls on it.</summary>
+        public bool ReceiveShadows { get => receiveShadows; set => receiveShadows = value; }
 
         /// <summary>The one whose asset holds the shader.</summary>
         private protected abstract StageSet Stage { get; }
@@ -25,6 +42,9 @@ namespace Rill
         private protected abstract string ShaderFile { get; }
 
         private protected FluidSimulation Simulation { get; private set; }
+
+        /// <summary>At the frame before; where nothing was drawn then, at this one.</summary>
+        private protected Matrix4x4 LastDomainToWorld { get; private set; }
 
         /// <summary>Draws one frame; the simulation is running.</summary>
         private protected abstract void Draw();
@@ -44,14 +64,16 @@ namespace Rill
         private protected RenderParams Parameters(MaterialPropertyBlock properties)
         {
             // Holds the box at any rotation, and the spheres at its walls.
+            properties.SetFloat(Ids.ReceiveShadows, receiveShadows ? 1f : 0f);
             float across = Simulation.DomainSize.magnitude + 4f * Simulation.ParticleSpacing;
             return new RenderParams(material)
             {
                 worldBounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(Simulation.DomainSize * (0.5f / Simulation.ParticleSpacing)), Vector3.one * across),
                 matProps = properties,
                 layer = gameObject.layer,
-                shadowCastingMode = ShadowCastingMode.Off,
-                receiveShadows = false,
+                shadowCastingMode = castShadows,
+                receiveShadows = receiveShadows,
+                motionVectorMode = MotionVectorGenerationMode.Object,
             };
         }
 
@@ -66,6 +88,16 @@ namespace Rill
             properties.SetVector(Ids.FrameLag, Simulation.FrameLag);
             properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
             properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
+            properties.SetMatrix(Ids.LastDomainToWorld, LastDomainToWorld);
+        }
+
+        /// <summary>Takes the place of the pipeline's main light; null to keep it.</summary>
+        private protected static void SetSun(MaterialPropertyBlock properties, Light sun)
+        {
+            // HDRP's lights are not read: without a chosen one it shines from above.
+            Vector3 direction = sun != null ? -sun.transform.forward : new Vector3(0.3f, 0.9f, -0.3f).normalized;
+            properties.SetVector(Ids.SunDirection, new Vector4(direction.x, direction.y, direction.z, sun != null ? 1f : 0f));
+            properties.SetVector(Ids.SunColor, sun != null ? ShaderColor(sun.color) * sun.intensity : Vector4.one);
         }
 
         /// <summary>Turns the one keyword of this renderer's shader on or off.</summary>
@@ -123,8 +155,13 @@ namespace Rill
         /// <summary>Draws this frame if the simulation is running. Allocates no managed memory.</summary>
         internal void DrawFrame()
         {
-            if (Simulation.IsRunning)
-                Draw();
+            if (!Simulation.IsRunning)
+                return;
+            int frame = Time.frameCount;
+            if (frame != drawnFrame)
+                LastDomainToWorld = frame == drawnFrame + 1 ? domainToWorld : Simulation.DomainToWorld;
+            (drawnFrame, domainToWorld) = (frame, Simulation.DomainToWorld);
+            Draw();
         }
 
         static class Ids
@@ -135,7 +172,11 @@ namespace Rill
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
             public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int LastDomainToWorld = Shader.PropertyToID("_LastDomainToWorld");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int SunDirection = Shader.PropertyToID("_SunDirection");
+            public static readonly int SunColor = Shader.PropertyToID("_SunColor");
+            public static readonly int ReceiveShadows = Shader.PropertyToID("_ReceiveShadows");
         }
     }
 }

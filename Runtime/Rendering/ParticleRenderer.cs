@@ -1,12 +1,13 @@
 using System;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
     /// <summary>Draws the particles of the <see cref="FluidSimulation"/> on this object as lit spheres, straight from the GPU.</summary>
     /// <remarks>
-    /// One indirect draw a camera, opaque, with depth. Drawn by the Built-in pipeline and by URP. Takes its light from
-    /// <c>sun</c>, since a pass that runs in every pipeline is given none.
+    /// One indirect draw a camera and pass, opaque, with depth, shadows and motion vectors. Lit by the pipeline's main light, or by
+    /// <see cref="Sun"/> where one is chosen.
     /// </remarks>
     [AddComponentMenu("Rill/Particle Renderer")]
     public sealed class ParticleRenderer : FluidRenderer
@@ -39,7 +40,7 @@ namespace Rill
             new Color(0.55f, 0.30f, 0.70f), new Color(0.20f, 0.70f, 0.70f), new Color(0.90f, 0.50f, 0.65f), new Color(0.85f, 0.85f, 0.85f),
         };
 
-        [Tooltip("Light whose direction and colour the spheres take. None: from above.")]
+        [Tooltip("Light whose direction and colour the spheres take. None: the scene's main light; in HDRP, from above.")]
         [SerializeField] Light sun;
 
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
@@ -54,8 +55,10 @@ namespace Rill
         /// <summary>Speed, m/s, or relative density error at which the last colour is reached.</summary>
         public float ColorRange { get => colorRange; set => colorRange = Math.Max(value, 1e-4f); }
 
-        /// <summary>Light whose direction and colour the spheres take; null for light from above.</summary>
+        /// <summary>Light whose direction and colour the spheres take; null for the scene's main light (in HDRP, from above).</summary>
         public Light Sun { get => sun; set => sun = value; }
+
+        ParticleRenderer() : base(ShadowCastingMode.On) { }
 
         private protected override StageSet Stage => StageSet.ParticleRenderer;
         private protected override string ShaderFile => "Particles";
@@ -80,8 +83,7 @@ namespace Rill
             bool speed = colorBy == Quantity.Speed;
             // Density errors have a sign: rest density is the middle of the ramp.
             properties.SetVector(Ids.ColorRange, speed ? new Vector4(1f / colorRange, 0f, 0f, 0f) : new Vector4(0f, 0.5f / colorRange, 0.5f, 0f));
-            properties.SetVector(Ids.LightDirection, sun != null ? -sun.transform.forward : new Vector3(0.3f, 0.9f, -0.3f).normalized);
-            properties.SetVector(Ids.LightColor, sun != null ? ShaderColor(sun.color) * sun.intensity : Vector4.one);
+            SetSun(properties, sun);
             properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
         }
 
@@ -114,8 +116,6 @@ namespace Rill
             public static readonly int MiddleColor = Shader.PropertyToID("_MiddleColor");
             public static readonly int FastColor = Shader.PropertyToID("_FastColor");
             public static readonly int ColorRange = Shader.PropertyToID("_ColorRange");
-            public static readonly int LightDirection = Shader.PropertyToID("_LightDirection");
-            public static readonly int LightColor = Shader.PropertyToID("_LightColor");
             public static readonly int AmbientColor = Shader.PropertyToID("_AmbientColor");
         }
     }

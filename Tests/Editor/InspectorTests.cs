@@ -108,7 +108,7 @@ namespace Rill.Editor.Tests
         [Test]
         public void What_HDRP_does_not_draw_is_said_where_it_would_be_missed()
         {
-            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset"), Does.Contain("HDRP does not draw"));
+            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset"), Does.Contain("HDRP draws this without the scene's lights"));
             Assert.That(FluidRendererEditor.PipelineNote("UniversalRenderPipelineAsset"), Is.Null);
             Assert.That(FluidRendererEditor.PipelineNote(null), Is.Null);
         }

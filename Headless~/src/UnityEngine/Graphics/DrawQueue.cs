@@ -11,6 +11,8 @@ namespace UnityEngine.Headless
         public bool HasBounds;
         public Camera Camera;       // null: every camera
         public int Layer, Priority, Order;
+        public Rendering.ShadowCastingMode Shadows;
+        public bool ReceivesShadows;
     }
 
     /// <summary>Draws asked for by Graphics.Render* and Draw* since the last frame.</summary>

@@ -6,11 +6,12 @@ namespace UnityEngine.Headless
 {
     /// <summary>
     /// Built-in pipeline, forward: cameras by depth; in each the queue's and the renderers' draws by render queue, opaque ones in
-    /// order of submission, transparent ones from back to front, then what OnRenderObject and OnPostRender draw. No shadows, no additional lights.
+    /// order of submission, transparent ones from back to front, then what OnRenderObject and OnPostRender draw. The main directional light has a
+    /// shadow (<see cref="ScreenShadows"/>); no additional lights.
     /// </summary>
     internal static class FrameRenderer
     {
-        const int LastOpaqueQueue = 2500;
+        internal const int LastOpaqueQueue = 2500;
 
         struct Item
         {
@@ -20,6 +21,7 @@ namespace UnityEngine.Headless
         }
 
         static readonly List<Item> items = new List<Item>();
+        static readonly List<QueuedDraw> all = new List<QueuedDraw>(), seen = new List<QueuedDraw>();     // of the camera's layers; of its frustum
         static readonly Comparison<Item> order = Compare;
 
         public static void Render()
@@ -60,18 +62,21 @@ namespace UnityEngine.Headless
             BuiltinVariables.SetTime();
             BuiltinVariables.SetLighting();
             BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+            bool shadows = ScreenShadows.Draw(camera, all, seen);
+            if (shadows)
+                Restore(camera, target);
 
             Run(camera, target, CameraEvent.BeforeDepthTexture, CameraEvent.AfterDepthTexture, CameraEvent.BeforeDepthNormalsTexture, CameraEvent.AfterDepthNormalsTexture);
             Clear(camera);
             Run(camera, target, CameraEvent.BeforeForwardOpaque);
-            Draw(opaque: true);
+            Draw(opaque: true, shadows);
             DepthTexture.Capture(camera, target);
             Run(camera, target, CameraEvent.AfterForwardOpaque, CameraEvent.BeforeSkybox);
             if (camera.clearFlags == CameraClearFlags.Skybox)
                 Sky.Draw(camera);
             Run(camera, target, CameraEvent.AfterSkybox, CameraEvent.BeforeImageEffectsOpaque,
                 CameraEvent.AfterImageEffectsOpaque, CameraEvent.BeforeForwardAlpha);
-            Draw(opaque: false);
+            Draw(opaque: false, shadows: false);
             Run(camera, target, CameraEvent.AfterForwardAlpha);
             PlayerLoop.RenderObjects.Run();
             Say(camera, Message.OnPostRender);
@@ -82,6 +87,8 @@ namespace UnityEngine.Headless
             Run(camera, target, CameraEvent.AfterImageEffects, CameraEvent.AfterEverything);
 
             items.Clear();
+            all.Clear();
+            seen.Clear();
             Gpu.ClosePass();
             RenderState.SetCameraTarget(null);
             RenderState.SetTarget(previous);
@@ -130,6 +137,8 @@ namespace UnityEngine.Headless
         static void Collect(Camera camera)
         {
             items.Clear();
+            all.Clear();
+            seen.Clear();
             Matrix4x4 culling = camera.cullingMatrix;
             Vector3 eye = camera.transform.position;
             foreach (QueuedDraw draw in DrawQueue.Draws)
@@ -139,7 +148,7 @@ namespace UnityEngine.Headless
             int next = DrawQueue.Draws.Count;
             foreach (Renderer renderer in Renderer.Active)
             {
-                Mesh mesh = renderer.forceRenderingOff || renderer.shadowCastingMode == ShadowCastingMode.ShadowsOnly ? null : renderer.MeshToDraw;
+                Mesh mesh = renderer.forceRenderingOff ? null : renderer.MeshToDraw;
                 if (mesh == null)
                     continue;
                 int draws = Math.Max(mesh.subMeshCount, renderer.MaterialCount);
@@ -157,6 +166,7 @@ namespace UnityEngine.Headless
                             Mesh = mesh, Submesh = submesh, Topology = mesh.GetTopology(submesh), Instances = 1,
                         },
                         Bounds = renderer.bounds, HasBounds = true, Layer = renderer.gameObject.layer, Priority = renderer.rendererPriority, Order = next++,
+                        Shadows = renderer.shadowCastingMode, ReceivesShadows = renderer.receiveShadows,
                     }, camera, culling, eye);
                 }
             }
@@ -167,8 +177,10 @@ namespace UnityEngine.Headless
         {
             if (draw.Call.Material == null || (camera.cullingMask & 1 << draw.Layer) == 0)
                 return;
-            if (draw.HasBounds && Culling.IsOutside(culling, draw.Bounds))
+            all.Add(draw);
+            if (draw.HasBounds && Culling.IsOutside(culling, draw.Bounds) || draw.Shadows == ShadowCastingMode.ShadowsOnly)
                 return;
+            seen.Add(draw);
             items.Add(new Item { Draw = draw, Queue = draw.Call.Material.renderQueue, Distance = (draw.Bounds.center - eye).sqrMagnitude });
         }
 
@@ -182,17 +194,20 @@ namespace UnityEngine.Headless
             return c != 0 ? c : a.Draw.Order.CompareTo(b.Draw.Order);
         }
 
-        static void Draw(bool opaque)
+        static void Draw(bool opaque, bool shadows)
         {
             foreach (Item item in items)
             {
                 if (item.Queue <= LastOpaqueQueue != opaque)
                     continue;
                 Material material = item.Draw.Call.Material;
+                // Unity turns it on for the one draw, whatever the keywords of scripts.
+                GlobalKeywords.Set.Set(ScreenShadows.Keyword, shadows && item.Draw.ReceivesShadows);
                 for (int pass = 0; pass < material.passCount; pass++)
                     if (IsForward(material, pass))
                         Drawing.DrawPass(item.Draw.Call, pass);
             }
+            GlobalKeywords.Set.Set(ScreenShadows.Keyword, false);
         }
 
         static bool IsForward(Material material, int pass)

@@ -77,6 +77,7 @@ namespace UnityEngine.Headless
             QuadIndices.Forget();
             Blitter.Forget();
             DepthTexture.Forget();
+            ScreenShadows.Forget();
             BuiltinResources.Forget();
         }
     }

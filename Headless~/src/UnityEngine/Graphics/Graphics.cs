@@ -64,6 +64,7 @@ namespace UnityEngine
             DrawQueue.Add(new QueuedDraw
             {
                 Call = call, Bounds = bounds, HasBounds = true, Camera = rparams.camera, Layer = rparams.layer, Priority = rparams.rendererPriority,
+                Shadows = rparams.shadowCastingMode, ReceivesShadows = rparams.receiveShadows,
             }, rparams.matProps);
         }
 
@@ -157,18 +158,18 @@ namespace UnityEngine
 
         // ---- the older names of the same
 
-        static void Queue(Material material, DrawCall call, in Bounds bounds, Camera camera, MaterialPropertyBlock properties, int layer)
+        static void Queue(Material material, DrawCall call, in Bounds bounds, Camera camera, MaterialPropertyBlock properties, int layer, ShadowCastingMode castShadows, bool receiveShadows)
         {
             call.Material = material;
             call.Pass = -1;
-            DrawQueue.Add(new QueuedDraw { Call = call, Bounds = bounds, HasBounds = true, Camera = camera, Layer = layer }, properties);
+            DrawQueue.Add(new QueuedDraw { Call = call, Bounds = bounds, HasBounds = true, Camera = camera, Layer = layer, Shadows = castShadows, ReceivesShadows = receiveShadows }, properties);
         }
 
         public static void DrawProcedural(Material material, Bounds bounds, MeshTopology topology, int vertexCount, int instanceCount = 1, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount, Instances = instanceCount }, bounds, camera, properties, layer);
+            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount, Instances = instanceCount }, bounds, camera, properties, layer, castShadows, receiveShadows);
 
         public static void DrawProcedural(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer, int indexCount, int instanceCount = 1, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Indices = NotNull(indexBuffer, "indexBuffer").Storage, Count = indexCount, Instances = instanceCount }, bounds, camera, properties, layer);
+            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Indices = NotNull(indexBuffer, "indexBuffer").Storage, Count = indexCount, Instances = instanceCount }, bounds, camera, properties, layer, castShadows, receiveShadows);
 
         static DrawCall Indirect(string name, MeshTopology topology, BufferStorage indices, BufferStorage arguments, int offset) => new DrawCall
         {
@@ -176,41 +177,41 @@ namespace UnityEngine
         };
 
         public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, ComputeBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer);
+            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
 
         public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer, ComputeBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer);
+            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
 
         public static void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, Bounds bounds, ComputeBuffer bufferWithArgs, int argsOffset = 0, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes) =>
-            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera);
+            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera, castShadows, receiveShadows);
 
         public static void DrawProceduralIndirectNow(MeshTopology topology, ComputeBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, null, bufferWithArgs?.Storage, argsOffset));
         public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer indexBuffer, ComputeBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset));
 
         public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer);
+            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
 
         public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer, GraphicsBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer);
+            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
 
         public static void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, Bounds bounds, GraphicsBuffer bufferWithArgs, int argsOffset = 0, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes) =>
-            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera);
+            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera, castShadows, receiveShadows);
 
         public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, null, bufferWithArgs?.Storage, argsOffset));
         public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer indexBuffer, GraphicsBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset));
 
-        static void MeshIndirect(Mesh mesh, int submesh, Material material, in Bounds bounds, BufferStorage arguments, int offset, MaterialPropertyBlock properties, int layer, Camera camera)
+        static void MeshIndirect(Mesh mesh, int submesh, Material material, in Bounds bounds, BufferStorage arguments, int offset, MaterialPropertyBlock properties, int layer, Camera camera, ShadowCastingMode castShadows, bool receiveShadows)
         {
             DrawCall call = OfMesh("DrawMeshInstancedIndirect", mesh, submesh, Matrix4x4.identity, 1);
             call.Arguments = NotNull(arguments, "bufferWithArgs");
             call.ArgumentsOffset = offset;
             call.Commands = 1;
             call.Instancing = Instancing.Procedural;
-            Queue(material, call, bounds, camera, properties, layer);
+            Queue(material, call, bounds, camera, properties, layer, castShadows, receiveShadows);
         }
 
         public static void DrawMeshInstancedProcedural(Mesh mesh, int submeshIndex, Material material, Bounds bounds, int count, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes, LightProbeProxyVolume lightProbeProxyVolume = null) =>
-            Queue(material, Procedural(OfMesh("DrawMeshInstancedProcedural", mesh, submeshIndex, Matrix4x4.identity, count)), bounds, camera, properties, layer);
+            Queue(material, Procedural(OfMesh("DrawMeshInstancedProcedural", mesh, submeshIndex, Matrix4x4.identity, count)), bounds, camera, properties, layer, castShadows, receiveShadows);
 
         static DrawCall Procedural(DrawCall call)
         {
@@ -224,7 +225,7 @@ namespace UnityEngine
         public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties) => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, properties, ShadowCastingMode.On);
         public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, properties, castShadows, true);
         public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) =>
-            Queue(material, OfMesh("DrawMesh", mesh, submeshIndex, matrix, 1), Culling.Transform(mesh.bounds, matrix), camera, properties, layer);
+            Queue(material, OfMesh("DrawMesh", mesh, submeshIndex, matrix, 1), Culling.Transform(mesh.bounds, matrix), camera, properties, layer, castShadows, receiveShadows);
 
         public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer) => DrawMesh(mesh, position, rotation, material, layer, null);
         public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera) => DrawMesh(mesh, position, rotation, material, layer, camera, 0);
@@ -240,7 +241,7 @@ namespace UnityEngine
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, 0);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, layer, null);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) =>
-            QueueInstances(mesh, submeshIndex, material, matrices, count, properties, layer, camera);
+            QueueInstances(mesh, submeshIndex, material, matrices, count, properties, layer, camera, castShadows, receiveShadows);
 
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, matrices.Length);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray());
@@ -251,14 +252,14 @@ namespace UnityEngine
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer);
         public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer, camera);
 
-        static void QueueInstances(Mesh mesh, int submesh, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, int layer, Camera camera)
+        static void QueueInstances(Mesh mesh, int submesh, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, int layer, Camera camera, ShadowCastingMode castShadows, bool receiveShadows)
         {
             if (count < 0 || count > Math.Min(1023, matrices.Length))
                 throw new ArgumentOutOfRangeException(nameof(count), count, $"DrawMeshInstanced takes 0 to {Math.Min(1023, matrices.Length)} of these matrices.");
             if (!material.enableInstancing)
                 throw new InvalidOperationException("Material needs to enable instancing for use with DrawMeshInstanced.");
             DrawCall call = OfInstances("DrawMeshInstanced", mesh, submesh, matrices.AsSpan(0, count).ToArray());
-            Queue(material, call, InstanceBounds(mesh, call.Matrices), camera, properties, layer);
+            Queue(material, call, InstanceBounds(mesh, call.Matrices), camera, properties, layer, castShadows, receiveShadows);
         }
 
         // ---- draws at once, into the active target, with the pass of Material.SetPass

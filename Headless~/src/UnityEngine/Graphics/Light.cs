@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    /// <summary>Directional lights reach shaders (_WorldSpaceLightPos0, _LightColor0); shadows and other kinds are stored only.</summary>
+    /// <summary>Directional lights reach shaders (_WorldSpaceLightPos0, _LightColor0), the main one with its shadow; other kinds are stored only.</summary>
     public sealed class Light : Behaviour
     {
         static readonly List<Light> active = new List<Light>();

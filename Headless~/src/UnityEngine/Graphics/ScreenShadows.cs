@@ -1,0 +1,168 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace UnityEngine.Headless
+{
+    /// <summary>
+    /// The shadow of the main directional light as the Built-in pipeline gives it to forward passes on Direct3D 11: casters draw
+    /// their ShadowCaster pass into a map from the light and into the camera's depth, and both become a mask on the screen
+    /// (_ShadowMapTexture), which opaque receivers read under SHADOWS_SCREEN. One map without cascades, fitted to what is seen.
+    /// </summary>
+    internal static class ScreenShadows
+    {
+        public const string Keyword = "SHADOWS_SCREEN", CasterMode = "ShadowCaster";
+
+        static readonly int
+            mask = Shader.PropertyToID("_ShadowMapTexture"), depth = Shader.PropertyToID("_CameraDepthTexture"), map = Shader.PropertyToID("_ShadowMap"),
+            mapSize = Shader.PropertyToID("_ShadowMapSize"), bias = Shader.PropertyToID("unity_LightShadowBias"),
+            data = Shader.PropertyToID("_LightShadowData"), worldToShadow = Shader.PropertyToID("unity_WorldToShadow");
+
+        static readonly Vector3[] corners = new Vector3[8];
+        static readonly Matrix4x4[] worldToShadows = new Matrix4x4[4];
+        static RenderTexture mapTexture, depthTexture, maskTexture;
+        static Material resolve;
+
+        /// <param name="all">What the camera's layers hold, seen or not.</param>
+        /// <param name="seen">What it sees.</param>
+        /// <returns>False where the light casts no shadow; nothing was drawn then.</returns>
+        public static bool Draw(Camera camera, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen)
+        {
+            Light light = Light.MainDirectional();
+            if (light is null || light.shadows == LightShadows.None || light.shadowStrength <= 0 || QualitySettings.shadows == ShadowQuality.Disable || !Casts(all))
+                return false;
+            resolve = resolve != null ? resolve : BuiltinResources.FindShader?.Invoke("Hidden/Internal-ScreenSpaceShadows") is Shader shader ? new Material(shader) { hideFlags = HideFlags.HideAndDontSave } : null;
+            if (resolve == null)
+                return false;
+
+            Matrix4x4 view = Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.Rotate(light.transform.rotation).inverse;
+            if (!Fit(camera, view, all, seen, out Matrix4x4 projection, out float width, out float range))
+                return false;
+            int texels = 512 << (int)QualitySettings.shadowResolution;
+            Need(ref mapTexture, "Shadow map", texels, texels, GraphicsFormat.None);
+            Need(ref depthTexture, "Depth for shadows", camera.pixelWidth, camera.pixelHeight, GraphicsFormat.None);
+            Need(ref maskTexture, "Shadow mask", camera.pixelWidth, camera.pixelHeight, GraphicsFormat.R8_UNorm);
+
+            // Unity's defaults, 0.05 and 0.4, give a depth of two texels and a normal of less than one.
+            float texel = width / texels;
+            Shader.Globals.SetVector(bias, new Vector4(-light.shadowBias * 40 * texel / range, 1, light.shadowNormalBias * texel, 0));
+            RenderState.SetTarget(mapTexture);
+            BuiltinVariables.SetViewProjection(view, projection);
+            RenderState.Clear(true, false, default, 1);
+            foreach (QueuedDraw draw in all)
+                if (draw.Shadows != ShadowCastingMode.Off)
+                    DrawCaster(draw);
+
+            Shader.Globals.SetVector(bias, Vector4.zero);
+            RenderState.SetTarget(depthTexture);
+            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+            RenderState.Clear(true, false, default, 1);
+            foreach (QueuedDraw draw in seen)
+                if (draw.Call.Material.renderQueue <= FrameRenderer.LastOpaqueQueue)
+                    DrawCaster(draw);
+
+            Matrix4x4 toTexture = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1));
+            worldToShadows[0] = toTexture * GL.GetGPUProjectionMatrix(projection, renderIntoTexture: false) * view;
+            Shader.Globals.SetArray(worldToShadow, PropertyKind.Matrix, worldToShadows, worldToShadows.Length);
+            Shader.Globals.SetVector(data, new Vector4(1 - light.shadowStrength, 0, 0, 0));
+            Shader.Globals.SetVector(mapSize, new Vector4(texels, light.shadows == LightShadows.Soft && QualitySettings.shadows == ShadowQuality.All ? 1 : 0, QualitySettings.shadowDistance, 0));
+            Shader.Globals.SetTexture(map, mapTexture, RenderTextureSubElement.Depth);
+            Shader.Globals.SetTexture(depth, depthTexture, RenderTextureSubElement.Depth);
+            RenderState.SetTarget(maskTexture);
+            Drawing.DrawPass(new DrawCall { Call = "screen-space shadows", Material = resolve, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
+            Shader.Globals.SetTexture(mask, maskTexture);
+            return true;
+        }
+
+        /// <summary>The pass of that LightMode; -1 where there is none or the material has it off.</summary>
+        public static int PassOf(Material material, string mode)
+        {
+            IReadOnlyList<ShaderPassSource> passes = material.shader.Source.Passes;
+            for (int pass = 0; pass < passes.Count; pass++)
+                if (passes[pass].Tags.TryGetValue("LightMode", out string own) && string.Equals(own, mode, StringComparison.OrdinalIgnoreCase))
+                    return material.GetShaderPassEnabled(mode) ? pass : -1;
+            return -1;
+        }
+
+        static void DrawCaster(in QueuedDraw draw)
+        {
+            int pass = PassOf(draw.Call.Material, CasterMode);
+            if (pass >= 0)
+                Drawing.DrawPass(draw.Call, pass);
+        }
+
+        static bool Casts(IReadOnlyList<QueuedDraw> all)
+        {
+            foreach (QueuedDraw draw in all)
+                if (draw.Shadows != ShadowCastingMode.Off && PassOf(draw.Call.Material, CasterMode) >= 0)
+                    return true;
+            return false;
+        }
+
+        // Across: where the camera sees something within the shadow distance. Along the light: from the first caster to the last receiver.
+        static bool Fit(Camera camera, in Matrix4x4 view, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, out Matrix4x4 projection, out float width, out float range)
+        {
+            projection = default;
+            width = range = 0;
+            float far = Math.Min(camera.farClipPlane, QualitySettings.shadowDistance);
+            for (int i = 0; i < 8; i++)
+                corners[i] = camera.ViewportToWorldPoint(new Vector3(i & 1, i >> 1 & 1, i < 4 ? camera.nearClipPlane : far));
+            Bounds frustum = new Bounds(view.MultiplyPoint3x4(corners[0]), Vector3.zero);
+            for (int i = 1; i < 8; i++)
+                frustum.Encapsulate(view.MultiplyPoint3x4(corners[i]));
+            if (!Union(view, seen, false, out Bounds receivers) || !Union(view, all, true, out Bounds casters))
+                return false;
+
+            Vector3 min = Vector3.Max(frustum.min, receivers.min), max = Vector3.Min(frustum.max, receivers.max);
+            if (min.x >= max.x || min.y >= max.y)
+                return false;
+            float margin = 0.01f * Math.Max(max.x - min.x, max.y - min.y), nearest = Math.Max(max.z, casters.max.z);
+            width = Math.Max(max.x - min.x, max.y - min.y) + 2 * margin;
+            range = nearest - min.z + 2 * margin;
+            float x = (min.x + max.x) / 2, y = (min.y + max.y) / 2;
+            projection = Matrix4x4.Ortho(x - width / 2, x + width / 2, y - width / 2, y + width / 2, -nearest - margin, -min.z + margin);
+            return true;
+        }
+
+        static bool Union(in Matrix4x4 view, IReadOnlyList<QueuedDraw> draws, bool casting, out Bounds union)
+        {
+            union = default;
+            bool any = false;
+            foreach (QueuedDraw draw in draws)
+            {
+                if (!draw.HasBounds || casting && draw.Shadows == ShadowCastingMode.Off)
+                    continue;
+                Bounds own = Culling.Transform(draw.Bounds, view);
+                if (any)
+                    union.Encapsulate(own);
+                else
+                    union = own;
+                any = true;
+            }
+            return any;
+        }
+
+        static void Need(ref RenderTexture texture, string name, int width, int height, GraphicsFormat color)
+        {
+            if (texture is object && texture.width == width && texture.height == height)
+                return;
+            if (texture is object)
+                Object.DestroyImmediate(texture, true);
+            texture = new RenderTexture(width, height, color, color == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            {
+                name = name, IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave,
+            };
+            texture.Create();
+        }
+
+        public static void Forget()
+        {
+            foreach (Object one in new Object[] { mapTexture, depthTexture, maskTexture, resolve })
+                if (one is object)
+                    Object.DestroyImmediate(one, true);
+            mapTexture = depthTexture = maskTexture = null;
+            resolve = null;
+        }
+    }
+}
