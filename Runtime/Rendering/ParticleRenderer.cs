@@ -67,7 +67,8 @@ namespace Rill
         {
             Simulation.NeedsDensity |= colorBy == Quantity.Density;
             SetProperties();
-            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments);
+            int command = StereoInstancing.IsActive ? StereoInstancing.StereoCommand : StereoInstancing.MonoCommand;
+            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, Simulation.Solver.DrawArguments, 1, command);
         }
 
         private protected override void DescribeDraws(StageDescription description) => description.Draw(ShaderFile, 1);

@@ -13,11 +13,11 @@ namespace Rill
         /// <summary>Byte of the dispatch arguments in a buffer of <see cref="Arguments"/>.</summary>
         public const uint DispatchArgumentsAt = 16;
 
-        /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>; see Arguments.hlsl.</summary>
+        /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte 32; see Arguments.hlsl.</summary>
         public static GraphicsBuffer Arguments(string name)
         {
             // Raw, because Direct3D has no structured buffer that also holds indirect arguments.
-            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, 8, sizeof(uint)));
+            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, 12, sizeof(uint)));
         }
 
         /// <exception cref="ArgumentOutOfRangeException">No element, or more bytes than the device can bind.</exception>

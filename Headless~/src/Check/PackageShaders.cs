@@ -46,7 +46,8 @@ namespace Host.Check
         public static IEnumerable<string> StandIns(ShaderVariant variant) =>
             variant.Fxc == null ? Enumerable.Empty<string>() : variant.Fxc.Source.Files.Where(file => Path.GetDirectoryName(Path.GetFullPath(file)) == BuiltInFiles.Includes).Select(Path.GetFileName);
 
-        static IEnumerable<string> Files(PackageTree package, params string[] extensions)
+        /// <summary>Those of its tests and samples too.</summary>
+        public static IEnumerable<string> Files(PackageTree package, params string[] extensions)
         {
             var visible = new HashSet<string>(package.Visible);
             return package.WithExtension(extensions).Where(file => visible.Contains(file) || file.StartsWith(Samples, StringComparison.Ordinal));

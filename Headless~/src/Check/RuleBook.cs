@@ -31,6 +31,7 @@ namespace Host.Check
             new NetStandardRule(),
             new NUnitRule(),
             new HostSurfaceRule(),
+            new RenderPassesRule(),
             new FxcRule(),
             new LayoutRule(),
             new TargetsRule(),

@@ -187,20 +187,20 @@ namespace Host.Vulkan
             {
                 colors[i] = new VkRenderingAttachmentInfo();
                 if (Color(i) is { } color)
-                    colors[i] = Attachment(color, t.Mip, t.Slice, clearColorDue, new VkClearValue { color = ClearValue(color.Format, t.ClearValue) });
+                    colors[i] = Attachment(color, t.Mip, t.Slice, t.Slices, clearColorDue, new VkClearValue { color = ClearValue(color.Format, t.ClearValue) });
             }
             var depth = new VkRenderingAttachmentInfo();
             bool hasStencil = false;
             if (t.Depth is VulkanTexture d)
             {
-                depth = Attachment(d, t.ColorCount == 0 ? t.Mip : 0, t.Slice < d.Layers ? t.Slice : 0, clearDepthDue,
+                depth = Attachment(d, t.ColorCount == 0 ? t.Mip : 0, t.Slice < d.Layers ? t.Slice : 0, t.Slices, clearDepthDue,
                     new VkClearValue { depthStencil = new VkClearDepthStencilValue { depth = t.ClearDepthValue } });
                 hasStencil = (d.Format.Aspects & VkImageAspectFlags.STENCIL) != 0;
             }
             var area = new VkRect2D { extent = new VkExtent2D { width = renderWidth, height = renderHeight } };
             var info = new VkRenderingInfo
             {
-                renderArea = area, layerCount = 1, colorAttachmentCount = (uint)t.ColorCount, pColorAttachments = colors,
+                renderArea = area, layerCount = (uint)Math.Max(1, t.Slices), colorAttachmentCount = (uint)t.ColorCount, pColorAttachments = colors,
                 pDepthAttachment = t.Depth != null ? &depth : null, pStencilAttachment = hasStencil ? &depth : null,
             };
             vk.CmdBeginRendering(commands, &info);
@@ -214,9 +214,9 @@ namespace Host.Vulkan
             vk.CmdSetScissor(commands, 0, 1, &scissor);
         }
 
-        static VkRenderingAttachmentInfo Attachment(VulkanTexture t, int mip, int slice, bool clear, in VkClearValue value) => new()
+        static VkRenderingAttachmentInfo Attachment(VulkanTexture t, int mip, int slice, int slices, bool clear, in VkClearValue value) => new()
         {
-            imageView = t.View(VkImageViewType._2D, mip, 1, slice, 1), imageLayout = VkImageLayout.GENERAL,
+            imageView = t.View(slices > 1 ? VkImageViewType._2D_ARRAY : VkImageViewType._2D, mip, 1, slice, Math.Max(1, slices)), imageLayout = VkImageLayout.GENERAL,
             loadOp = clear ? VkAttachmentLoadOp.CLEAR : VkAttachmentLoadOp.LOAD, storeOp = VkAttachmentStoreOp.STORE, clearValue = value,
         };
 

@@ -188,7 +188,7 @@ namespace Host.Vulkan
             {
                 pNext = &use13, scalarBlockLayout = VkBool32.True, uniformBufferStandardLayout = has12.uniformBufferStandardLayout,
                 timelineSemaphore = VkBool32.True, hostQueryReset = VkBool32.True, samplerMirrorClampToEdge = has12.samplerMirrorClampToEdge,
-                shaderFloat16 = has12.shaderFloat16, shaderOutputLayer = has12.shaderOutputLayer,
+                shaderFloat16 = has12.shaderFloat16, shaderOutputLayer = has12.shaderOutputLayer, shaderOutputViewportIndex = has12.shaderOutputViewportIndex,
             };
             var use11 = new VkPhysicalDeviceVulkan11Features
             {
@@ -199,6 +199,7 @@ namespace Host.Vulkan
             {
                 robustBufferAccess = core.robustBufferAccess,
                 imageCubeArray = core.imageCubeArray,
+                geometryShader = core.geometryShader,       // a fragment program that declares SV_RenderTargetArrayIndex asks for it
                 independentBlend = core.independentBlend,
                 depthBiasClamp = core.depthBiasClamp,
                 fillModeNonSolid = core.fillModeNonSolid,

@@ -19,7 +19,8 @@ namespace UnityEngine.Headless
             lightPosition = Id("_WorldSpaceLightPos0"), lightColor = Id("_LightColor0"), lightAttenuation = Id("unity_LightAtten"),
             ambientSky = Id("unity_AmbientSky"), ambientEquator = Id("unity_AmbientEquator"), ambientGround = Id("unity_AmbientGround"), ambient = Id("glstate_lightmodel_ambient"),
             shAr = Id("unity_SHAr"), shAg = Id("unity_SHAg"), shAb = Id("unity_SHAb"), shBr = Id("unity_SHBr"), shBg = Id("unity_SHBg"), shBb = Id("unity_SHBb"), shC = Id("unity_SHC"),
-            fogColor = Id("unity_FogColor"), fogParams = Id("unity_FogParams"), baseCommand = Id("unity_BaseCommandID");
+            fogColor = Id("unity_FogColor"), fogParams = Id("unity_FogParams"), baseCommand = Id("unity_BaseCommandID"),
+            stereoV = Id("unity_StereoMatrixV"), stereoInvV = Id("unity_StereoMatrixInvV"), stereoP = Id("unity_StereoMatrixP"), stereoInvP = Id("unity_StereoMatrixInvP"), stereoVP = Id("unity_StereoMatrixVP");
 
         static PropertyTable Globals => Shader.Globals;
 
@@ -45,6 +46,26 @@ namespace UnityEngine.Headless
             Globals.SetMatrix(matrixInvP, gpu.inverse);
             Globals.SetMatrix(matrixVP, both);
             Globals.SetMatrix(matrixInvVP, both.inverse);
+        }
+
+        static readonly Matrix4x4[] eyeViews = new Matrix4x4[2], eyeInverseViews = new Matrix4x4[2], eyeProjections = new Matrix4x4[2], eyeInverseProjections = new Matrix4x4[2], eyeViewProjections = new Matrix4x4[2];
+
+        /// <summary>Of two eyes in one pass, left first.</summary>
+        public static void SetStereo(Matrix4x4[] views, Matrix4x4[] projections)
+        {
+            for (int eye = 0; eye < 2; eye++)
+            {
+                eyeViews[eye] = views[eye];
+                eyeInverseViews[eye] = views[eye].inverse;
+                eyeProjections[eye] = GL.GetGPUProjectionMatrix(projections[eye], renderIntoTexture: true);
+                eyeInverseProjections[eye] = eyeProjections[eye].inverse;
+                eyeViewProjections[eye] = eyeProjections[eye] * views[eye];
+            }
+            Globals.SetArray(stereoV, PropertyKind.Matrix, eyeViews, 2);
+            Globals.SetArray(stereoInvV, PropertyKind.Matrix, eyeInverseViews, 2);
+            Globals.SetArray(stereoP, PropertyKind.Matrix, eyeProjections, 2);
+            Globals.SetArray(stereoInvP, PropertyKind.Matrix, eyeInverseProjections, 2);
+            Globals.SetArray(stereoVP, PropertyKind.Matrix, eyeViewProjections, 2);
         }
 
         public static void SetCamera(Camera camera, int width, int height)

@@ -85,7 +85,7 @@ namespace UnityEngine.Headless
             // The projection flips y, which turns every triangle's winding around; a mirroring matrix turns it again.
             state.FrontIsCounterClockwise = call.Matrix.determinant >= 0 != RenderState.InvertCulling;
 
-            var draw = new DeviceDraw { VertexCount = call.Count, InstanceCount = call.Instances, FirstVertex = call.First, Indices32 = true };
+            var draw = new DeviceDraw { VertexCount = call.Count, InstanceCount = call.Instances * RenderState.InstanceMultiplier, FirstVertex = call.First, Indices32 = true };
             if (!Geometry(call, vertex.Program, quads, ref draw))
                 return;
 

@@ -11,7 +11,7 @@ namespace UnityEngine.Headless
         static readonly RenderTexture[] colors = new RenderTexture[MaxColors];
         static int colorCount;
         static RenderTexture depth;
-        static int mip, slice;
+        static int mip, slice, slices;
         static Rect? viewport;
 
         /// <summary>RenderTexture.active: null is the screen.</summary>
@@ -23,6 +23,8 @@ namespace UnityEngine.Headless
         public static Material CurrentMaterial;
         public static int CurrentPass;
         public static bool InvertCulling;
+        /// <summary>Of the instances of draws that are not indirect: 2 for two eyes in one pass.</summary>
+        public static int InstanceMultiplier = 1;
         public static Matrix4x4 View = Matrix4x4.identity, Projection = Matrix4x4.identity;
 
         public static Texture CurrentTexture => colorCount > 0 ? colors[0] : depth is object ? depth : (Texture)ScreenTarget.Texture;
@@ -39,7 +41,7 @@ namespace UnityEngine.Headless
             colorCount = 0;
             depth = null;
             viewport = null;
-            (mip, slice) = (mipLevel, Math.Max(0, depthSlice));
+            (mip, slice, slices) = (mipLevel, Math.Max(0, depthSlice), SlicesOf(target, depthSlice));
             if (target is null)
                 return;
             target.Create();
@@ -54,7 +56,7 @@ namespace UnityEngine.Headless
                 throw new NotSupportedException($"SetRenderTarget with {colorTargets.Count} colour targets; the headless host has {MaxColors}.");
             Gpu.ClosePass();
             viewport = null;
-            (mip, slice) = (mipLevel, Math.Max(0, depthSlice));
+            (mip, slice, slices) = (mipLevel, Math.Max(0, depthSlice), SlicesOf(colorTargets.Count > 0 ? colorTargets[0] : depthTarget, depthSlice));
             colorCount = 0;
             foreach (RenderTexture color in colorTargets)
             {
@@ -68,6 +70,10 @@ namespace UnityEngine.Headless
             depth?.Create();
             ActiveTexture = colorCount > 0 ? colors[0] : depth;
         }
+
+        // RenderTargetIdentifier.AllDepthSlices
+        static int SlicesOf(RenderTexture target, int depthSlice) =>
+            depthSlice < 0 && target is object && target.dimension == Rendering.TextureDimension.Tex2DArray ? target.volumeDepth : 1;
 
         /// <summary>In pixels, origin at the bottom left, as Unity counts.</summary>
         public static void SetViewport(Rect rect)
@@ -98,7 +104,7 @@ namespace UnityEngine.Headless
 
         static DeviceTargets Targets()
         {
-            var targets = new DeviceTargets { Mip = mip, Slice = slice };
+            var targets = new DeviceTargets { Mip = mip, Slice = slice, Slices = slices };
             if (colorCount == 0 && depth is null)
                 SetScreen(ref targets);
             else
@@ -133,11 +139,12 @@ namespace UnityEngine.Headless
         public static void Reset()
         {
             Array.Clear(colors, 0, colors.Length);
-            colorCount = mip = slice = 0;
+            colorCount = mip = slice = slices = 0;
             depth = ActiveTexture = cameraTarget = null;
             viewport = null;
             CurrentMaterial = null;
             InvertCulling = false;
+            InstanceMultiplier = 1;
             View = Projection = Matrix4x4.identity;
         }
     }

@@ -44,9 +44,9 @@ namespace UnityEngine.Headless
             Need(ref depthTexture, "Depth for shadows", camera.pixelWidth, camera.pixelHeight, GraphicsFormat.None);
             Need(ref maskTexture, "Shadow mask", camera.pixelWidth, camera.pixelHeight, GraphicsFormat.R8_UNorm);
 
-            // Unity's defaults, 0.05 and 0.4, give a depth of two texels and a normal of less than one.
+            // Unity's defaults, 0.05 and 0.4, give a depth of three texels and a normal of less than one.
             float texel = width / texels;
-            Shader.Globals.SetVector(bias, new Vector4(-light.shadowBias * 40 * texel / range, 1, light.shadowNormalBias * texel, 0));
+            Shader.Globals.SetVector(bias, new Vector4(-light.shadowBias * 60 * texel / range, 1, light.shadowNormalBias * texel, 0));
             RenderState.SetTarget(mapTexture);
             BuiltinVariables.SetViewProjection(view, projection);
             RenderState.Clear(true, false, default, 1);

@@ -164,6 +164,8 @@ namespace UnityEngine.Headless
         public int ColorCount;
         /// <summary>Mip and slice of the colour target.</summary>
         public int Mip, Slice;
+        /// <summary>Above 1: so many slices from <see cref="Slice"/> on, among which SV_RenderTargetArrayIndex chooses.</summary>
+        public int Slices;
         public bool ClearColor, ClearDepth;
         public DeviceColor ClearValue;
         /// <summary>Stencil goes to 0 with it.</summary>
