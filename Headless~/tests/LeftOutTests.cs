@@ -179,7 +179,7 @@ namespace Host.Tests
             InSample(sample, simulation =>
             {
                 // The scene's, not the fluid's: its shadow map and depth are draws of their own.
-                foreach (Light light in Object.FindObjectsOfType<Light>())
+                foreach (Light light in UnityEngine.Object.FindObjectsOfType<Light>())
                     light.shadows = LightShadows.None;
                 PlayerLoop.Frame(FrameTime);
                 Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the second: none of the samples measures before the fourth

@@ -269,9 +269,9 @@ namespace Host.Tests
                     cmd.DrawMesh(mesh, Matrix4x4.identity, material, 0, pass);
                 else
                     cmd.DrawProcedural(Matrix4x4.identity, material, pass, MeshTopology.Triangles, 6, 1, block);
-                RenderState.InstanceMultiplier = 2;
+                UnityEngine.Headless.RenderState.InstanceMultiplier = 2;
                 Graphics.ExecuteCommandBuffer(cmd);
-                RenderState.InstanceMultiplier = 1;
+                UnityEngine.Headless.RenderState.InstanceMultiplier = 1;
             }
             Shader.DisableKeyword("STEREO_INSTANCING_ON");
             for (int eye = 0; eye < 2; eye++)

@@ -46,6 +46,7 @@ namespace Rill
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         static void Reset()
         {
+            cameras = Array.Empty<Camera>();
             frame = -1;
             isActive = false;
         }

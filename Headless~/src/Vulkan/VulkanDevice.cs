@@ -223,12 +223,14 @@ namespace Host.Vulkan
 
             float priority = 1;
             var queueInfo = new VkDeviceQueueCreateInfo { queueFamilyIndex = queueFamily, queueCount = 1, pQueuePriorities = &priority };
-            fixed (byte* pushDescriptor = "VK_KHR_push_descriptor"u8, robustness = "VK_EXT_robustness2"u8)
+            // SV_RenderTargetArrayIndex of vertex programs; without it those do not draw.
+            const string layers = "VK_EXT_shader_viewport_index_layer";
+            fixed (byte* pushDescriptor = "VK_KHR_push_descriptor"u8, robustness = "VK_EXT_robustness2"u8, viewportIndexLayer = "VK_EXT_shader_viewport_index_layer"u8)
             {
-                var names = stackalloc byte*[] { pushDescriptor, robustness };
+                var names = stackalloc byte*[] { pushDescriptor, robustness, viewportIndexLayer };
                 var info = new VkDeviceCreateInfo
                 {
-                    pNext = &use, queueCreateInfoCount = 1, pQueueCreateInfos = &queueInfo, enabledExtensionCount = 2, ppEnabledExtensionNames = names,
+                    pNext = &use, queueCreateInfoCount = 1, pQueueCreateInfos = &queueInfo, enabledExtensionCount = HasExtension(layers) ? 3u : 2u, ppEnabledExtensionNames = names,
                 };
                 VkDevice made;
                 Check(vki.CreateDevice(physical, &info, null, &made), "vkCreateDevice");
@@ -238,12 +240,17 @@ namespace Host.Vulkan
 
         void RequireExtensions(params string[] names)
         {
+            foreach (string name in names)
+                Require(HasExtension(name) ? VkBool32.True : VkBool32.False, name);
+        }
+
+        bool HasExtension(string name)
+        {
             uint count;
             Check(instance.Commands.EnumerateDeviceExtensionProperties(physical, null, &count, null), "vkEnumerateDeviceExtensionProperties");
             var extensions = new VkExtensionProperties[count];
             fixed (VkExtensionProperties* p = extensions) Check(instance.Commands.EnumerateDeviceExtensionProperties(physical, null, &count, p), "vkEnumerateDeviceExtensionProperties");
-            foreach (string name in names)
-                Require(Array.Exists(extensions, e => Utf8(e.extensionName) == name) ? VkBool32.True : VkBool32.False, name);
+            return Array.Exists(extensions, e => Utf8(e.extensionName) == name);
         }
 
         static void Require(VkBool32 present, string feature)
