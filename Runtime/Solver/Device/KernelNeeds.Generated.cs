@@ -210,11 +210,11 @@ namespace Rill
         static readonly KernelNeed[] Draws =
         {
             new KernelNeed("Domain", "Vertex", "", 0, 0, 0, 0, 0),
-            new KernelNeed("Domain", "Fragment", "", 0, 0, 0, 0, 0),
+            new KernelNeed("Domain", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("Particles", "Vertex", "", 0, 0, 5, 0, 0),
-            new KernelNeed("Particles", "Fragment", "", 0, 0, 0, 0, 0),
+            new KernelNeed("Particles", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("Solid", "Vertex", "", 0, 0, 0, 0, 0),
-            new KernelNeed("Solid", "Fragment", "", 0, 0, 0, 0, 0),
+            new KernelNeed("Solid", "Fragment", "", 0, 0, 0, 0, 1),
         };
     }
 }
