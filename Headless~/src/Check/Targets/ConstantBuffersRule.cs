@@ -15,6 +15,7 @@ namespace Host.Check
     sealed class ConstantBuffersRule : Rule
     {
         const string UnitysOwn = "Unity";       // UnityPerDraw and the like: Unity sets their members by name
+        const string Multiview = "OVR_multiview";       // by this name Unity's translator knows the eye's index, and leaves the buffer out
 
         static readonly ConstantPacking[] Others = { ConstantPacking.Std140, ConstantPacking.Metal };
 
@@ -49,7 +50,7 @@ namespace Host.Check
         {
             try
             {
-                return variant.Compile().Program.Resources.Where(r => r.Constants is { IsGlobals: false } && !r.Name.StartsWith(UnitysOwn, StringComparison.Ordinal));
+                return variant.Compile().Program.Resources.Where(r => r.Constants is { IsGlobals: false } && !r.Name.StartsWith(UnitysOwn, StringComparison.Ordinal) && r.Name != Multiview);
             }
             catch (ShaderCompileException)
             {
