@@ -102,10 +102,10 @@ namespace Rill
         {
             GetPlace(out _, out Quaternion rotation);
             float4 local = new float4((float3)(Quaternion.Inverse(rotation) * velocity), 0f) / particleSpacing;
-            using (var velocities = new NativeArray<float4>(positions.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
+            using (var shared = new NativeArray<float4>(1, Allocator.Persistent))
             {
-                velocities.AsSpan().Fill(local);
-                pbf.AddInSpacings(positions, velocities, low, high);
+                shared.AsSpan()[0] = local;
+                pbf.AddInSpacings(positions, shared, low, high);
             }
         }
 

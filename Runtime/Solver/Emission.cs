@@ -38,22 +38,26 @@ namespace Rill
 
         /// <summary>Adds particles at once, in batches; their upload buffers live until the next call or <see cref="Trim"/>.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
-        /// <param name="velocities">xyz, d/s; as many as positions.</param>
+        /// <param name="velocities">xyz, d/s; as many as positions, or one for all.</param>
         /// <param name="tags">In which they have no phase and no end; null for none.</param>
         public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities, ParticleTags tags = null)
         {
-            if (positions.Length != velocities.Length)
-                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
+            bool isShared = velocities.Length == 1;
+            if (positions.Length != velocities.Length && !isShared)
+                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both, or one velocity to all.");
 
             using (var cmd = new CommandBuffer { name = "Rill.Emission" })
             {
                 for (int first = 0; first < positions.Length; first += LargestBatch)
                 {
                     int count = Math.Min(LargestBatch, positions.Length - first);
-                    Reserve(count);
+                    int velocityCount = isShared ? 1 : count;
+                    Reserve(ref batchPositions, "Rill.BatchPositions", count);
+                    Reserve(ref batchVelocities, "Rill.BatchVelocities", velocityCount);
                     batchPositions.SetData(positions, first, 0, count);
-                    batchVelocities.SetData(velocities, first, 0, count);
+                    batchVelocities.SetData(velocities, isShared ? 0 : first, 0, velocityCount);
                     cmd.Clear();
+                    cmd.SetComputeIntParam(shader, Ids.VelocityStride, isShared ? 0 : 1);
                     RecordAppend(cmd, particles, capacity, count, tags);
                     Graphics.ExecuteCommandBuffer(cmd);
                 }
@@ -69,13 +73,12 @@ namespace Rill
 
         public void Dispose() => Trim();
 
-        void Reserve(int count)
+        static void Reserve(ref GraphicsBuffer buffer, string name, int count)
         {
-            if (batchPositions != null && batchPositions.count >= count)
+            if (buffer != null && buffer.count >= count)
                 return;
-            Trim();
-            batchPositions = GpuBuffer.Structured<float4>("Rill.BatchPositions", count);
-            batchVelocities = GpuBuffer.Structured<float4>("Rill.BatchVelocities", count);
+            GpuBuffer.Release(ref buffer);
+            buffer = GpuBuffer.Structured<float4>(name, count);
         }
 
         void RecordAppend(CommandBuffer cmd, ParticleBuffers particles, int capacity, int count, ParticleTags tags)
@@ -103,6 +106,7 @@ namespace Rill
         {
             public static readonly int BatchPositions = Shader.PropertyToID("_BatchPositions");
             public static readonly int BatchVelocities = Shader.PropertyToID("_BatchVelocities");
+            public static readonly int VelocityStride = Shader.PropertyToID("_VelocityStride");
             public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
             public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
             public static readonly int Positions = Shader.PropertyToID("_Positions");

@@ -139,7 +139,7 @@ namespace Rill
             }
         }
 
-        /// <summary>As <see cref="Add"/>, in d and d/s.</summary>
+        /// <summary>As <see cref="Add"/>, in d and d/s; velocities as many as positions, or one for all.</summary>
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
         /// <param name="high">And the highest.</param>
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high)

@@ -48,6 +48,28 @@ namespace Rill.Tests
             Assert.That(GpuTest.Read<float4>(particles.Current, Capacity).Skip(Math.Max(count, 1)).All(GpuTest.IsGarbage), "places behind the batch are left alone");
         }
 
+        [TestCase(129)]
+        [TestCase(997)]
+        public void One_velocity_is_that_of_all_particles_of_a_batch(int count)
+        {
+            ParticleState batch = ParticleState.Random(count, seed: 6);
+            var velocity = new float4(1f, 2f, 3f, 0f);
+            using (var positions = new NativeArray<float4>(batch.positions, Allocator.Persistent))
+            using (var velocities = new NativeArray<float4>(new[] { velocity }, Allocator.Persistent))
+                emission.Append(particles, Capacity, positions, velocities);
+
+            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, count), batch.positions);
+            Compare.Same("velocities", GpuTest.Read<float4>(particles.Velocities, count), Enumerable.Repeat(new float4(velocity.xyz, 1f), count).ToArray());
+        }
+
+        [Test]
+        public void Other_numbers_of_velocities_are_refused_by_name()
+        {
+            using (var positions = new NativeArray<float4>(3, Allocator.Persistent))
+            using (var velocities = new NativeArray<float4>(2, Allocator.Persistent))
+                Assert.That(() => emission.Append(particles, Capacity, positions, velocities), Throws.ArgumentException.With.Message.Contains("3 positions with 2 velocities"));
+        }
+
         [TestCase(0, 0)]
         [TestCase(1, 0)]
         [TestCase(Capacity, 0)]
