@@ -30,13 +30,15 @@ namespace Host.Commands
             var noCompute = new Option<bool>("--no-compute") { Description = "Pretend that the machine cannot run compute shaders." };
             var strict = new Option<bool>("--strict") { Description = "With --project: stop where Unity logs and goes on or is undefined." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
+            var stereo = new Option<bool>("--stereo") { Description = "Draw two eyes in one pass, as for a headset, beside each other." };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, shaders, limits };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, stereo, shaders, limits };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                UnityEngine.Headless.Player.Stereo = parsed.GetValue(stereo);
                 LimitsOption.Use(parsed.GetValue(limits));
                 (int width, int height) = Size(parsed.GetValue(size));
                 double rate = Positive(parsed.GetValue(fps), "--fps");

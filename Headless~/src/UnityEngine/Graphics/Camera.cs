@@ -80,7 +80,7 @@ namespace UnityEngine
         public bool allowDynamicResolution { get; set; }
         public bool useOcclusionCulling { get; set; } = true;
         public bool forceIntoRenderTexture { get; set; }
-        public bool stereoEnabled => false;
+        public bool stereoEnabled => Player.Stereo && targetTexture is null;
         public int targetDisplay { get; set; }
         public OpaqueSortMode opaqueSortMode { get; set; }
         public TransparencySortMode transparencySortMode { get; set; }

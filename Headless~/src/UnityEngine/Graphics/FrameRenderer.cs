@@ -62,6 +62,12 @@ namespace UnityEngine.Headless
             BuiltinVariables.SetTime();
             BuiltinVariables.SetLighting();
             BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+            if (camera.stereoEnabled)
+            {
+                RenderStereo(camera);
+                Finish(camera, target, previous, previousCamera);
+                return;
+            }
             bool shadows = ScreenShadows.Draw(camera, all, seen);
             if (shadows)
                 Restore(camera, target);
@@ -85,7 +91,32 @@ namespace UnityEngine.Headless
             Run(camera, target, CameraEvent.BeforeImageEffects);
             ImageEffects.Run(camera, target);
             Run(camera, target, CameraEvent.AfterImageEffects, CameraEvent.AfterEverything);
+            Finish(camera, target, previous, previousCamera);
+        }
 
+        // Command buffers and image effects are left out: nothing here needs them for two eyes.
+        static void RenderStereo(Camera camera)
+        {
+            StereoView.Begin(camera);
+            bool shadows = ScreenShadows.Draw(camera, all, seen, StereoView.Views, StereoView.Projections);
+            StereoView.SetSinglePass(true);
+            Clear(camera);
+            Draw(opaque: true, shadows);
+            StereoView.SetSinglePass(false);
+            if (camera.clearFlags == CameraClearFlags.Skybox)
+                for (int eye = 0; eye < 2; eye++)
+                {
+                    StereoView.SetEye(eye);
+                    Sky.Draw(camera);
+                }
+            StereoView.SetSinglePass(true);
+            Draw(opaque: false, shadows: false);
+            StereoView.SetSinglePass(false);
+            StereoView.Show();
+        }
+
+        static void Finish(Camera camera, RenderTexture target, RenderTexture previous, Camera previousCamera)
+        {
             items.Clear();
             all.Clear();
             seen.Clear();

@@ -78,6 +78,7 @@ namespace UnityEngine.Headless
             Blitter.Forget();
             DepthTexture.Forget();
             ScreenShadows.Forget();
+            StereoView.Forget();
             BuiltinResources.Forget();
         }
     }

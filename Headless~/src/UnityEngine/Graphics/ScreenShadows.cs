@@ -26,8 +26,9 @@ namespace UnityEngine.Headless
 
         /// <param name="all">What the camera's layers hold, seen or not.</param>
         /// <param name="seen">What it sees.</param>
+        /// <param name="views">With two eyes in one pass, left first, else null; so the projections. The mask has a slice for each then.</param>
         /// <returns>False where the light casts no shadow; nothing was drawn then.</returns>
-        public static bool Draw(Camera camera, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen)
+        public static bool Draw(Camera camera, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, Matrix4x4[] views = null, Matrix4x4[] projections = null)
         {
             Light light = Light.MainDirectional();
             if (light is null || light.shadows == LightShadows.None || light.shadowStrength <= 0 || QualitySettings.shadows == ShadowQuality.Disable || !Casts(all))
@@ -40,9 +41,10 @@ namespace UnityEngine.Headless
             if (!Fit(camera, view, all, seen, out Matrix4x4 projection, out float width, out float range))
                 return false;
             int texels = 512 << (int)QualitySettings.shadowResolution;
+            int eyes = views?.Length ?? 1, pixels = camera.pixelWidth / eyes;
             Need(ref mapTexture, "Shadow map", texels, texels, GraphicsFormat.None);
-            Need(ref depthTexture, "Depth for shadows", camera.pixelWidth, camera.pixelHeight, GraphicsFormat.None);
-            Need(ref maskTexture, "Shadow mask", camera.pixelWidth, camera.pixelHeight, GraphicsFormat.R8_UNorm);
+            Need(ref depthTexture, "Depth for shadows", pixels, camera.pixelHeight, GraphicsFormat.None);
+            Need(ref maskTexture, "Shadow mask", pixels, camera.pixelHeight, GraphicsFormat.R8_UNorm, eyes);
 
             // Unity's defaults, 0.05 and 0.4, give a depth of three texels and a normal of less than one.
             float texel = width / texels;
@@ -55,13 +57,6 @@ namespace UnityEngine.Headless
                     DrawCaster(draw);
 
             Shader.Globals.SetVector(bias, Vector4.zero);
-            RenderState.SetTarget(depthTexture);
-            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
-            RenderState.Clear(true, false, default, 1);
-            foreach (QueuedDraw draw in seen)
-                if (draw.Call.Material.renderQueue <= FrameRenderer.LastOpaqueQueue)
-                    DrawCaster(draw);
-
             Matrix4x4 toTexture = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1));
             worldToShadows[0] = toTexture * GL.GetGPUProjectionMatrix(projection, renderIntoTexture: false) * view;
             Shader.Globals.SetArray(worldToShadow, PropertyKind.Matrix, worldToShadows, worldToShadows.Length);
@@ -69,8 +64,19 @@ namespace UnityEngine.Headless
             Shader.Globals.SetVector(mapSize, new Vector4(texels, light.shadows == LightShadows.Soft && QualitySettings.shadows == ShadowQuality.All ? 1 : 0, QualitySettings.shadowDistance, 0));
             Shader.Globals.SetTexture(map, mapTexture, RenderTextureSubElement.Depth);
             Shader.Globals.SetTexture(depth, depthTexture, RenderTextureSubElement.Depth);
-            RenderState.SetTarget(maskTexture);
-            Drawing.DrawPass(new DrawCall { Call = "screen-space shadows", Material = resolve, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
+            for (int eye = 0; eye < eyes; eye++)
+            {
+                RenderState.SetTarget(depthTexture);
+                BuiltinVariables.SetCamera(camera, pixels, camera.pixelHeight);
+                if (views != null)
+                    BuiltinVariables.SetViewProjection(views[eye], projections[eye]);
+                RenderState.Clear(true, false, default, 1);
+                foreach (QueuedDraw draw in seen)
+                    if (draw.Call.Material.renderQueue <= FrameRenderer.LastOpaqueQueue)
+                        DrawCaster(draw);
+                RenderState.SetTarget(maskTexture, 0, eye);
+                Drawing.DrawPass(new DrawCall { Call = "screen-space shadows", Material = resolve, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
+            }
             Shader.Globals.SetTexture(mask, maskTexture);
             return true;
         }
@@ -143,13 +149,16 @@ namespace UnityEngine.Headless
             return any;
         }
 
-        static void Need(ref RenderTexture texture, string name, int width, int height, GraphicsFormat color)
+        static void Need(ref RenderTexture texture, string name, int width, int height, GraphicsFormat color, int slices = 1)
         {
-            if (texture is object && texture.width == width && texture.height == height)
+            if (texture is object && texture.width == width && texture.height == height && texture.volumeDepth == slices)
                 return;
             if (texture is object)
                 Object.DestroyImmediate(texture, true);
-            texture = new RenderTexture(width, height, color, color == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            texture = new RenderTexture(new RenderTextureDescriptor(width, height, color, color == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            {
+                dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = slices,
+            })
             {
                 name = name, IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave,
             };

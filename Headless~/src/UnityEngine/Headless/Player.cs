@@ -21,6 +21,8 @@ namespace UnityEngine.Headless
         /// <summary>Of the graphics API, or class of devices, that the player pretends to run on. Never null.</summary>
         public static ApiLimits Limits = ApiLimits.Direct3D11;
         /// <summary>Lets a test or a command pretend that the machine cannot run compute shaders.</summary>
+        /// <summary>A headset is on: cameras without a target texture draw two eyes in one pass.</summary>
+        public static bool Stereo;
         public static bool PretendNoCompute;
     }
 
