@@ -36,7 +36,7 @@ namespace Rill
             Kernels.Add((variant == null ? $"{file}.compute: {kernel}" : $"{file}.compute: {kernel} [{variant}]", perStep));
         }
 
-        public void Draw(string file, int perFrame) => Kernels.Add(($"{file}.shader, a draw for each camera", perFrame));
+        public void Draw(string file, int perFrame) => Kernels.Add(($"{file}.shader, a draw in each pass of each camera", perFrame));
 
         /// <summary>Null is a buffer that this scene does without.</summary>
         public void Buffer(string name, GraphicsBuffer buffer)

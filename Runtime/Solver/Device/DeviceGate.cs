@@ -36,10 +36,16 @@ namespace Rill
         {
             if (HasNoGraphics)
                 return "this player has no graphics device, on which the fluid is computed.";
-            string missing = !SystemInfo.supportsComputeShaders ? "no compute shaders (SystemInfo.supportsComputeShaders), which the fluid is computed with"
-                : !SystemInfo.supportsIndirectArgumentsBuffer ? "no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer): how many particles there are is known on the GPU alone"
-                : !SystemInfo.supportsSetConstantBuffer ? "no constant buffers of one's own (SystemInfo.supportsSetConstantBuffer), in which the kernels get their settings"
-                : !SystemInfo.supportsAsyncGPUReadback ? "no asynchronous readback (SystemInfo.supportsAsyncGPUReadback), by which statistics and emitters learn what the fluid did"
+            return MissingAbility(SystemInfo.supportsComputeShaders, SystemInfo.supportsIndirectArgumentsBuffer, SystemInfo.supportsSetConstantBuffer, SystemInfo.supportsAsyncGPUReadback);
+        }
+
+        /// <summary>The same by what SystemInfo says of the device.</summary>
+        internal static string MissingAbility(bool computeShaders, bool indirectArguments, bool constantBuffers, bool asyncReadback)
+        {
+            string missing = !computeShaders ? "no compute shaders (SystemInfo.supportsComputeShaders), which the fluid is computed with"
+                : !indirectArguments ? "no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer): how many particles there are is known on the GPU alone"
+                : !constantBuffers ? "no constant buffers of one's own (SystemInfo.supportsSetConstantBuffer), in which the kernels get their settings"
+                : !asyncReadback ? "no asynchronous readback (SystemInfo.supportsAsyncGPUReadback), by which statistics and emitters learn what the fluid did"
                 : null;
             return missing == null ? null : $"this device ({SystemInfo.graphicsDeviceType}) has {missing}. {Remedy}.";
         }

@@ -15,6 +15,17 @@ namespace Rill.Tests
 
         static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384) => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
 
+        [TestCase(false, true, true, true, "has no compute shaders (SystemInfo.supportsComputeShaders)")]
+        [TestCase(true, false, true, true, "has no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer)")]
+        [TestCase(true, true, false, true, "has no constant buffers of one's own (SystemInfo.supportsSetConstantBuffer)")]
+        [TestCase(true, true, true, false, "has no asynchronous readback (SystemInfo.supportsAsyncGPUReadback)")]
+        public void What_every_fluid_needs_of_a_device_is_named(bool computeShaders, bool indirectArguments, bool constantBuffers, bool asyncReadback, string says)
+        {
+            string problem = DeviceGate.MissingAbility(computeShaders, indirectArguments, constantBuffers, asyncReadback);
+            Assert.That(problem, Does.Contain(says).And.Contains("Run on Direct3D 11 or 12, Vulkan or Metal"));
+            Assert.That(DeviceGate.MissingAbility(true, true, true, true), Is.Null);
+        }
+
         [TestCase(14)]
         [TestCase(16)]
         [TestCase(31)]
