@@ -1,6 +1,4 @@
-using System.Collections.Generic;
-using System.IO;
-using Host.Shaders;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Headless;
@@ -9,61 +7,8 @@ using UnityEngine.Rendering;
 namespace Host.Tests
 {
     /// <summary>The package's own shaders, pass by pass: one sphere of radius 0.5 over a floor, in the light of a sun overhead.</summary>
-    public class RenderPassTests : GraphicsFixture
+    public class RenderPassTests : RenderPassFixture
     {
-        const int Width = 96, Height = 64;
-        const float Radius = 0.5f;
-        static readonly Vector3 Center = new Vector3(0, 1, 0), Corner = Vector3.one * 32;     // the origin of the world in the domain
-
-        readonly List<GraphicsBuffer> buffers = new List<GraphicsBuffer>();
-        MaterialPropertyBlock block;
-        RenderTexture target;
-        Camera camera;
-        Light sun;
-        MeshRenderer floor;
-
-        [SetUp]
-        public void Make()
-        {
-            block = new MaterialPropertyBlock();
-            Positions(Center, Center);
-            block.SetFloat("_ParticleRadius", Radius);
-            block.SetFloat("_ParticleSpacing", 1);
-            block.SetMatrix("_DomainToWorld", Matrix4x4.Translate(-Corner));
-            block.SetMatrix("_LastDomainToWorld", Matrix4x4.Translate(-Corner));
-            block.SetVector("_DrawnDomainSize", new Vector4(100, 100, 100, 0));
-            foreach (string color in new[] { "_SlowColor", "_MiddleColor", "_FastColor" })
-                block.SetVector(color, new Vector4(0, 0, 1, 1));
-            block.SetVector("_AmbientColor", new Vector4(0.2f, 0.2f, 0.2f, 1));
-            block.SetFloat("_ReceiveShadows", 1);
-
-            target = new RenderTexture(Width, Height, UnityEngine.Experimental.Rendering.GraphicsFormat.R32G32B32A32_SFloat, UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
-            camera = new GameObject("Camera").AddComponent<Camera>();
-            camera.transform.position = new Vector3(0, 3, -6);
-            camera.transform.LookAt(new Vector3(0, 0.5f, 0));
-            camera.fieldOfView = 40;
-            camera.clearFlags = CameraClearFlags.SolidColor;
-            camera.backgroundColor = Color.black;
-            camera.targetTexture = target;
-
-            sun = new GameObject("Sun").AddComponent<Light>();
-            sun.type = LightType.Directional;
-            sun.transform.rotation = Quaternion.Euler(90, 0, 0);
-            sun.shadows = LightShadows.Hard;
-
-            GameObject plane = GameObject.CreatePrimitive(PrimitiveType.Plane);
-            floor = plane.GetComponent<MeshRenderer>();
-            floor.sharedMaterial = MaterialOf("Solid.shader");
-        }
-
-        [TearDown]
-        public void Release()
-        {
-            buffers.ForEach(b => b.Release());
-            buffers.Clear();
-            target.Release();
-        }
-
         // ---- Built-in
 
         [Test]
@@ -177,18 +122,16 @@ namespace Host.Tests
             Assert.That(hits, Is.GreaterThan(100));
         }
 
+        // ---- motion vectors, of the pipelines that name their matrices differently
+
         [Test]
-        public void Motion_vectors_of_Urp_are_the_spheres_own_motion_and_the_cameras()
+        public void Motion_vectors_are_the_spheres_own_motion_and_the_cameras([Values("", "UniversalPipeline")] string pipeline)
         {
             Vector3 before = Center - new Vector3(0.2f, 0.1f, 0);
             Positions(Center, before);
             block.SetVector("_FrameLag", new Vector4(0, 0, -1, -1f / 60));       // one substep back is where it was drawn last
-            Matrix4x4 projection = GL.GetGPUProjectionMatrix(camera.projectionMatrix, true);
-            Matrix4x4 now = projection * camera.worldToCameraMatrix, last = projection * (camera.worldToCameraMatrix * Matrix4x4.Translate(new Vector3(0.3f, 0, 0)));
-            Shader.SetGlobalMatrix("_NonJitteredViewProjMatrix", now);
-            Shader.SetGlobalMatrix("_PrevViewProjMatrix", last);
-            Shader.SetGlobalVector("unity_MotionVectorsParams", new Vector4(0, 1, 0, 0));
-            Material material = MaterialOf("Particles.shader", "UniversalPipeline");
+            (Matrix4x4 now, Matrix4x4 last) = SetMotionMatrices(pipeline);
+            Material material = MaterialOf("Particles.shader", pipeline);
             Vector4[] motion = DrawPass(material, "MotionVectors");
             int hits = 0;
             for (int y = 0; y < Height; y++)
@@ -197,51 +140,12 @@ namespace Host.Tests
                     {
                         hits++;
                         Vector3 point = Center + normal * Radius;
-                        Vector4 a = now * Point(point), b = last * Point(point - (Center - before));
-                        Assert.That(motion[y * Width + x].x, Is.EqualTo((a.x / a.w - b.x / b.w) / 2).Within(1e-4f), $"pixel {x}, {y}");
-                        Assert.That(motion[y * Width + x].y, Is.EqualTo(-(a.y / a.w - b.y / b.w) / 2).Within(1e-4f), $"pixel {x}, {y}");
+                        AssertMotion(motion[y * Width + x], now * Point(point), last * Point(point - (Center - before)), pipeline, $"pixel {x}, {y}");
                     }
             Assert.That(hits, Is.GreaterThan(100));
 
-            Shader.SetGlobalVector("unity_MotionVectorsParams", Vector4.zero);       // no motion
+            SetMotion(pipeline, false);
             Assert.That(DrawPass(material, "MotionVectors"), Is.All.EqualTo(Vector4.zero));
-        }
-
-        [Test]
-        public void Urps_shadow_map_shades_the_floor_by_either_keyword([Values("_MAIN_LIGHT_SHADOWS", "_MAIN_LIGHT_SHADOWS_CASCADE")] string keyword)
-        {
-            // From above, 8 m across, 10 m deep; the pass draws as from any view.
-            Matrix4x4 view = Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.TRS(new Vector3(0, 5, 0), Quaternion.Euler(90, 0, 0), Vector3.one).inverse;
-            Matrix4x4 projection = Matrix4x4.Ortho(-4, 4, -4, 4, 0, 10);
-            var map = new RenderTexture(256, 256, UnityEngine.Experimental.Rendering.GraphicsFormat.None, UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
-            Material spheres = MaterialOf("Particles.shader", "UniversalPipeline");
-            Shader.SetGlobalVector("_ShadowBias", new Vector4(-0.02f, -0.02f, 0, 0));
-            using (var cmd = new CommandBuffer())
-            {
-                cmd.SetRenderTarget(map);
-                cmd.ClearRenderTarget(true, false, Color.clear);
-                cmd.SetViewProjectionMatrices(view, projection);
-                cmd.DrawProcedural(Matrix4x4.identity, spheres, spheres.FindPass("ShadowCaster"), MeshTopology.Triangles, 6, 2, block);
-                Graphics.ExecuteCommandBuffer(cmd);
-            }
-
-            Matrix4x4 toShadow = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1)) * GL.GetGPUProjectionMatrix(projection, false) * view;
-            Shader.SetGlobalMatrixArray("_MainLightWorldToShadow", new[] { toShadow, Matrix4x4.zero, Matrix4x4.zero, Matrix4x4.zero, Matrix4x4.zero });
-            Shader.SetGlobalVector("_CascadeShadowSplitSpheres0", new Vector4(0, 0, 0, 10));
-            Shader.SetGlobalVector("_CascadeShadowSplitSphereRadii", new Vector4(100, 0, 0, 0));
-            Shader.SetGlobalVector("_MainLightShadowParams", new Vector4(1, 0, 0, 0));
-            Shader.SetGlobalTexture("_MainLightShadowmapTexture", map, RenderTextureSubElement.Depth);
-            Shader.SetGlobalVector("_MainLightPosition", new Vector4(0, 1, 0, 0));
-            Shader.SetGlobalVector("_MainLightColor", Vector4.one);
-            Material material = MaterialOf("Solid.shader", "UniversalPipeline");
-            Shader.EnableKeyword(keyword);
-            Vector4[] shaded = DrawPass(material, "Forward", floor.GetComponent<MeshFilter>().sharedMesh);
-            Shader.DisableKeyword(keyword);
-            Vector4[] lit = DrawPass(material, "Forward", floor.GetComponent<MeshFilter>().sharedMesh);
-            map.Release();
-
-            Assert.That(shaded[Index(Vector3.zero)].x, Is.LessThan(0.8f * lit[Index(Vector3.zero)].x), "below");
-            Assert.That(shaded[Index(new Vector3(0.6f, 0, 0))].x, Is.EqualTo(lit[Index(new Vector3(0.6f, 0, 0))].x).Within(1e-3f), "beside");
         }
 
         // ---- two eyes
@@ -293,88 +197,44 @@ namespace Host.Tests
             eyes.Release();
         }
 
-        // ---- helpers
-
-        static Vector4 Point(Vector3 p) => new Vector4(p.x, p.y, p.z, 1);
-
-        internal static Material MaterialOf(string file, string pipeline = "")
+        [Test]
+        public void Where_one_eye_is_drawn_a_second_instance_adds_nothing([Values("Particles.shader", "Domain.shader", "Solid.shader")] string file, [Values("", "UniversalPipeline")] string pipeline)
         {
-            string path = Path.Combine(TestFolder.Path, "..", "..", "Shaders", file);
-            return new Material(Shader.Create(ShaderImporter.ImportShader(path, "Shaders/" + file, name => name.Contains("universal") && pipeline.Length > 0 ? path : null, new ShaderCache(), pipeline)));
-        }
-
-        void Positions(Vector3 now, Vector3 start)
-        {
-            Set("_Positions", new[] { Point(now + Corner) });
-            Set("_StartPositions", new[] { Point(start + Corner) });
-            Set("_Velocities", new[] { new Vector4(0, 0, 0, 1) });
-            Set("_Counters", new uint[] { 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1 });
-        }
-
-        void Set<T>(string name, T[] data) where T : struct
-        {
-            var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, data.Length, System.Runtime.InteropServices.Marshal.SizeOf<T>());
-            buffer.SetData(data);
-            buffers.Add(buffer);
-            block.SetBuffer(name, buffer);
-        }
-
-        void DrawFrame(ShadowCastingMode casts = ShadowCastingMode.On)
-        {
-            var draw = new RenderParams(MaterialOf("Particles.shader"))
+            // What is drawn twice is twice as bright, in every pass.
+            Material material = MaterialOf(file, pipeline, text => Regex.Replace(text, "ColorMask \\w+|Blend \\[.*", "").Replace("ZTest LEqual", "ZTest Always Blend One One"));
+            SetMotionMatrices(pipeline);
+            Shader.SetGlobalMatrix(pipeline == "" ? "_PreviousM" : "unity_MatrixPreviousM", Matrix4x4.identity);
+            block.SetMatrix("_BoxToWorld", Matrix4x4.Scale(Vector3.one * 2));
+            block.SetMatrix("_LastBoxToWorld", Matrix4x4.Scale(Vector3.one * 2));
+            block.SetVector("_FloorColor", Vector4.one);
+            block.SetFloat("_DrawFloor", 1);
+            Mesh mesh = file == "Solid.shader" ? floor.GetComponent<MeshFilter>().sharedMesh : null;
+            Vector4[] DrawInstances(int pass, int count)
             {
-                worldBounds = new Bounds(Center, Vector3.one * 2), matProps = block, shadowCastingMode = casts, receiveShadows = true,
-            };
-            Graphics.RenderPrimitives(draw, MeshTopology.Triangles, 6);
-            PlayerLoop.Frame(1f / 60);
-        }
+                UnityEngine.Headless.RenderState.InstanceMultiplier = count;
+                try
+                {
+                    return Draw(material, material.GetPassName(pass), (cmd, index) =>
+                    {
+                        if (mesh != null)
+                            cmd.DrawMesh(mesh, Matrix4x4.identity, material, 0, index);
+                        else
+                            cmd.DrawProcedural(Matrix4x4.identity, material, index, MeshTopology.Triangles, 6, 1, block);
+                    });
+                }
+                finally
+                {
+                    UnityEngine.Headless.RenderState.InstanceMultiplier = 1;
+                }
+            }
 
-        Vector4[] DrawPass(Material material, string pass, Mesh mesh = null)
-        {
-            Assert.That(material.FindPass(pass), Is.GreaterThanOrEqualTo(0), pass);
-            BuiltinVariables.SetCamera(camera, Width, Height);
-            using var cmd = new CommandBuffer();
-            cmd.SetRenderTarget(target);
-            cmd.ClearRenderTarget(true, true, Color.clear);
-            if (mesh != null)
-                cmd.DrawMesh(mesh, Matrix4x4.identity, material, 0, material.FindPass(pass));
-            else
-                cmd.DrawProcedural(Matrix4x4.identity, material, material.FindPass(pass), MeshTopology.Triangles, 6, 2, block);
-            Graphics.ExecuteCommandBuffer(cmd);
-            return Pixels();
-        }
-
-        Vector4[] Pixels()
-        {
-            var request = AsyncGPUReadback.Request(target);
-            request.WaitForCompletion();
-            return request.GetData<Vector4>().ToArray();
-        }
-
-        int Index(Vector3 world)
-        {
-            Vector3 at = camera.WorldToScreenPoint(world);
-            return (int)at.y * Width + (int)at.x;
-        }
-
-        Vector4 At(Vector3 world) => Pixels()[Index(world)];
-
-        // Where the ray through the middle of a pixel meets the sphere, by hand.
-        bool Hit(int x, int y, out Vector3 normal)
-        {
-            float missing = Missing(x, y, out Ray ray, out float along);
-            normal = missing > 0 ? (ray.origin + ray.direction * (along - Mathf.Sqrt(missing)) - Center) / Radius : Vector3.zero;
-            return missing > 0.05f * Radius * Radius;
-        }
-
-        bool Grazes(int x, int y) => Mathf.Abs(Missing(x, y, out _, out _)) < 0.2f * Radius * Radius;
-
-        float Missing(int x, int y, out Ray ray, out float along)
-        {
-            ray = camera.ScreenPointToRay(new Vector3(x + 0.5f, y + 0.5f, 0));
-            along = Vector3.Dot(Center - ray.origin, ray.direction);
-            Vector3 offset = Center - ray.origin - ray.direction * along;
-            return Radius * Radius - offset.sqrMagnitude;
+            Assert.That(material.passCount, Is.EqualTo(pipeline == "" ? 3 : 5));
+            for (int pass = 0; pass < material.passCount; pass++)
+            {
+                Vector4[] one = DrawInstances(pass, 1);
+                Assert.That(one, Has.Some.Not.EqualTo(Vector4.zero), material.GetPassName(pass));
+                Assert.That(DrawInstances(pass, 2), Is.EqualTo(one), material.GetPassName(pass));
+            }
         }
     }
 }

@@ -118,7 +118,7 @@ namespace Rill.Tests
         public void Arguments_for_the_particles_alive_are_written(int count)
         {
             Append(count, seed: 10);
-            Assert.That(GpuTest.Read<uint>(particles.AliveArguments, 8), Is.EqualTo(ParticleState.ArgumentsFor(count)));
+            Assert.That(GpuTest.Read<uint>(particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(count)));
         }
 
         [Test]
@@ -128,7 +128,7 @@ namespace Rill.Tests
             GpuTest.Run(cmd => emission.Clear(cmd, particles));
 
             Assert.That(GpuTest.Read<uint>(particles.Counters, ParticleBuffers.CounterCount), Is.All.Zero);
-            Assert.That(GpuTest.Read<uint>(particles.AliveArguments, 8), Is.EqualTo(ParticleState.ArgumentsFor(0)));
+            Assert.That(GpuTest.Read<uint>(particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(0)));
         }
 
         [Test]

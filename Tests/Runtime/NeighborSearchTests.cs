@@ -127,7 +127,7 @@ namespace Rill.Tests
         public void Arguments_for_the_sorted_particles_are_written(int count)
         {
             using (var stages = new SolverStages(ParticleState.Random(count, seed: 7), SolverStages.Still()).Sort())
-                Assert.That(GpuTest.Read<uint>(stages.Particles.SortedArguments, 8), Is.EqualTo(ParticleState.ArgumentsFor(count)));
+                Assert.That(GpuTest.Read<uint>(stages.Particles.SortedArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(count)));
         }
 
         [Test]

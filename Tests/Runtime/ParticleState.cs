@@ -87,11 +87,15 @@ namespace Rill.Tests
             particles.AliveArguments.SetData(ArgumentsFor(Count));
         }
 
-        /// <summary>What Arguments.hlsl writes for a number of particles.</summary>
+        /// <summary>Words of a buffer of arguments.</summary>
+        public const int ArgumentCount = 12;
+
+        /// <summary>What Arguments.hlsl writes for a number of particles: a draw of one instance, a dispatch, a draw of two.</summary>
         public static uint[] ArgumentsFor(int count)
         {
+            uint vertices = (uint)(count * ParticleRenderer.VerticesPerParticle);
             uint groups = (uint)Math.Max((count + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1);
-            return new[] { (uint)(count * ParticleRenderer.VerticesPerParticle), 1u, 0u, 0u, groups, 1u, 1u, (uint)count };
+            return new[] { vertices, 1u, 0u, 0u, groups, 1u, 1u, (uint)count, vertices, 2u, 0u, 0u };
         }
     }
 }

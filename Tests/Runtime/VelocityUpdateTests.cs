@@ -119,7 +119,7 @@ namespace Rill.Tests
             using (var stages = Updated(state, viscosity: 0.01f, iterations: 1))
             {
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.EqualTo(299));
-                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, 8), Is.EqualTo(ParticleState.ArgumentsFor(299)));
+                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(299)));
             }
         }
 
@@ -130,7 +130,7 @@ namespace Rill.Tests
             using (var stages = Updated(ParticleState.Random(0, seed: 7), viscosity, iterations: 1))
             {
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.Zero);
-                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, 8), Is.EqualTo(ParticleState.ArgumentsFor(0)));
+                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(0)));
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Velocities, stages.Layout.Capacity).All(GpuTest.IsGarbage));
             }
         }
