@@ -39,7 +39,7 @@ namespace Host.Tests
         [TestCase("Legacy Shaders/Diffuse")]
         [TestCase("Diffuse")]
         [TestCase("Hidden/Internal-Colored")]
-        public void Shader_Find_knows_it(string name) => Assert.That(new Material(Shader.Find(name)).passCount, Is.EqualTo(1));
+        public void Shader_Find_knows_it(string name) => Assert.That(new Material(Shader.Find(name)).passCount, Is.GreaterThan(0));
 
         [Test]
         public void Shader_Find_gives_null_for_what_nobody_has() => Assert.That(Shader.Find("Nobody/Has This"), Is.Null);

@@ -377,20 +377,6 @@ namespace Host.Tests
             Assert.That(Pixel(Left, Top - 1), Is.EqualTo(clear), "the picture is not turned over");
         }
 
-        [Test]
-        public void The_depth_texture_holds_the_depth_of_what_is_opaque()
-        {
-            Camera camera = NewCamera();
-            camera.depthTextureMode = DepthTextureMode.Depth;
-            Graphics.RenderPrimitives(new RenderParams(NewMaterial(Color.red, 6)) { worldBounds = everywhere }, MeshTopology.Triangles, 3);
-            Frame();
-            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(Shader.GetGlobalTexture("_CameraDepthTexture"));
-            request.WaitForCompletion();
-            float[] depth = request.GetData<float>().ToArray();
-            Assert.That(depth[(31 - Bottom) * 64 + Left], Is.EqualTo(0.5f).Within(1e-4f), "half-way between near 1 and far 11");
-            Assert.That(depth[0], Is.Zero, "the far plane is 0");
-        }
-
         [TestCase(PrimitiveType.Cube, 1)]
         [TestCase(PrimitiveType.Sphere, 0.5236)]
         [TestCase(PrimitiveType.Capsule, 1.309)]

@@ -39,9 +39,15 @@ namespace Host.Shaders
                 Match match = LineName.Match(words[0]);
                 if (words[0] == "multi_compile_instancing")
                     lines.Add(new Line { Names = procedural ? new[] { "", Instancing, ProceduralInstancing } : new[] { "", Instancing } });
-                // Of the lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light is on here.
+                // Of the lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light and its shadow are on here.
                 if (words[0] == "multi_compile_fwdbase" || words[0] == "multi_compile_fwdbasealpha")
+                {
                     lines.Add(new Line { Names = new[] { "DIRECTIONAL" } });
+                    if (!pragmas.Any(p => p.Text.Split(new[] { ' ', '\t' }).Contains("SHADOWS_SCREEN")))
+                        lines.Add(new Line { Names = new[] { "", "SHADOWS_SCREEN" } });
+                }
+                if (words[0] == "multi_compile_shadowcaster")
+                    lines.Add(new Line { Names = new[] { "SHADOWS_DEPTH" } });
                 if (!match.Success || words.Length < 2)
                     continue;
                 string kind = match.Groups[1].Value, stage = match.Groups[3].Value;

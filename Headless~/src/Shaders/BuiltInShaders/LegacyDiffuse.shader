@@ -24,4 +24,5 @@ Shader "Legacy Shaders/Diffuse"
         }
         ENDCG
     }
+    Fallback "Legacy Shaders/VertexLit"
 }

@@ -22,4 +22,5 @@ Shader "Mobile/Diffuse"
         }
         ENDCG
     }
+    Fallback "Mobile/VertexLit"
 }

@@ -15,7 +15,14 @@ Shader "Hidden/Internal-ScreenSpaceShadows"
             #pragma vertex Vertex
             #pragma fragment Fragment
 
+            #pragma multi_compile_local_fragment _ EYES
+
+        #ifdef EYES
+            Texture2DArray _CameraDepthTexture;
+        #else
             Texture2D _CameraDepthTexture;
+        #endif
+            float _Eye;
             Texture2D _ShadowMap;
             SamplerComparisonState host_linear_clamp_compare_sampler;
             float4x4 unity_MatrixInvVP;
@@ -32,8 +39,14 @@ Shader "Hidden/Internal-ScreenSpaceShadows"
             float4 Fragment(float4 at : SV_Position) : SV_Target
             {
                 uint width, height;
+            #ifdef EYES
+                uint slices;
+                _CameraDepthTexture.GetDimensions(width, height, slices);
+                float depth = _CameraDepthTexture.Load(int4(at.xy, _Eye, 0)).r;
+            #else
                 _CameraDepthTexture.GetDimensions(width, height);
                 float depth = _CameraDepthTexture.Load(int3(at.xy, 0)).r;
+            #endif
                 float4 world = mul(unity_MatrixInvVP, float4(at.x / width * 2.0 - 1.0, 1.0 - at.y / height * 2.0, depth, 1.0));
                 world /= world.w;
                 float3 place = mul(unity_WorldToShadow[0], world).xyz;

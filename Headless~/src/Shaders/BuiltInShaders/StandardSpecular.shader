@@ -72,5 +72,58 @@ Shader "Standard (Specular setup)"
         #endif
         }
         ENDCG
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            Blend Off
+            ZWrite On
+            ZTest LEqual
+            CGPROGRAM
+            #pragma vertex vert
+            #pragma fragment frag
+            #pragma target 3.0
+            #pragma shader_feature_local _ _ALPHATEST_ON _ALPHABLEND_ON _ALPHAPREMULTIPLY_ON
+            #pragma multi_compile_shadowcaster
+            #pragma multi_compile_instancing
+            #include "UnityCG.cginc"
+            sampler2D _MainTex;
+            float4 _MainTex_ST;
+            half4 _Color;
+            half _Cutoff;
+
+            struct v2f
+            {
+                V2F_SHADOW_CASTER;
+                float2 uv : TEXCOORD1;
+            };
+
+            v2f vert(appdata_base v)
+            {
+                v2f o;
+                UNITY_SETUP_INSTANCE_ID(v);
+                TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)
+                o.uv = TRANSFORM_TEX(v.texcoord, _MainTex);
+                return o;
+            }
+
+            float4 frag(v2f i) : SV_Target
+            {
+            #if defined(_ALPHATEST_ON) || defined(_ALPHABLEND_ON) || defined(_ALPHAPREMULTIPLY_ON)
+                half alpha = tex2D(_MainTex, i.uv).a * _Color.a;
+            #ifdef _ALPHATEST_ON
+                clip(alpha - _Cutoff);
+            #else
+                // Half of the light is half of the texels: an ordered pattern of 4 x 4.
+                uint2 at = uint2(i.pos.xy) & 3, bit = at ^ at.yx;
+                uint order = (bit.x & 1) << 3 | (at.y & 1) << 2 | (bit.x & 2) | at.y >> 1;
+                clip(alpha - (order + 0.5) / 16);
+            #endif
+            #endif
+                SHADOW_CASTER_FRAGMENT(i)
+            }
+            ENDCG
+        }
     }
+    Fallback "Legacy Shaders/VertexLit"
 }

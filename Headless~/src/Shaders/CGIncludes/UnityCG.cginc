@@ -296,13 +296,36 @@ float2 MultiplyUV(float4x4 m, float2 uv) { return mul(m, float4(uv, 0, 0)).xy; }
 #define UNITY_OPAQUE_ALPHA(outputAlpha) outputAlpha = 1.0
 #define UNITY_APPLY_DITHER_CROSSFADE(vpos)
 
-// ---- passes that draw a shadow map: they compile, and are never drawn
+// ---- passes that draw a shadow map and the camera's depth, where both biases are 0
+
+// A point moved inwards along its normal, the more the light grazes it.
+float4 UnityClipSpaceShadowCasterPos(float4 vertex, float3 normal)
+{
+    float4 world = mul(unity_ObjectToWorld, vertex);
+    if (unity_LightShadowBias.z != 0.0)
+    {
+        float3 outwards = UnityObjectToWorldNormal(normal);
+        float cosine = dot(outwards, normalize(UnityWorldSpaceLightDir(world.xyz)));
+        world.xyz -= outwards * (unity_LightShadowBias.z * sqrt(saturate(1 - cosine * cosine)));
+    }
+    return mul(UNITY_MATRIX_VP, world);
+}
+float4 UnityClipSpaceShadowCasterPos(float3 vertex, float3 normal) { return UnityClipSpaceShadowCasterPos(float4(vertex, 1), normal); }
+
+// Away from the light (depth is reversed), but what is before the near plane of a directional light stays on it.
+float4 UnityApplyLinearShadowBias(float4 clip)
+{
+    clip.z += max(-1, min(unity_LightShadowBias.x / clip.w, 0));
+    clip.z = lerp(clip.z, min(clip.z, clip.w * UNITY_NEAR_CLIP_VALUE), unity_LightShadowBias.y);
+    return clip;
+}
 
 #define V2F_SHADOW_CASTER_NOPOS
-#define V2F_SHADOW_CASTER UNITY_POSITION(pos);
-#define TRANSFER_SHADOW_CASTER_NOPOS(o, opos) opos = UnityObjectToClipPos(v.vertex);
-#define TRANSFER_SHADOW_CASTER_NORMALOFFSET(o) o.pos = UnityObjectToClipPos(v.vertex);
-#define TRANSFER_SHADOW_CASTER(o) o.pos = UnityObjectToClipPos(v.vertex);
+#define V2F_SHADOW_CASTER V2F_SHADOW_CASTER_NOPOS UNITY_POSITION(pos)
+#define TRANSFER_SHADOW_CASTER_NOPOS_LEGACY(o, opos) opos = UnityApplyLinearShadowBias(UnityObjectToClipPos(v.vertex.xyz));
+#define TRANSFER_SHADOW_CASTER_NOPOS(o, opos) opos = UnityApplyLinearShadowBias(UnityClipSpaceShadowCasterPos(v.vertex, v.normal));
+#define TRANSFER_SHADOW_CASTER_NORMALOFFSET(o) TRANSFER_SHADOW_CASTER_NOPOS(o, o.pos)
+#define TRANSFER_SHADOW_CASTER(o) TRANSFER_SHADOW_CASTER_NOPOS_LEGACY(o, o.pos)
 #define SHADOW_CASTER_FRAGMENT(i) return 0;
 
 #endif

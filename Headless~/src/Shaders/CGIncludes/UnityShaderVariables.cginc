@@ -35,6 +35,13 @@ CBUFFER_START(UnityLighting)
     float4 unity_SHC;
 CBUFFER_END
 
+CBUFFER_START(UnityShadows)
+    float4 unity_LightShadowBias;   // of the depth (negative: away from the light), 1 for a directional light, of the normal
+    float4x4 unity_WorldToShadow[4];
+    float4 _LightShadowData;        // x 1 - strength
+    float4 unity_ShadowFadeCenterAndType;
+CBUFFER_END
+
 CBUFFER_START(UnityPerFrame)
     float4 glstate_lightmodel_ambient;
     float4 unity_AmbientSky;

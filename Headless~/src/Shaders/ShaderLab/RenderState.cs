@@ -67,6 +67,15 @@ namespace Host.Shaders
             return state;
         }
 
+        /// <summary>Of the pass that casts the shadow of a surface shader: depth alone.</summary>
+        public RenderState ForCaster()
+        {
+            RenderState state = Copy();
+            state.blend = false;
+            (state.zWrite, state.zTest, state.colorMask) = (new StateValue(1), new StateValue(4), new StateValue(0));
+            return state;
+        }
+
         /// <summary>Reads one command when the reader stands at one. Adds to the notes what this host leaves out.</summary>
         public bool TryRead(ShaderLabReader reader, List<string> notes)
         {

@@ -17,7 +17,7 @@ namespace Host.Shaders
 
         readonly ParsedShader parsed;
         readonly PassFile[] passes;
-        readonly Func<ParsedPass, ParsedSubShader, PassFile> read;
+        readonly Func<ParsedPass, ParsedSubShader, bool, PassFile> read;
 
         /// <param name="pipeline">The RenderPipeline tag of the pipeline that runs; empty for the Built-in one.</param>
         public ShaderFile(string filePath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler, string pipeline = "")
@@ -26,8 +26,8 @@ namespace Host.Shaders
             parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, package => resolver?.Invoke($"Packages/{package}/package.json") != null);
             // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
             ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Available && s.Passes.Any(p => p.Available) && (!s.Tags.TryGetValue("RenderPipeline", out string wanted) || wanted.Length == 0 || wanted == pipeline));
-            read = (pass, subShader) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler);
-            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Where(p => p.Available).Select(p => read(p, usable)).ToArray();
+            read = (pass, subShader, caster) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler, caster);
+            passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Where(p => p.Available).SelectMany(p => PassesOf(p, usable)).ToArray();
             RenderQueue = usable != null && usable.Tags.TryGetValue("Queue", out string queue) ? ParseQueue(queue) : Queues["Geometry"];
             if (usable == null)
                 parsed.Notes.Add("no SubShader is for the pipeline and packages of this project");
@@ -39,6 +39,7 @@ namespace Host.Shaders
         public override IReadOnlyList<string> Keywords => passes.SelectMany(p => p.Keywords).Distinct().ToArray();
         public override IReadOnlyList<ShaderPassSource> Passes => passes;
         public override int RenderQueue { get; }
+        public override string Fallback => parsed.Fallback;
         public override IReadOnlyList<string> Notes => parsed.Notes;
 
         /// <summary>
@@ -46,7 +47,14 @@ namespace Host.Shaders
         /// every SubShader, those of other pipelines and absent packages too, since Unity compiles them where those are.
         /// </summary>
         /// <exception cref="ShaderCompileException">A pragma is wrong, or the keywords make too many.</exception>
-        public IReadOnlyList<ShaderVariant> AllVariants() => parsed.SubShaders.SelectMany(subShader => subShader.Passes, (subShader, pass) => read(pass, subShader)).SelectMany(pass => pass.AllVariants()).ToList();
+        public IReadOnlyList<ShaderVariant> AllVariants() => parsed.SubShaders.SelectMany(subShader => subShader.Passes.SelectMany(pass => PassesOf(pass, subShader))).SelectMany(pass => pass.AllVariants()).ToList();
+
+        // A surface shader with addshadow has a second pass.
+        IEnumerable<PassFile> PassesOf(ParsedPass pass, ParsedSubShader subShader)
+        {
+            PassFile own = read(pass, subShader, false);
+            return own.AddsShadow ? new[] { own, read(pass, subShader, true) } : new[] { own };
+        }
 
         // "Transparent", "Geometry+10", "Overlay - 1".
         int ParseQueue(string text)
@@ -72,27 +80,32 @@ namespace Host.Shaders
         readonly Keywords keywords;
         readonly RenderState state;
         readonly SurfaceOptions surface;
+        readonly bool caster;
         readonly string proceduralFunction;
         readonly int target = DefaultTarget;
         readonly Dictionary<ShaderStage, (string name, SourceLine where)> entries = new Dictionary<ShaderStage, (string, SourceLine)>();
         readonly ConcurrentDictionary<string, Lazy<CompiledProgram>> programs = new ConcurrentDictionary<string, Lazy<CompiledProgram>>();
 
-        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath, ShaderCompiler compiler)
+        /// <param name="caster">The pass of a surface shader that draws its shadow, rather than the one that draws it lit.</param>
+        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath, ShaderCompiler compiler, bool caster = false)
         {
             this.pass = pass;
+            this.caster = caster;
             this.compiler = compiler;
             this.shaderName = shaderName;
             this.displayPath = displayPath;
-            Name = pass.Name;
+            Name = caster ? "ShadowCaster" : pass.Name;
             Tags = new Dictionary<string, string>(subShader.Tags);
             foreach (KeyValuePair<string, string> tag in pass.Tags)
                 Tags[tag.Key] = tag.Value;
+            if (caster)
+                Tags["LightMode"] = "ShadowCaster";
 
             segments = pass.Code.Select(c => new SourceSegment { Text = c.Text, FirstLine = c.FirstLine, DiskPath = diskPath, DisplayPath = displayPath }).ToList();
             if (pass.Code[pass.Code.Count - 1].Cg)
                 segments.InsertRange(0, ImplicitIncludes(diskPath));
             if (pass.Surface)
-                segments.Insert(pass.Code[pass.Code.Count - 1].Cg ? 2 : 0, new SourceSegment { Text = SurfaceShader.Prologue, DiskPath = diskPath, DisplayPath = "(surface shader)" });
+                segments.Insert(pass.Code[pass.Code.Count - 1].Cg ? 2 : 0, new SourceSegment { Text = SurfaceShader.Prologue(caster), DiskPath = diskPath, DisplayPath = "(surface shader)" });
             List<PragmaLine> pragmas = compiler.ReadPragmas(segments, ShaderStage.Vertex, DefaultTarget);
             foreach (PragmaLine pragma in pragmas)
             {
@@ -128,11 +141,16 @@ namespace Host.Shaders
                 throw new ShaderCompileException(displayPath, pass.Line, "a program outside of a Pass needs #pragma surface");
             if (surface != null && !surface.NoInstancing && !pragmas.Any(p => p.Text.StartsWith("multi_compile_instancing", StringComparison.Ordinal)))
                 pragmas.Add(new PragmaLine("multi_compile_instancing", entries[ShaderStage.Vertex].where));
+            if (surface != null && surface.ReceivesShadows && !caster)
+                pragmas.Add(new PragmaLine("multi_compile _ SHADOWS_SCREEN", entries[ShaderStage.Vertex].where));
             keywords = new Keywords(pragmas, proceduralFunction != null, stereo: true);
-            state = surface != null ? pass.State.With(surface.Blend) : pass.State;
+            state = surface == null ? pass.State : caster ? pass.State.ForCaster() : pass.State.With(surface.Blend);
         }
 
         public IReadOnlyList<string> Keywords => keywords.All;
+
+        /// <summary>Whether it is a surface shader that asks for a pass to cast its shadow.</summary>
+        public bool AddsShadow => surface != null && surface.AddShadow;
 
         // Unity puts these before every CGPROGRAM.
         static IEnumerable<SourceSegment> ImplicitIncludes(string diskPath)
@@ -206,7 +224,7 @@ namespace Host.Shaders
             string own = compiler.Preprocess(segments, defines);
             try
             {
-                return new SourceSegment { Text = SurfaceShader.Generate(surface, own), DiskPath = segments[segments.Count - 1].DiskPath, DisplayPath = displayPath + " (code around the surface function)" };
+                return new SourceSegment { Text = SurfaceShader.Generate(surface, own, caster), DiskPath = segments[segments.Count - 1].DiskPath, DisplayPath = displayPath + " (code around the surface function)" };
             }
             catch (ProgramException e)
             {

@@ -31,6 +31,8 @@ namespace Host.Shaders
         public string Name;
         public List<ShaderProperty> Properties = new List<ShaderProperty>();
         public List<ParsedSubShader> SubShaders = new List<ParsedSubShader>();
+        /// <summary>The shader named by Fallback; empty for none and for Off.</summary>
+        public string Fallback = "";
         /// <summary>What the file asks for and the host leaves out.</summary>
         public List<string> Notes = new List<string>();
     }
@@ -99,8 +101,7 @@ namespace Host.Shaders
                 }
                 else if (reader.TakeWord("Fallback"))
                 {
-                    if (!reader.TakeWord("Off"))
-                        reader.ExpectText();
+                    shader.Fallback = reader.TakeWord("Off") ? "" : reader.ExpectText();
                 }
                 else if (reader.TakeWord("CustomEditor"))
                     reader.ExpectText();

@@ -11,17 +11,20 @@ namespace Host.Shaders
     /// <summary>"#pragma surface function model options" (manual, "Writing Surface Shaders").</summary>
     sealed class SurfaceOptions
     {
-        // Without meaning here: no shadows, no further lights, no lightmaps, no fog, no deferred path.
+        // Without meaning here: no further lights, no lightmaps, no fog, no deferred path.
         static readonly HashSet<string> WithoutMeaning = new HashSet<string>
         {
-            "addshadow", "fullforwardshadows", "noshadow", "nolightmap", "nodynlightmap", "nodirlightmap", "nofog", "nometa", "noforwardadd", "nolppv", "noshadowmask",
+            "fullforwardshadows", "nolightmap", "nodynlightmap", "nodirlightmap", "nofog", "nometa", "noforwardadd", "nolppv", "noshadowmask",
             "approxview", "halfasview", "interpolateview", "exclude_path:deferred", "exclude_path:forward", "exclude_path:prepass", "softvegetation", "dualforward", "novertexlights",
         };
 
         public readonly string Function, Model;
         public readonly string Vertex, FinalColor, AlphaTest;
         public readonly SurfaceBlend Blend;
-        public readonly bool NoAmbient, KeepAlpha, NoInstancing;
+        public readonly bool NoAmbient, KeepAlpha, NoInstancing, AddShadow, NoShadow;
+
+        /// <summary>Of the main light; what is transparent receives none.</summary>
+        public bool ReceivesShadows => !NoShadow && Blend == SurfaceBlend.Opaque;
 
         /// <exception cref="ShaderCompileException"/>
         public SurfaceOptions(PragmaLine pragma)
@@ -42,6 +45,8 @@ namespace Host.Shaders
                     case "noambient": NoAmbient = true; break;
                     case "keepalpha": KeepAlpha = true; break;
                     case "noinstancing": NoInstancing = true; break;
+                    case "addshadow": AddShadow = true; break;
+                    case "noshadow": NoShadow = true; break;
                     case "alpha":
                         bool auto = value == "" || value == "auto";
                         if (!auto && value != "blend" && value != "fade" && value != "premul")

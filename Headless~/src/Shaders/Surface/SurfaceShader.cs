@@ -6,16 +6,16 @@ using System.Text;
 namespace Host.Shaders
 {
     /// <summary>
-    /// Writes the vertex and fragment programs around a surface function: one ForwardBase pass, lit by the main directional
-    /// light and the ambient light. Left out: shadows, further lights, lightmaps, fog, tessellation.
+    /// Writes the vertex and fragment programs around a surface function: a ForwardBase pass, lit by the main directional
+    /// light with its shadow and by the ambient light, or the ShadowCaster pass of addshadow. Left out: further lights, lightmaps, fog, tessellation.
     /// </summary>
     sealed class SurfaceShader
     {
         public const string VertexEntry = "rill_surface_vertex", FragmentEntry = "rill_surface_fragment";
 
         /// <summary>Before the shader's own code.</summary>
-        public const string Prologue =
-            "#define UNITY_PASS_FORWARDBASE\n" +
+        public static string Prologue(bool caster) =>
+            (caster ? "#define UNITY_PASS_SHADOWCASTER\n#define SHADOWS_DEPTH 1\n" : "#define UNITY_PASS_FORWARDBASE\n") +
             "#define UNITY_SHOULD_SAMPLE_SH 1\n" +
             "#include \"UnityCG.cginc\"\n#include \"Lighting.cginc\"\n#include \"UnityPBSLighting.cginc\"\n#include \"AutoLight.cginc\"\n" +
             "#define INTERNAL_DATA half3 rill_toWorld0; half3 rill_toWorld1; half3 rill_toWorld2;\n" +
@@ -28,13 +28,15 @@ namespace Host.Shaders
         readonly SurfaceOptions options;
         readonly SurfaceSource source;
         readonly List<SourceField> input, surface;
+        readonly bool caster;
         readonly bool tangents;         // the normal, or a vector to it, is in tangent space
         readonly StringBuilder code = new StringBuilder(), varyings = new StringBuilder(), toFragment = new StringBuilder(), toSurface = new StringBuilder();
         readonly HashSet<string> declared = new HashSet<string>();
         int nextTexCoord;
 
-        SurfaceShader(SurfaceOptions options, string preprocessed)
+        SurfaceShader(SurfaceOptions options, string preprocessed, bool caster)
         {
+            this.caster = caster;
             this.options = options;
             source = new SurfaceSource(preprocessed);
             surface = source.Function(options.Function) ?? throw new ProgramException($"there is no function '{options.Function}', which #pragma surface names");
@@ -47,7 +49,7 @@ namespace Host.Shaders
         /// <summary>The code that follows the shader's own.</summary>
         /// <param name="preprocessed">The prologue and the shader's code, for one variant.</param>
         /// <exception cref="ProgramException"/>
-        public static string Generate(SurfaceOptions options, string preprocessed) => new SurfaceShader(options, preprocessed).Write();
+        public static string Generate(SurfaceOptions options, string preprocessed, bool caster = false) => new SurfaceShader(options, preprocessed, caster).Write();
 
         string Write()
         {
@@ -72,6 +74,8 @@ namespace Host.Shaders
             if (tangents)
                 code.AppendLine($"float4 worldTangent : {Next()};");
             code.Append(varyings);
+            if (ReceivesShadows)
+                code.AppendLine($"UNITY_SHADOW_COORDS({nextTexCoord++})");
             code.AppendLine(instances ? "UNITY_VERTEX_INPUT_INSTANCE_ID };" : "};");
 
             code.AppendLine($"rill_surface_v2f {VertexEntry}({data} v) {{");
@@ -81,17 +85,21 @@ namespace Host.Shaders
             code.AppendLine($"{surface[0].Type} own; UNITY_INITIALIZE_OUTPUT({surface[0].Type}, own);");
             if (vertex != null)
                 code.AppendLine(vertex.Count == 2 ? $"{options.Vertex}(v, own);" : $"{options.Vertex}(v);");
-            code.AppendLine("o.pos = UnityObjectToClipPos(v.vertex);");
+            code.AppendLine(caster ? "o.pos = UnityApplyLinearShadowBias(UnityClipSpaceShadowCasterPos(v.vertex, v.normal));" : "o.pos = UnityObjectToClipPos(v.vertex);");
             code.AppendLine("o.worldPos = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;");
             code.AppendLine("o.worldNormal = UnityObjectToWorldNormal(v.normal);");
             if (tangents)
                 code.AppendLine("o.worldTangent = float4(UnityObjectToWorldDir(v.tangent.xyz), v.tangent.w * unity_WorldTransformParams.w);");
             code.Append(toFragment);
+            if (ReceivesShadows)
+                code.AppendLine("UNITY_TRANSFER_SHADOW(o, v.texcoord1.xy)");
             code.AppendLine("return o; }");
 
             WriteFragment(instances);
             return code.ToString();
         }
+
+        bool ReceivesShadows => options.ReceivesShadows && !caster;
 
         string Next() => "TEXCOORD" + nextTexCoord++;
 
@@ -169,9 +177,15 @@ namespace Host.Shaders
             code.AppendLine($"{options.Function}(IN, s);");
             if (options.AlphaTest != null)
                 code.AppendLine($"clip(s.Alpha - {options.AlphaTest});");
+            if (caster)
+            {
+                code.AppendLine("return 0; }");
+                return;
+            }
             if (source.Writes(options.Function, "Normal"))
                 code.AppendLine("s.Normal = normalize(mul(s.Normal, toWorld));");
             code.AppendLine("half4 c = 0;");
+            code.AppendLine(ReceivesShadows ? "UNITY_LIGHT_ATTENUATION(atten, i, i.worldPos)" : "fixed atten = 1;");
             WriteLight();
             code.AppendLine("c.rgb += s.Emission;");
             if (options.FinalColor != null)
@@ -191,7 +205,7 @@ namespace Host.Shaders
 
             if (parameters[parameters.Count - 1].Type != "UnityGI")
             {
-                code.AppendLine(parameters.Count == 4 ? $"c = {function}(s, toLight, toViewer, 1.0);" : $"c = {function}(s, toLight, 1.0);");
+                code.AppendLine(parameters.Count == 4 ? $"c = {function}(s, toLight, toViewer, atten);" : $"c = {function}(s, toLight, atten);");
                 if (!options.NoAmbient)
                     code.AppendLine("c.rgb += s.Albedo * max(0, ShadeSH9(half4(s.Normal, 1.0)));");
                 return;
@@ -201,9 +215,11 @@ namespace Host.Shaders
             if (source.Function(function + "_GI") != null)
             {
                 code.AppendLine("UnityGIInput about; UNITY_INITIALIZE_OUTPUT(UnityGIInput, about);");
-                code.AppendLine("about.light = gi.light; about.worldPos = i.worldPos; about.worldViewDir = toViewer; about.atten = 1;");
+                code.AppendLine("about.light = gi.light; about.worldPos = i.worldPos; about.worldViewDir = toViewer; about.atten = atten;");
                 code.AppendLine($"{function}_GI(s, about, gi);");
             }
+            else
+                code.AppendLine("gi.light.color *= atten;");
             if (options.NoAmbient)
                 code.AppendLine("gi.indirect.diffuse = 0;");
             code.AppendLine(parameters.Count == 3 ? $"c = {function}(s, toViewer, gi);" : $"c = {function}(s, gi);");

@@ -55,12 +55,16 @@ namespace UnityEngine.Headless
                     $"Trying to access pass {passIndex}, but material '{material.name}' subshader (0) has only {material.passCount} valid passes.");
                 return;
             }
+            DrawShaderPass(call, passIndex);
+        }
+
+        /// <summary>As above, the pass after the last included, which is the fallback's.</summary>
+        internal static void DrawShaderPass(in DrawCall call, int passIndex)
+        {
             if (call.Matrices != null)
-            {
                 Instances.Draw(call, passIndex);
-                return;
-            }
-            Draw(call, passIndex, 0);
+            else
+                Draw(call, passIndex, 0);
         }
 
         /// <param name="firstInstance">Of the arrays of instanced properties.</param>
@@ -79,7 +83,7 @@ namespace UnityEngine.Headless
             if (!GpuChecks.Program(vertex) || !GpuChecks.Program(fragment))
                 return;
             stateMaterial = material;
-            DeviceRasterState state = material.shader.Source.Passes[passIndex].ResolveState(materialFloat);
+            DeviceRasterState state = material.shader.PassAt(passIndex).ResolveState(materialFloat);
             if (!Topology(call, out state.Topology, out bool quads))
                 return;
             // The projection flips y, which turns every triangle's winding around; a mirroring matrix turns it again.

@@ -36,6 +36,7 @@ namespace UnityEngine.Headless
             finally
             {
                 DrawQueue.Clear();
+                StereoView.SetSinglePass(false);
                 RenderState.SetTarget(null);
                 Gpu.ClosePass();
                 FrameTimes.EndFrame();
@@ -57,29 +58,33 @@ namespace UnityEngine.Headless
             Say(camera, Message.OnPreRender);
             Camera.onPreRender?.Invoke(camera);
 
-            RenderState.SetCameraTarget(target);
-            SetTarget(camera, target);
+            bool stereo = camera.stereoEnabled;
+            if (stereo)
+                StereoView.Begin(camera);
+            RenderState.SetCameraTarget(stereo ? StereoView.Eyes : target);
             BuiltinVariables.SetTime();
             BuiltinVariables.SetLighting();
-            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
-            if (camera.stereoEnabled)
-            {
-                RenderStereo(camera);
-                Finish(camera, target, previous, previousCamera);
-                return;
-            }
-            bool shadows = ScreenShadows.Draw(camera, all, seen);
-            if (shadows)
-                Restore(camera, target);
+            Restore(camera, target);
 
-            Run(camera, target, CameraEvent.BeforeDepthTexture, CameraEvent.AfterDepthTexture, CameraEvent.BeforeDepthNormalsTexture, CameraEvent.AfterDepthNormalsTexture);
+            bool shadows = ScreenShadows.AreWanted(all);
+            if (shadows || DepthTexture.IsWanted(camera))
+            {
+                Run(camera, target, CameraEvent.BeforeDepthTexture);
+                EndEyes(stereo);
+                DepthTexture.Draw(camera, seen);
+                Restore(camera, target);
+                Run(camera, target, CameraEvent.AfterDepthTexture);
+            }
+            EndEyes(stereo);
+            shadows = shadows && ScreenShadows.Draw(camera, all, seen);
+            Restore(camera, target);
+
             Clear(camera);
             Run(camera, target, CameraEvent.BeforeForwardOpaque);
             Draw(opaque: true, shadows);
-            DepthTexture.Capture(camera, target);
             Run(camera, target, CameraEvent.AfterForwardOpaque, CameraEvent.BeforeSkybox);
             if (camera.clearFlags == CameraClearFlags.Skybox)
-                Sky.Draw(camera);
+                DrawSky(camera, target);
             Run(camera, target, CameraEvent.AfterSkybox, CameraEvent.BeforeImageEffectsOpaque,
                 CameraEvent.AfterImageEffectsOpaque, CameraEvent.BeforeForwardAlpha);
             Draw(opaque: false, shadows: false);
@@ -89,30 +94,36 @@ namespace UnityEngine.Headless
             Camera.onPostRender?.Invoke(camera);
             Restore(camera, target);
             Run(camera, target, CameraEvent.BeforeImageEffects);
-            ImageEffects.Run(camera, target);
+            if (!stereo)    // nothing here needs image effects for two eyes
+                ImageEffects.Run(camera, target);
             Run(camera, target, CameraEvent.AfterImageEffects, CameraEvent.AfterEverything);
+            EndEyes(stereo);
+            if (stereo)
+                StereoView.Show();
             Finish(camera, target, previous, previousCamera);
         }
 
-        // Command buffers and image effects are left out: nothing here needs them for two eyes.
-        static void RenderStereo(Camera camera)
+        // Its shaders have no variant for two eyes here: one after the other.
+        static void DrawSky(Camera camera, RenderTexture target)
         {
-            StereoView.Begin(camera);
-            bool shadows = ScreenShadows.Draw(camera, all, seen, StereoView.Views, StereoView.Projections);
-            StereoView.SetSinglePass(true);
-            Clear(camera);
-            Draw(opaque: true, shadows);
+            if (!camera.stereoEnabled)
+            {
+                Sky.Draw(camera);
+                return;
+            }
             StereoView.SetSinglePass(false);
-            if (camera.clearFlags == CameraClearFlags.Skybox)
-                for (int eye = 0; eye < 2; eye++)
-                {
-                    StereoView.SetEye(eye);
-                    Sky.Draw(camera);
-                }
-            StereoView.SetSinglePass(true);
-            Draw(opaque: false, shadows: false);
-            StereoView.SetSinglePass(false);
-            StereoView.Show();
+            for (int eye = 0; eye < 2; eye++)
+            {
+                StereoView.SetEye(eye);
+                Sky.Draw(camera);
+            }
+            Restore(camera, target);
+        }
+
+        static void EndEyes(bool stereo)
+        {
+            if (stereo)
+                StereoView.SetSinglePass(false);
         }
 
         static void Finish(Camera camera, RenderTexture target, RenderTexture previous, Camera previousCamera)
@@ -136,6 +147,11 @@ namespace UnityEngine.Headless
 
         static void SetTarget(Camera camera, RenderTexture target)
         {
+            if (camera.stereoEnabled)
+            {
+                StereoView.SetSinglePass(true);
+                return;
+            }
             RenderState.SetTarget(target is object ? target : ScreenTarget.Texture);
             Rect rect = camera.pixelRect;
             if (camera.rect != new Rect(0, 0, 1, 1))
@@ -155,14 +171,14 @@ namespace UnityEngine.Headless
                 return;
             foreach (CameraEvent e in events)
                 camera.Execute(e);
+            RenderState.InvertCulling = false;
             Restore(camera, target);
         }
 
         static void Restore(Camera camera, RenderTexture target)
         {
             SetTarget(camera, target);
-            RenderState.InvertCulling = false;
-            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+            BuiltinVariables.SetCamera(camera, camera.stereoEnabled ? camera.pixelWidth / 2 : camera.pixelWidth, camera.pixelHeight);
         }
 
         static void Collect(Camera camera)

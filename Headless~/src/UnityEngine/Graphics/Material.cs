@@ -45,7 +45,7 @@ namespace UnityEngine
             set
             {
                 currentShader = value;
-                programs = value == null ? Array.Empty<Program>() : new Program[value.passCount * Instances.Modes];
+                programs = value == null ? Array.Empty<Program>() : new Program[(value.passCount + 1) * Instances.Modes];      // the last is the fallback's ShadowCaster
                 if (value != null)
                     AddDefaults();
             }
@@ -142,8 +142,8 @@ namespace UnityEngine
                 try
                 {
                     ICollection<string> enabled = KeywordUnion.Of(keywords, GlobalKeywords.Set, Instances.Keyword(instancing));
-                    program.Vertex = ProgramLayout.Of(currentShader.Source.Passes[pass].Compile(ShaderStage.Vertex, enabled));
-                    program.Fragment = ProgramLayout.Of(currentShader.Source.Passes[pass].Compile(ShaderStage.Fragment, enabled));
+                    program.Vertex = ProgramLayout.Of(currentShader.PassAt(pass).Compile(ShaderStage.Vertex, enabled));
+                    program.Fragment = ProgramLayout.Of(currentShader.PassAt(pass).Compile(ShaderStage.Fragment, enabled));
                 }
                 catch (ShaderCompileException error) when (!Player.Strict)
                 {

@@ -12,38 +12,42 @@ namespace UnityEngine.Headless
     /// </summary>
     internal static class ScreenShadows
     {
-        public const string Keyword = "SHADOWS_SCREEN", CasterMode = "ShadowCaster";
+        public const string Keyword = "SHADOWS_SCREEN";
+        const string EyesKeyword = "EYES";
 
         static readonly int
-            mask = Shader.PropertyToID("_ShadowMapTexture"), depth = Shader.PropertyToID("_CameraDepthTexture"), map = Shader.PropertyToID("_ShadowMap"),
+            mask = Shader.PropertyToID("_ShadowMapTexture"), map = Shader.PropertyToID("_ShadowMap"),
             mapSize = Shader.PropertyToID("_ShadowMapSize"), bias = Shader.PropertyToID("unity_LightShadowBias"),
-            data = Shader.PropertyToID("_LightShadowData"), worldToShadow = Shader.PropertyToID("unity_WorldToShadow");
+            data = Shader.PropertyToID("_LightShadowData"), worldToShadow = Shader.PropertyToID("unity_WorldToShadow"), eye = Shader.PropertyToID("_Eye");
 
         static readonly Vector3[] corners = new Vector3[8];
         static readonly Matrix4x4[] worldToShadows = new Matrix4x4[4];
-        static RenderTexture mapTexture, depthTexture, maskTexture;
+        static RenderTexture mapTexture, maskTexture;
         static Material resolve;
 
+        /// <summary>Whether the main light casts a shadow of anything.</summary>
         /// <param name="all">What the camera's layers hold, seen or not.</param>
-        /// <param name="seen">What it sees.</param>
-        /// <param name="views">With two eyes in one pass, left first, else null; so the projections. The mask has a slice for each then.</param>
-        /// <returns>False where the light casts no shadow; nothing was drawn then.</returns>
-        public static bool Draw(Camera camera, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, Matrix4x4[] views = null, Matrix4x4[] projections = null)
+        public static bool AreWanted(IReadOnlyList<QueuedDraw> all)
         {
             Light light = Light.MainDirectional();
             if (light is null || light.shadows == LightShadows.None || light.shadowStrength <= 0 || QualitySettings.shadows == ShadowQuality.Disable || !Casts(all))
                 return false;
             resolve = resolve != null ? resolve : BuiltinResources.FindShader?.Invoke("Hidden/Internal-ScreenSpaceShadows") is Shader shader ? new Material(shader) { hideFlags = HideFlags.HideAndDontSave } : null;
-            if (resolve == null)
-                return false;
+            return resolve != null;
+        }
 
+        /// <summary>Draws the map and the mask, after the camera's depth; with two eyes in one pass, the mask has a slice for each.</summary>
+        /// <param name="seen">What the camera sees.</param>
+        /// <returns>False where no shadow can be seen.</returns>
+        public static bool Draw(Camera camera, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen)
+        {
+            Light light = Light.MainDirectional();
             Matrix4x4 view = Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.Rotate(light.transform.rotation).inverse;
             if (!Fit(camera, view, all, seen, out Matrix4x4 projection, out float width, out float range))
                 return false;
             int texels = 512 << (int)QualitySettings.shadowResolution;
-            int eyes = views?.Length ?? 1, pixels = camera.pixelWidth / eyes;
+            int eyes = camera.stereoEnabled ? 2 : 1, pixels = camera.pixelWidth / eyes;
             Need(ref mapTexture, "Shadow map", texels, texels, GraphicsFormat.None);
-            Need(ref depthTexture, "Depth for shadows", pixels, camera.pixelHeight, GraphicsFormat.None);
             Need(ref maskTexture, "Shadow mask", pixels, camera.pixelHeight, GraphicsFormat.R8_UNorm, eyes);
 
             // Unity's defaults, 0.05 and 0.4, give a depth of three texels and a normal of less than one.
@@ -54,7 +58,7 @@ namespace UnityEngine.Headless
             RenderState.Clear(true, false, default, 1);
             foreach (QueuedDraw draw in all)
                 if (draw.Shadows != ShadowCastingMode.Off)
-                    DrawCaster(draw);
+                    ShadowCasters.Draw(draw);
 
             Shader.Globals.SetVector(bias, Vector4.zero);
             Matrix4x4 toTexture = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1));
@@ -63,45 +67,27 @@ namespace UnityEngine.Headless
             Shader.Globals.SetVector(data, new Vector4(1 - light.shadowStrength, 0, 0, 0));
             Shader.Globals.SetVector(mapSize, new Vector4(texels, light.shadows == LightShadows.Soft && QualitySettings.shadows == ShadowQuality.All ? 1 : 0, QualitySettings.shadowDistance, 0));
             Shader.Globals.SetTexture(map, mapTexture, RenderTextureSubElement.Depth);
-            Shader.Globals.SetTexture(depth, depthTexture, RenderTextureSubElement.Depth);
-            for (int eye = 0; eye < eyes; eye++)
+            if (eyes > 1)
+                resolve.EnableKeyword(EyesKeyword);
+            else
+                resolve.DisableKeyword(EyesKeyword);
+            for (int slice = 0; slice < eyes; slice++)
             {
-                RenderState.SetTarget(depthTexture);
                 BuiltinVariables.SetCamera(camera, pixels, camera.pixelHeight);
-                if (views != null)
-                    BuiltinVariables.SetViewProjection(views[eye], projections[eye]);
-                RenderState.Clear(true, false, default, 1);
-                foreach (QueuedDraw draw in seen)
-                    if (draw.Call.Material.renderQueue <= FrameRenderer.LastOpaqueQueue)
-                        DrawCaster(draw);
-                RenderState.SetTarget(maskTexture, 0, eye);
+                if (eyes > 1)
+                    BuiltinVariables.SetViewProjection(StereoView.Views[slice], StereoView.Projections[slice]);
+                resolve.SetFloat(eye, slice);
+                RenderState.SetTarget(maskTexture, 0, slice);
                 Drawing.DrawPass(new DrawCall { Call = "screen-space shadows", Material = resolve, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
             }
             Shader.Globals.SetTexture(mask, maskTexture);
             return true;
         }
 
-        /// <summary>The pass of that LightMode; -1 where there is none or the material has it off.</summary>
-        public static int PassOf(Material material, string mode)
-        {
-            IReadOnlyList<ShaderPassSource> passes = material.shader.Source.Passes;
-            for (int pass = 0; pass < passes.Count; pass++)
-                if (passes[pass].Tags.TryGetValue("LightMode", out string own) && string.Equals(own, mode, StringComparison.OrdinalIgnoreCase))
-                    return material.GetShaderPassEnabled(mode) ? pass : -1;
-            return -1;
-        }
-
-        static void DrawCaster(in QueuedDraw draw)
-        {
-            int pass = PassOf(draw.Call.Material, CasterMode);
-            if (pass >= 0)
-                Drawing.DrawPass(draw.Call, pass);
-        }
-
         static bool Casts(IReadOnlyList<QueuedDraw> all)
         {
             foreach (QueuedDraw draw in all)
-                if (draw.Shadows != ShadowCastingMode.Off && PassOf(draw.Call.Material, CasterMode) >= 0)
+                if (draw.Shadows != ShadowCastingMode.Off && ShadowCasters.PassOf(draw.Call.Material) >= 0)
                     return true;
             return false;
         }
@@ -167,10 +153,10 @@ namespace UnityEngine.Headless
 
         public static void Forget()
         {
-            foreach (Object one in new Object[] { mapTexture, depthTexture, maskTexture, resolve })
+            foreach (Object one in new Object[] { mapTexture, maskTexture, resolve })
                 if (one is object)
                     Object.DestroyImmediate(one, true);
-            mapTexture = depthTexture = maskTexture = null;
+            mapTexture = maskTexture = null;
             resolve = null;
         }
     }

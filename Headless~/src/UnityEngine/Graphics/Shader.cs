@@ -33,6 +33,44 @@ namespace UnityEngine
         public static Shader Find(string name) => Player.Assets != null ? Player.Assets.FindShader(name) : BuiltinResources.FindShader?.Invoke(name);
         public static int PropertyToID(string name) => PropertyNames.ToId(name);
 
+        bool soughtFallback;
+        Shader fallback;
+
+        /// <summary>A pass by its number; the one after the last is the ShadowCaster pass of the fallback.</summary>
+        internal ShaderPassSource PassAt(int pass) => pass < source.Passes.Count ? source.Passes[pass] : FallbackCaster;
+
+        /// <summary>What casts the shadow where no pass of this shader does; null for nothing.</summary>
+        internal ShaderPassSource FallbackCaster => Fallback is null ? null : Fallback.OwnCaster ?? Fallback.FallbackCaster;
+
+        ShaderPassSource OwnCaster
+        {
+            get
+            {
+                foreach (ShaderPassSource pass in source.Passes)
+                    if (pass.Tags.TryGetValue("LightMode", out string mode) && string.Equals(mode, ShadowCasters.Mode, StringComparison.OrdinalIgnoreCase))
+                        return pass;
+                return null;
+            }
+        }
+
+        Shader Fallback
+        {
+            get
+            {
+                if (soughtFallback)
+                    return fallback;
+                soughtFallback = true;
+                if (source.Fallback.Length == 0)
+                    return null;
+                fallback = Find(source.Fallback);
+                if (ReferenceEquals(fallback, this))
+                    fallback = null;
+                else if (fallback is null)
+                    Debug.LogWarning($"Shader '{name}': fallback shader '{source.Fallback}' not found; without a ShadowCaster pass of its own it casts no shadow and is not in the camera's depth texture");
+                return fallback;
+            }
+        }
+
         public bool isSupported => source.Passes.Count > 0;
         public int renderQueue => source.RenderQueue;
         public int passCount => source.Passes.Count;

@@ -42,12 +42,13 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>Draws from here on are for both eyes, until it is off.</summary>
-        public static void SetSinglePass(bool isOn)
+        /// <param name="target">With a slice for each eye; null for what the camera draws.</param>
+        public static void SetSinglePass(bool isOn, RenderTexture target = null)
         {
             RenderState.InstanceMultiplier = isOn ? 2 : 1;
             GlobalKeywords.Set.Set(Keyword, isOn);
             if (isOn)
-                RenderState.SetTarget(eyes, 0, RenderTargetIdentifier.AllDepthSlices);
+                RenderState.SetTarget(target is object ? target : eyes, 0, RenderTargetIdentifier.AllDepthSlices);
         }
 
         /// <summary>For what has no variant for two eyes: one after the other.</summary>

@@ -102,6 +102,8 @@ namespace UnityEngine.Headless
         public abstract IReadOnlyList<ShaderPassSource> Passes { get; }
         /// <summary>RenderQueue of the SubShader's Queue tag (Geometry = 2000).</summary>
         public abstract int RenderQueue { get; }
+        /// <summary>The shader whose ShadowCaster pass stands in where this one has none; empty for none.</summary>
+        public virtual string Fallback => "";
         /// <summary>What the file asks for and this host leaves out (UsePass, Stencil ...), a line each.</summary>
         public virtual IReadOnlyList<string> Notes => Array.Empty<string>();
     }

@@ -1,0 +1,68 @@
+// Of the headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
+Shader "Legacy Shaders/Transparent/Cutout/VertexLit"
+{
+    Properties
+    {
+        _Color ("Main Color", Color) = (1, 1, 1, 1)
+        _MainTex ("Base (RGB) Trans (A)", 2D) = "white" {}
+        _Cutoff ("Alpha cutoff", Range(0, 1)) = 0.5
+    }
+    SubShader
+    {
+        Tags { "Queue" = "AlphaTest" "IgnoreProjector" = "True" "RenderType" = "TransparentCutout" }
+        CGPROGRAM
+        #pragma surface surf Lambert alphatest:_Cutoff
+        sampler2D _MainTex;
+        fixed4 _Color;
+
+        struct Input { float2 uv_MainTex; };
+
+        void surf(Input IN, inout SurfaceOutput o)
+        {
+            fixed4 c = tex2D(_MainTex, IN.uv_MainTex) * _Color;
+            o.Albedo = c.rgb;
+            o.Alpha = c.a;
+        }
+        ENDCG
+        Pass
+        {
+            Name "ShadowCaster"
+            Tags { "LightMode" = "ShadowCaster" }
+            ZWrite On
+            ZTest LEqual
+            CGPROGRAM
+            #pragma vertex vert
+            #pragma fragment frag
+            #pragma target 2.0
+            #pragma multi_compile_shadowcaster
+            #pragma multi_compile_instancing
+            #include "UnityCG.cginc"
+            sampler2D _MainTex;
+            float4 _MainTex_ST;
+            fixed4 _Color;
+            fixed _Cutoff;
+
+            struct v2f
+            {
+                V2F_SHADOW_CASTER;
+                float2 uv : TEXCOORD1;
+            };
+
+            v2f vert(appdata_base v)
+            {
+                v2f o;
+                UNITY_SETUP_INSTANCE_ID(v);
+                TRANSFER_SHADOW_CASTER_NORMALOFFSET(o)
+                o.uv = TRANSFORM_TEX(v.texcoord, _MainTex);
+                return o;
+            }
+
+            float4 frag(v2f i) : SV_Target
+            {
+                clip(tex2D(_MainTex, i.uv).a * _Color.a - _Cutoff);
+                SHADOW_CASTER_FRAGMENT(i)
+            }
+            ENDCG
+        }
+    }
+}
