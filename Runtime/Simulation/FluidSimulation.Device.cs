@@ -121,6 +121,7 @@ namespace Rill
             Want(VorticityConfinement.IsNeeded(input), DeviceFeature.Vorticity);
             Want(RestingRegions.IsNeeded(input), DeviceFeature.Sleep);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
+            Want(NeedsSurface, DeviceFeature.Surface);
             if (sources != null)
             {
                 Want(sources.keepsEmitters, DeviceFeature.Emitters);

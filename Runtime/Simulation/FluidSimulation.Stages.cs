@@ -92,6 +92,7 @@ namespace Rill
                 case StageSet.Emitters: return "emitters";
                 case StageSet.Drains: return "drains and lifetimes";
                 case StageSet.ForceFields: return "force fields";
+                case StageSet.Surface: return "the water's surface";
                 default: return group.ToString();
             }
         }

@@ -276,6 +276,12 @@ namespace Rill
             }
             if (pbf == null)
                 return;
+            TakeSteps(frameTime);
+            FinishSurface();
+        }
+
+        void TakeSteps(float frameTime)
+        {
             lastFrameTime = FrameTime;
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's way back from no place.
@@ -301,6 +307,7 @@ namespace Rill
             commands.Clear();
             if (!TryRecordSteps(steps))
                 return;
+            RecordSurface();        // before statistics, which sort anew
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;

@@ -104,6 +104,7 @@ namespace Rill
         {
             stepIndex = 0;
             lastSubsteps = 0;
+            SurfaceIsCurrent = false;
             statistics?.Forget();
             ReleaseCoarse();        // whether the next water is deep is decided anew
             ReleaseViscoelasticity();       // the next fluid is not stretched
@@ -149,12 +150,14 @@ namespace Rill
             highestAdded = math.max(highestAdded, high);
             emission.Trim();
             restingRegions?.Wake();
+            SurfaceIsCurrent = false;
         }
 
         /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
         public void Step(CommandBuffer cmd, in StepInput input)
         {
             stepIndex++;
+            SurfaceIsCurrent = false;
             UploadConstants(cmd, input);
             PrepareSources(input);
             CoarseCorrection coarse = CoarseFor(input);
@@ -235,6 +238,7 @@ namespace Rill
                 Rill.Viscoelasticity.Describe(viscoelasticity, input, Layout, densityConstraint.Lists, restingRegions),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
+                SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions),
                 StatisticsPass.Describe(statistics, statisticsInterval, colliders),
             };
         }
@@ -252,6 +256,7 @@ namespace Rill
             ReleaseVorticity();
             ReleaseSources();
             ReleaseStatistics();
+            ReleaseSurface();
             GpuBuffer.Release(ref constants);
         }
 

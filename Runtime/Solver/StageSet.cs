@@ -20,10 +20,11 @@ namespace Rill
         ForceFields = 1 << 9,
         ParticleRenderer = 1 << 10,
         DomainRenderer = 1 << 11,
-        MeshBaking = 1 << 12,
+        Surface = 1 << 12,
+        MeshBaking = 1 << 13,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
-        OfFluids = (1 << 12) - 1,
-        All = (1 << 13) - 1,
+        OfFluids = (1 << 13) - 1,
+        All = (1 << 14) - 1,
     }
 
     static class StageSets
@@ -78,6 +79,7 @@ namespace Rill
                 case StageSet.ForceFields: return "ForceFields";
                 case StageSet.ParticleRenderer: return "ParticleRenderer";
                 case StageSet.DomainRenderer: return "DomainRenderer";
+                case StageSet.Surface: return "SurfaceParticles";
                 case StageSet.MeshBaking: return "MeshSdf";
                 default: return null;
             }

@@ -24,7 +24,9 @@ namespace Rill
         Reactions = 1024,
         Sleep = 2048,
         Statistics = 4096,
+        /// <summary>What has to be drawn of the water's surface, found once a frame.</summary>
+        Surface = 8192,
         /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
-        Baking = 8192,
+        Baking = 16384,
     }
 }

@@ -79,7 +79,7 @@ namespace Rill
             Refused = DeviceFeature.None;
             refusals.Clear();
             DeviceFeature granted = wanted & DeviceFeature.TwoLists;
-            for (var feature = DeviceFeature.Colliders; feature <= DeviceFeature.Statistics; feature = (DeviceFeature)((int)feature << 1))
+            for (var feature = DeviceFeature.Colliders; feature <= DeviceFeature.Surface; feature = (DeviceFeature)((int)feature << 1))
             {
                 if ((wanted & feature) == 0)
                     continue;
@@ -167,6 +167,7 @@ namespace Rill
                 case DeviceFeature.Reactions: return "forces on colliders";
                 case DeviceFeature.Sleep: return "sleep";
                 case DeviceFeature.Statistics: return "statistics";
+                case DeviceFeature.Surface: return "the water's surface";
                 default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
             }
         }
@@ -187,6 +188,7 @@ namespace Rill
                 case DeviceFeature.Reactions: return "let no collider measure its force";
                 case DeviceFeature.Sleep: return "set the sleep speed to 0";
                 case DeviceFeature.Statistics: return "set the statistics interval to 0";
+                case DeviceFeature.Surface: return "draw it with a ParticleRenderer";
                 default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
             }
         }

@@ -42,6 +42,7 @@ namespace Rill
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
+                case "SurfaceParticles": return DeviceFeature.Surface;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;
                 default: throw new ArgumentException($"{file}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
@@ -53,6 +54,7 @@ namespace Rill
             switch (word)
             {
                 case "":
+                case "ADD_NEW":
                 case "APPLY":
                 case "ARTIFICIAL_PRESSURE":
                 case "AT_REST":
@@ -60,6 +62,7 @@ namespace Rill
                 case "CONFINE":
                 case "CORRECT":
                 case "EMIT":
+                case "ESTIMATE":
                 case "FIELDS":
                 case "LAST":
                 case "PASS":
@@ -68,7 +71,10 @@ namespace Rill
                 case "REDUCE":
                 case "RILL_BUILD_LIST":
                 case "NARROW":
-                case "SMALL": return DeviceFeature.None;
+                case "SHAPE":
+                case "SMALL":
+                case "SMOOTH":
+                case "STORE_DRAWN": return DeviceFeature.None;
                 case "BESIDE":
                 case "CARRIES":
                 case "SOLIDS": return DeviceFeature.Colliders;

@@ -1,0 +1,36 @@
+using System;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    // What is drawn of the water: made when first needed, from the state that the last step left.
+    sealed partial class PbfSolver
+    {
+        SurfaceParticles surface;
+
+        /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
+        public SurfaceParticles Surface => surface;
+
+        /// <summary>Whether <see cref="Surface"/> is that of the current state.</summary>
+        public bool SurfaceIsCurrent { get; private set; }
+
+        /// <summary>Records the surface of the current state; not after <see cref="RecordStatistics"/> of that state, which sorts anew.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
+        public void RecordSurface(CommandBuffer cmd, in StepInput input)
+        {
+            surface ??= new SurfaceParticles(Layout);
+            bool hasSteps = lastSubsteps > 0;
+            float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
+            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, substepTime, hasSteps ? restingRegions : null);
+            SurfaceIsCurrent = true;
+        }
+
+        /// <summary>Gives back what the surface needs, where nothing draws it any more.</summary>
+        public void ReleaseSurface()
+        {
+            surface?.Dispose();
+            surface = null;
+            SurfaceIsCurrent = false;
+        }
+    }
+}

@@ -1,0 +1,199 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What has to be drawn of the water, as ellipsoids, found once a frame for all cameras. Made when first needed.</summary>
+    sealed class SurfaceParticles : IDisposable
+    {
+        /// <summary>An element of <see cref="Particles"/>; SurfaceParticle in SurfaceParticle.hlsl, which says what the words are.</summary>
+        [StructLayout(LayoutKind.Sequential)]
+        public struct Element
+        {
+            public uint4 a, b;
+        }
+
+        /// <summary>Entries of <see cref="Counters"/>; kFound and kDrawn in SurfaceParticles.compute.</summary>
+        public enum Counter { Found, Drawn }
+
+        /// <summary>Passes that average the planes among neighbors before the ellipsoids are made, which average them once more.</summary>
+        public const int SmoothingPasses = 2;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
+        readonly int addNew, estimate, storeDrawn, smooth, shape;
+        readonly LocalKeyword twoLists, sleep;
+        GraphicsBuffer surface, counters, arguments, planes, smoothPlanes;
+
+        /// <exception cref="ArgumentOutOfRangeException">A buffer of this capacity is more than the device can bind.</exception>
+        public SurfaceParticles(SolverLayout layout)
+        {
+            addNew = shader.FindKernel("AddNew");
+            estimate = shader.FindKernel("Estimate");
+            storeDrawn = shader.FindKernel("StoreDrawn");
+            smooth = shader.FindKernel("Smooth");
+            shape = shader.FindKernel("Shape");
+            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            try
+            {
+                surface = GpuBuffer.Structured<Element>("Rill.Surface", layout.Capacity);
+                planes = GpuBuffer.Structured<uint2>("Rill.Surface.Planes", layout.Capacity);
+                smoothPlanes = GpuBuffer.Structured<uint2>("Rill.Surface.SmoothPlanes", layout.Capacity);
+                counters = GpuBuffer.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length);
+                arguments = GpuBuffer.Arguments("Rill.Surface.Arguments");
+                BufferClear.Now(counters);
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>SurfaceParticle [capacity], of which the first [drawn] are set, in any order; see SurfaceParticle.hlsl.</summary>
+        public GraphicsBuffer Particles => surface;
+
+        /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for those, 6 vertices each; see Arguments.hlsl.</summary>
+        public GraphicsBuffer Arguments => arguments;
+
+        /// <summary>uint, by <see cref="Counter"/>.</summary>
+        public GraphicsBuffer Counters => counters;
+
+        /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
+        /// <param name="constants">Those of the last step; null where there was none since the fluid was cleared.</param>
+        /// <param name="search">As the last substep left it; read for what sleeps.</param>
+        /// <param name="substepTime">Length of a substep, s.</param>
+        /// <param name="resting">Null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, float substepTime, RestingRegions resting = null)
+        {
+            cmd.BeginSample(Marker);
+            lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            RecordNew(cmd, particles, substepTime);
+            if (constants != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+                RecordEstimate(cmd, particles, lists, search, resting);
+            }
+            RecordDrawn(cmd);
+            if (constants != null)
+            {
+                RecordSmoothing(cmd, particles, lists, search, resting);
+                RecordShape(cmd, particles, lists, search, resting);
+            }
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref surface);
+            GpuBuffer.Release(ref planes);
+            GpuBuffer.Release(ref smoothPlanes);
+            GpuBuffer.Release(ref counters);
+            GpuBuffer.Release(ref arguments);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="resting">Null for none.</param>
+        public static StageDescription Describe(SurfaceParticles stage, NeighborLists lists, RestingRegions resting)
+        {
+            string reason = stage != null ? $"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over what is drawn" : "no component draws the surface";
+            var description = new StageDescription("Surface particles", stage != null, reason);
+            if (stage == null)
+                return description;
+            string variant = RestingRegions.Variant(lists.Variant, resting);
+            description.Kernel("SurfaceParticles", "AddNew", 0);
+            description.Kernel("SurfaceParticles", "Estimate", 0, variant);
+            description.Kernel("SurfaceParticles", "StoreDrawn", 0);
+            description.Kernel("SurfaceParticles", "Smooth", 0, variant);
+            description.Kernel("SurfaceParticles", "Shape", 0, variant);
+            description.Buffer("Rill.Surface", stage.surface);
+            description.Buffer("Rill.Surface.Planes", stage.planes);
+            description.Buffer("Rill.Surface.SmoothPlanes", stage.smoothPlanes);
+            description.Buffer("Rill.Surface.Counters", stage.counters);
+            description.Buffer("Rill.Surface.Arguments", stage.arguments);
+            return description;
+        }
+
+        void RecordNew(CommandBuffer cmd, ParticleBuffers particles, float substepTime)
+        {
+            cmd.SetComputeFloatParam(shader, Ids.SubstepTime, substepTime);
+            cmd.SetComputeBufferParam(shader, addNew, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, addNew, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, addNew, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, addNew, Ids.Surface, surface);
+            cmd.SetComputeBufferParam(shader, addNew, Ids.SurfaceCounters, counters);
+            cmd.DispatchCompute(shader, addNew, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void RecordEstimate(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        {
+            BindNeighbors(cmd, estimate, particles, lists, search, resting);
+            cmd.SetComputeBufferParam(shader, estimate, Ids.Planes, planes);
+            cmd.SetComputeBufferParam(shader, estimate, Ids.SmoothPlanes, smoothPlanes);
+            cmd.DispatchCompute(shader, estimate, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void RecordDrawn(CommandBuffer cmd)
+        {
+            cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
+            cmd.SetComputeBufferParam(shader, storeDrawn, Ids.SurfaceCounters, counters);
+            cmd.SetComputeBufferParam(shader, storeDrawn, Ids.SurfaceArguments, arguments);
+            cmd.DispatchCompute(shader, storeDrawn, 1, 1, 1);
+        }
+
+        void RecordSmoothing(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        {
+            BindNeighbors(cmd, smooth, particles, lists, search, resting);
+            for (int pass = 0; pass < SmoothingPasses; pass++)
+            {
+                cmd.SetComputeBufferParam(shader, smooth, Ids.Planes, planes);
+                cmd.SetComputeBufferParam(shader, smooth, Ids.SmoothPlanes, smoothPlanes);
+                cmd.DispatchCompute(shader, smooth, arguments, GpuBuffer.DispatchArgumentsAt);
+                (planes, smoothPlanes) = (smoothPlanes, planes);
+            }
+        }
+
+        void RecordShape(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        {
+            BindNeighbors(cmd, shape, particles, lists, search, resting);
+            cmd.SetComputeBufferParam(shader, shape, Ids.Planes, planes);
+            cmd.DispatchCompute(shader, shape, arguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void BindNeighbors(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        {
+            lists.Bind(cmd, shader, kernel);
+            if (resting != null)
+            {
+                resting.Bind(cmd, shader, kernel);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
+            }
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Planes = Shader.PropertyToID("_Planes");
+            public static readonly int SmoothPlanes = Shader.PropertyToID("_SmoothPlanes");
+            public static readonly int Surface = Shader.PropertyToID("_Surface");
+            public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
+            public static readonly int SurfaceArguments = Shader.PropertyToID("_SurfaceArguments");
+            public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");
+            public static readonly int SubstepTime = Shader.PropertyToID("_SubstepTime");
+        }
+    }
+}
