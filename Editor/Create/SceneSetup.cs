@@ -25,8 +25,8 @@ namespace Rill.Editor
         /// <summary>Draws a fluid that nothing draws. The selection stays.</summary>
         public static void AddRenderer(FluidSimulation fluid)
         {
-            Undo.AddComponent<ParticleRenderer>(fluid.gameObject).Sun = SunOfScene();
-            Undo.SetCurrentGroupName("Add Particle Renderer");
+            Undo.AddComponent<FluidSurface>(fluid.gameObject);
+            Undo.SetCurrentGroupName("Add Fluid Surface");
         }
 
         /// <summary>Water at the start, below a fluid that nothing fills. The selection stays.</summary>
@@ -161,7 +161,7 @@ namespace Rill.Editor
 
             FluidSimulation fluid = made.AddComponent<FluidSimulation>();
             fluid.Configure(DefaultBox, DefaultSpacing, DefaultCapacity);
-            made.AddComponent<ParticleRenderer>().Sun = SunOfScene();
+            made.AddComponent<FluidSurface>();
             made.AddComponent<DomainRenderer>();
             if (!withWater)
                 return made;
@@ -174,8 +174,6 @@ namespace Rill.Editor
         }
 
         static Vector3 ScenePivot => SceneView.lastActiveSceneView != null ? SceneView.lastActiveSceneView.pivot : Vector3.zero;
-
-        static Light SunOfScene() => RenderSettings.sun != null ? RenderSettings.sun : FirstOfScenes<Light>(light => light.type == LightType.Directional);
 
         static T FirstOfScenes<T>(Func<T, bool> fits) where T : Component
         {

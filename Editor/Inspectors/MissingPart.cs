@@ -24,7 +24,7 @@ namespace Rill.Editor
         {
             var missing = new List<MissingPart>();
             if (!HasRenderer(fluid))
-                missing.Add(new MissingPart("Nothing draws this fluid.", "Add Particle Renderer", () => SceneSetup.AddRenderer(fluid)));
+                missing.Add(new MissingPart("Nothing draws this fluid.", "Add Fluid Surface", () => SceneSetup.AddRenderer(fluid)));
             if (!HasSource(fluid))
                 // A child cannot be put below the object of a prefab that is not open.
                 missing.Add(EditorUtility.IsPersistent(fluid)

@@ -41,6 +41,16 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Transparent_ones_need_their_colour_alone()
+        {
+            string[] transparent = { "", "\"RenderPipeline\" = \"UniversalPipeline\"", "\"RenderPipeline\" = \"HDRenderPipeline\"" };
+            string[] modes = { "ForwardBase", "UniversalForwardOnly", "ForwardOnly" };
+            string[] subShaders = transparent.Zip(modes, (tag, mode) => $"SubShader {{ Tags {{ {tag} \"Queue\" = \"Transparent-50\" }} {Pass(mode)} }}").ToArray();
+            Assert.That(Faults(subShaders), Is.Empty);
+            Assert.That(Faults(subShaders[0], subShaders[1], subShaders[2].Replace("ForwardOnly", "Other")).Single(), Does.Contain("no pass with LightMode ForwardOnly"));
+        }
+
+        [Test]
         public void What_writes_no_depth_needs_none() => Assert.That(Faults($"SubShader {{ {Pass("Always", "ZWrite Off")} }}"), Is.Empty);
     }
 }

@@ -100,10 +100,10 @@ namespace Host.Tests
             Selection.activeGameObject = bare;
             Editor editor = Inspect(fluid);
             Draw(editor);
-            Assert.That(GuiDrawing.Buttons, Is.SupersetOf(new[] { "Add Particle Renderer", "Add Fluid Volume" }));
+            Assert.That(GuiDrawing.Buttons, Is.SupersetOf(new[] { "Add Fluid Surface", "Add Fluid Volume" }));
             Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.StartWith("Nothing draws").And.Some.Contain("fills this fluid"));
 
-            foreach (string button in new[] { "Add Particle Renderer", "Add Fluid Volume" })
+            foreach (string button in new[] { "Add Fluid Surface", "Add Fluid Volume" })
             {
                 Undo.IncrementCurrentGroup();
                 GuiDrawing.Press = text => text == button;
@@ -113,12 +113,12 @@ namespace Host.Tests
                 Assert.That(GuiDrawing.Buttons, Has.No.Member(button));
                 Assert.That(Undo.GetCurrentGroupName(), Is.EqualTo(button));
             }
-            Assert.That(bare.GetComponent<ParticleRenderer>() != null && bare.GetComponentInChildren<FluidVolume>() != null);
+            Assert.That(bare.GetComponent<FluidSurface>() != null && bare.GetComponentInChildren<FluidVolume>() != null);
             Assert.That(Selection.activeGameObject, Is.SameAs(bare), "so that the other can be added too");
             Undo.PerformUndo();
             Undo.PerformUndo();
             Draw(editor);
-            Assert.That(GuiDrawing.Buttons, Is.SupersetOf(new[] { "Add Particle Renderer", "Add Fluid Volume" }), "both were undone");
+            Assert.That(GuiDrawing.Buttons, Is.SupersetOf(new[] { "Add Fluid Surface", "Add Fluid Volume" }), "both were undone");
         }
 
         [Test]

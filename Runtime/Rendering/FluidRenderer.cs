@@ -18,7 +18,6 @@ namespace Rill
         [SerializeField] bool receiveShadows = true;
 
         Material material;
-        string keyword;
         Matrix4x4 domainToWorld;
         int drawnFrame = -2;
 
@@ -60,6 +59,15 @@ namespace Rill
 
         private protected abstract void DescribeDraws(StageDescription description);
 
+        /// <summary>When it is enabled and its shader is there.</summary>
+        private protected virtual void Begin() { }
+
+        /// <summary>When it is disabled, whether it could begin or not.</summary>
+        private protected virtual void End() { }
+
+        /// <summary>When its settings were changed in the inspector or loaded.</summary>
+        private protected virtual void Validate() { }
+
         /// <summary>For a draw with these properties: the box is what can be seen of it.</summary>
         private protected RenderParams Parameters(MaterialPropertyBlock properties)
         {
@@ -100,12 +108,11 @@ namespace Rill
             properties.SetVector(Ids.SunColor, sun != null ? ShaderColor(sun.color) * sun.intensity : Vector4.one);
         }
 
-        /// <summary>Turns the one keyword of this renderer's shader on or off.</summary>
+        /// <summary>Turns a keyword of this renderer's shader on or off.</summary>
         private protected void SetKeyword(string name, bool isOn)
         {
-            if (isOn == (keyword != null))
+            if (isOn == material.IsKeywordEnabled(name))
                 return;
-            keyword = isOn ? name : null;
             if (isOn)
                 material.EnableKeyword(name);
             else
@@ -121,7 +128,6 @@ namespace Rill
         void OnEnable()
         {
             Simulation = GetComponent<FluidSimulation>();
-            keyword = null;
             if (DeviceGate.HasNoGraphics)
                 return;
             shaders.Hold();
@@ -130,6 +136,7 @@ namespace Rill
                 if (DeviceGate.ProblemOfDraw(ShaderFile, DeviceLimits.Current) is string tooSmall)
                     throw new InvalidOperationException(tooSmall);
                 material = new Material(StageShader.Load(StageSets.StageAt(Stage, 0)).Shader) { hideFlags = HideFlags.HideAndDontSave };
+                Begin();
             }
             catch (InvalidOperationException problem)
             {
@@ -140,6 +147,7 @@ namespace Rill
 
         void OnDisable()
         {
+            End();
             if (Application.isPlaying)
                 Destroy(material);
             else
@@ -148,7 +156,11 @@ namespace Rill
             shaders.Release();
         }
 
-        void OnValidate() => shaders.Follow(Stage);
+        void OnValidate()
+        {
+            Validate();
+            shaders.Follow(Stage);
+        }
 
         void LateUpdate() => DrawFrame();
 

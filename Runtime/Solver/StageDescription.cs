@@ -38,6 +38,8 @@ namespace Rill
 
         public void Draw(string file, int perFrame) => Kernels.Add(($"{file}.shader, a draw in each pass of each camera", perFrame));
 
+        public void Texture(string name, long bytes) => Buffers.Add((name, bytes));
+
         /// <summary>Null is a buffer that this scene does without.</summary>
         public void Buffer(string name, GraphicsBuffer buffer)
         {

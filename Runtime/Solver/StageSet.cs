@@ -38,6 +38,7 @@ namespace Rill
                 case StageSet.Core: return CoreAt(index);
                 // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
                 case StageSet.DeepWater: return index == 0 ? "CoarseGrid" : index == 1 ? "CoarseSolver" : index == 2 ? "CoarseSolids" : null;
+                case StageSet.Surface: return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceParticles" : null;
                 default: return index == 0 ? Only(group) : null;
             }
         }
@@ -79,7 +80,6 @@ namespace Rill
                 case StageSet.ForceFields: return "ForceFields";
                 case StageSet.ParticleRenderer: return "ParticleRenderer";
                 case StageSet.DomainRenderer: return "DomainRenderer";
-                case StageSet.Surface: return "SurfaceParticles";
                 case StageSet.MeshBaking: return "MeshSdf";
                 default: return null;
             }

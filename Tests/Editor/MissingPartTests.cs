@@ -29,7 +29,7 @@ namespace Rill.Editor.Tests
         public void What_is_added_is_no_longer_missing_and_can_be_undone()
         {
             var fluid = scene.Add<FluidSimulation>();
-            Assert.That(Offers(fluid), Is.EqualTo(new[] { "Add Particle Renderer", "Add Fluid Volume" }));
+            Assert.That(Offers(fluid), Is.EqualTo(new[] { "Add Fluid Surface", "Add Fluid Volume" }));
             foreach (int expected in new[] { 1, 0 })
             {
                 Undo.IncrementCurrentGroup();
@@ -48,7 +48,7 @@ namespace Rill.Editor.Tests
         {
             var fluid = scene.Add<FluidSimulation>();
             fluid.gameObject.AddComponent<DomainRenderer>();
-            Assert.That(Offers(fluid), Has.Member("Add Particle Renderer"));
+            Assert.That(Offers(fluid), Has.Member("Add Fluid Surface"));
         }
 
         [Test]

@@ -24,7 +24,7 @@ namespace Rill.Editor.Tests
         {
             GameObject fluid = scene.Keep(SceneSetup.CreateFluid(null));
             Assert.That(Selection.activeGameObject, Is.SameAs(fluid));
-            Assert.That(fluid.GetComponent<ParticleRenderer>() != null && fluid.GetComponent<DomainRenderer>() != null);
+            Assert.That(fluid.GetComponent<FluidSurface>() != null && fluid.GetComponent<DomainRenderer>() != null);
             var simulation = fluid.GetComponent<FluidSimulation>();
             Assert.That(FillEstimate.Particles(simulation), Is.InRange(1000, simulation.Capacity));
             Assert.That(ProblemList.Of(fluid.GetComponentsInChildren<MonoBehaviour>()), Is.Empty);

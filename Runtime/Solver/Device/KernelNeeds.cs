@@ -42,6 +42,7 @@ namespace Rill
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
+                case "SurfaceFilter":
                 case "SurfaceParticles": return DeviceFeature.Surface;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;
@@ -59,17 +60,21 @@ namespace Rill
                 case "ARTIFICIAL_PRESSURE":
                 case "AT_REST":
                 case "BINS":
+                case "COLUMNS":
                 case "CONFINE":
                 case "CORRECT":
                 case "EMIT":
                 case "ESTIMATE":
                 case "FIELDS":
                 case "LAST":
+                case "NORMALS":
                 case "PASS":
                 case "PATHS":
                 case "PROJECTION":
                 case "REDUCE":
                 case "RILL_BUILD_LIST":
+                case "RILL_RAW":
+                case "ROWS":
                 case "NARROW":
                 case "SHAPE":
                 case "SMALL":

@@ -8,11 +8,12 @@ namespace Host.Check
 {
     /// <summary>
     /// A shader that writes depth has the passes by which each render pipeline asks for its depth, shadow and motion: what lacks one
-    /// vanishes under a depth prepass, casts no shadow or smears under temporal antialiasing.
+    /// vanishes under a depth prepass, casts no shadow or smears under temporal antialiasing. Transparent ones are asked for their
+    /// colour alone, and those of the menu "Hidden" by nobody but our own command buffers.
     /// </summary>
     sealed class RenderPassesRule : Rule
     {
-        // By the RenderPipeline tag: for each pass the values of LightMode that will do; "" is a pass without.
+        // By the RenderPipeline tag: for each pass, the colour first, the values of LightMode that will do; "" is a pass without.
         static readonly Dictionary<string, string[][]> Wanted = new Dictionary<string, string[][]>
         {
             [""] = new[] { new[] { "ForwardBase" }, new[] { "ShadowCaster" }, new[] { "MotionVectors" } },
@@ -33,7 +34,7 @@ namespace Host.Check
                 try
                 {
                     ParsedShader shader = ShaderLabParser.Parse(package.Read(file), file, _ => true);
-                    if (!shader.SubShaders.Any(s => s.Passes.Any(WritesDepth)))
+                    if (shader.Name.StartsWith("Hidden/", StringComparison.Ordinal) || !shader.SubShaders.Any(s => s.Passes.Any(WritesDepth)))
                         continue;
                     shaders++;
                     passes += shader.SubShaders.Sum(s => s.Passes.Count);
@@ -57,11 +58,13 @@ namespace Host.Check
                 if (own.Count == 0)
                     yield return $"it writes depth but has no SubShader for {name}, where it draws nothing; add one";
                 foreach (ParsedSubShader subShader in own)
-                    foreach (string[] modes in wanted)
+                    foreach (string[] modes in IsTransparent(subShader) ? wanted.Take(1) : wanted)
                         if (!subShader.Passes.Any(pass => modes.Contains(Tag(pass.Tags, "LightMode"))))
                             yield return $"it writes depth but its SubShader for {name} has no pass with LightMode {string.Join(" or ", modes)}; add one";
             }
         }
+
+        static bool IsTransparent(ParsedSubShader subShader) => Tag(subShader.Tags, "Queue").StartsWith("Transparent", StringComparison.Ordinal);
 
         static string Tag(Dictionary<string, string> tags, string name) => tags.TryGetValue(name, out string value) ? value : "";
 

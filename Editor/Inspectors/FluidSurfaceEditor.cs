@@ -1,0 +1,36 @@
+using System;
+using UnityEditor;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidSurface))]
+    [CanEditMultipleObjects]
+    sealed class FluidSurfaceEditor : FluidRendererEditor
+    {
+        static readonly Func<SerializedObject, bool> IsCustom = When.Is("preset", SurfacePreset.Custom);
+
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Look", true,
+                new InspectorField("preset"),
+                new InspectorField("look.colorAtDepth", when: IsCustom),
+                new InspectorField("look.colorDepth", "m", IsCustom),
+                new InspectorField("look.scattering", when: IsCustom),
+                new InspectorField("look.scatteringDepth", "m", IsCustom),
+                new InspectorField("look.refractionIndex", when: IsCustom),
+                new InspectorField("look.roughness", when: IsCustom),
+                new InspectorField("refraction"),
+                new InspectorField("material")),
+            new InspectorSection("Quality", true,
+                new InspectorField("quality"),
+                new InspectorField("smoothing", "particle spacings")),
+            new InspectorSection("Light", true,
+                new InspectorField("sun"),
+                new InspectorField("reflection"),
+                new InspectorField("reflectionStrength")),
+            Shadows,
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+    }
+}

@@ -1,0 +1,120 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Fluid surfaces in the Built-in pipeline: a command buffer of each camera before its transparent draws, filled as it begins to cull.</summary>
+    static class BuiltInSurfaces
+    {
+        const CameraEvent Event = CameraEvent.BeforeForwardAlpha;
+
+        sealed class CameraBuffer
+        {
+            public Camera camera;
+            public CommandBuffer commands;
+            public RenderTexture sceneColor;
+        }
+
+        static List<CameraBuffer> buffers = new List<CameraBuffer>();
+
+        /// <summary>When a surface begins.</summary>
+        public static void Begin()
+        {
+            Camera.onPreCull -= Cull;
+            Camera.onPreCull += Cull;
+        }
+
+        /// <summary>When a surface has ended: after the last, cameras are as they were.</summary>
+        public static void End()
+        {
+            if (FluidSurface.Active.Count == 0)
+                Reset();
+        }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void Reset()
+        {
+            Camera.onPreCull -= Cull;
+            foreach (CameraBuffer buffer in buffers)
+                Release(buffer);
+            buffers = new List<CameraBuffer>();
+        }
+
+        static void Cull(Camera camera)
+        {
+            if (camera.cameraType == CameraType.Preview)
+                return;
+            CameraBuffer buffer = BufferOf(camera);
+            FluidViews views = FluidViews.Of(camera);
+            CommandBuffer commands = buffer.commands;
+            commands.Clear();
+            Prepare(ref buffer.sceneColor, camera);
+            commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor);
+            bool any = false;
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+            {
+                FluidSurface surface = FluidSurface.Active[i];
+                if (!surface.Record(commands, views))
+                    continue;
+                surface.Submit(views, buffer.sceneColor);
+                any = true;
+            }
+            if (any)
+                camera.depthTextureMode |= DepthTextureMode.Depth;
+            else
+                commands.Clear();
+        }
+
+        static CameraBuffer BufferOf(Camera camera)
+        {
+            CameraBuffer found = null;
+            for (int i = buffers.Count - 1; i >= 0; i--)
+            {
+                if (ReferenceEquals(buffers[i].camera, camera))
+                    found = buffers[i];
+                else if (buffers[i].camera == null)
+                {
+                    Release(buffers[i]);
+                    buffers.RemoveAt(i);
+                }
+            }
+            if (found != null)
+                return found;
+            found = new CameraBuffer { camera = camera, commands = new CommandBuffer { name = "Rill.Surface" } };
+            camera.AddCommandBuffer(Event, found.commands);
+            buffers.Add(found);
+            return found;
+        }
+
+        static void Prepare(ref RenderTexture texture, Camera camera)
+        {
+            RenderTextureFormat format = camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
+            if (texture != null && texture.width == camera.pixelWidth && texture.height == camera.pixelHeight && texture.format == format)
+                return;
+            Release(ref texture);
+            texture = new RenderTexture(camera.pixelWidth, camera.pixelHeight, 0, format) { name = "Rill.Surface.SceneColor", hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Bilinear };
+            texture.Create();
+        }
+
+        static void Release(CameraBuffer buffer)
+        {
+            if (buffer.camera != null)
+                buffer.camera.RemoveCommandBuffer(Event, buffer.commands);
+            buffer.commands.Dispose();
+            Release(ref buffer.sceneColor);
+        }
+
+        static void Release(ref RenderTexture texture)
+        {
+            if (texture == null)
+                return;
+            texture.Release();
+            if (Application.isPlaying)
+                Object.Destroy(texture);
+            else
+                Object.DestroyImmediate(texture);
+            texture = null;
+        }
+    }
+}

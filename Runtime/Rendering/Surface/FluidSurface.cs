@@ -1,0 +1,196 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Draws the <see cref="FluidSimulation"/> on this object as a liquid: a smooth surface that refracts, reflects and absorbs light.</summary>
+    /// <remarks>
+    /// Every camera that shows the object's layer draws it, in every render pipeline, without further wiring. The surface is drawn before
+    /// other transparent objects and writes depth; those behind it are not seen through it while it refracts.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Surface")]
+    [DisallowMultipleComponent]
+    public sealed class FluidSurface : FluidRenderer
+    {
+        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
+
+        [Tooltip("A look that goes by a name. Custom keeps the values below.")]
+        [SerializeField] SurfacePreset preset = SurfacePreset.Water;
+
+        [SerializeField] SurfaceLook look = SurfaceLook.Water;
+
+        [Tooltip("What the surface costs on the screen. Low is for mobile devices and untethered headsets.")]
+        [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
+
+        [Tooltip("Smoothing on the screen, particle spacings, 0 to 4. More closes gaps between particles and blurs detail.")]
+        [Range(0f, 4f)]
+        [SerializeField] float smoothing = 1f;
+
+        [Tooltip("Whether the scene behind is seen bent, through a copy of the opaque scene. Off: the surface blends over whatever is behind it, which other transparent objects behind it need.")]
+        [SerializeField] bool refraction = true;
+
+        [Tooltip("Surroundings that it mirrors. None: the scene's sky or reflection probe.")]
+        [SerializeField] Texture reflection;
+
+        [Tooltip("Factor of what it mirrors, 0 to 4.")]
+        [Range(0f, 4f)]
+        [SerializeField] float reflectionStrength = 1f;
+
+        [Tooltip("Light whose highlight is seen. None: the scene's main light; in HDRP, from above.")]
+        [SerializeField] Light sun;
+
+        [Tooltip("A material of your own, whose shader reads the surface's textures as Surface.hlsl does. None: the package's.")]
+        [SerializeField] Material material;
+
+        static List<FluidSurface> active = new List<FluidSurface>();
+
+        FluidSurfaceRecorder recorder;
+        SurfaceFrame frame;
+        bool hasFrame;
+
+        /// <summary>All that are enabled and run, for the adapters of the render pipelines.</summary>
+        internal static IReadOnlyList<FluidSurface> Active => active;
+
+        FluidSurface() : base(ShadowCastingMode.On) { }
+
+        /// <summary>A look that goes by a name; setting another than Custom sets <see cref="Look"/>.</summary>
+        public SurfacePreset Preset { get => preset; set { preset = value; ApplyPreset(); } }
+
+        /// <summary>How it treats light. Setting it makes the preset Custom; values out of range are brought back with a warning.</summary>
+        public SurfaceLook Look { get => look; set { preset = SurfacePreset.Custom; look = value; Validate(); } }
+
+        /// <summary>What the surface costs on the screen.</summary>
+        public SurfaceQuality Quality { get => quality; set => quality = value; }
+
+        /// <summary>Smoothing on the screen, particle spacings, 0 to 4.</summary>
+        public float Smoothing { get => smoothing; set => smoothing = Mathf.Clamp(value, 0f, 4f); }
+
+        /// <summary>Whether the scene behind is seen bent; off, the surface blends over it.</summary>
+        public bool Refraction { get => refraction; set => refraction = value; }
+
+        /// <summary>Cube map of the surroundings that it mirrors; null for the scene's sky or reflection probe.</summary>
+        public Texture Reflection { get => reflection; set => reflection = value; }
+
+        /// <summary>Factor of what it mirrors, 0 to 4.</summary>
+        public float ReflectionStrength { get => reflectionStrength; set => reflectionStrength = Mathf.Clamp(value, 0f, 4f); }
+
+        /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, from above).</summary>
+        public Light Sun { get => sun; set => sun = value; }
+
+        /// <summary>A material of your own; null for the package's.</summary>
+        public Material Material { get => material; set => material = value; }
+
+        private protected override StageSet Stage => StageSet.Surface;
+        private protected override string ShaderFile => "Surface";
+
+        /// <summary>Records what this camera needs of the surface.</summary>
+        /// <returns>Whether the camera sees it; then <see cref="Submit"/> draws it.</returns>
+        internal bool Record(CommandBuffer cmd, in FluidViews camera)
+        {
+            if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
+                return false;
+            return recorder.Record(cmd, camera, frame);
+        }
+
+        /// <summary>Draws the surface for a camera in this frame, after <see cref="Record"/>.</summary>
+        /// <param name="sceneColor">The opaque scene, in the Built-in pipeline; null where the pipeline has it as a global.</param>
+        internal void Submit(in FluidViews camera, Texture sceneColor)
+        {
+            MaterialPropertyBlock properties = recorder.ViewOf(camera.camera).Shading;
+            SetLook(properties);
+            if (sceneColor != null)
+                properties.SetTexture(Ids.SceneColor, sceneColor);
+            RenderParams parameters = Parameters(properties);
+            parameters.camera = camera.camera;
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
+            parameters.reflectionProbeUsage = ReflectionProbeUsage.BlendProbes;
+            if (material != null)
+                parameters.material = material;
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, 6);
+        }
+
+        private protected override void Begin()
+        {
+            recorder = new FluidSurfaceRecorder();
+            active.Add(this);
+            BuiltInSurfaces.Begin();
+        }
+
+        private protected override void End()
+        {
+            hasFrame = false;
+            active.Remove(this);
+            BuiltInSurfaces.End();
+            recorder?.Dispose();
+            recorder = null;
+        }
+
+        private protected override void Draw()
+        {
+            Simulation.NeedsSurface = true;
+            SurfaceParticles surface = Simulation.Solver.Surface;
+            hasFrame = surface != null;
+            if (!hasFrame)
+                return;
+            PbfSolver solver = Simulation.Solver;
+            float spacing = Simulation.ParticleSpacing;
+            frame = new SurfaceFrame
+            {
+                version = Simulation.StepCount, lag = Simulation.FrameLag, domainToWorld = Simulation.DomainToWorld, domainSize = Simulation.DomainSize / spacing, spacing = spacing,
+                filterRadius = smoothing * spacing, filterRange = 2f * spacing, filterPasses = quality == SurfaceQuality.High ? 2 : 1, scale = quality == SurfaceQuality.Low ? 0.5f : 1f,
+                surfaceParticles = surface.Particles, surfaceArguments = surface.Arguments,
+                positions = solver.Positions, startPositions = solver.StartPositions, velocities = solver.Velocities, counters = solver.Counters, particleArguments = solver.DrawArguments,
+            };
+            SetKeyword(RefractionKeyword, refraction);
+            SetKeyword(ReflectionKeyword, reflection != null);
+        }
+
+        private protected override void DescribeDraws(StageDescription description)
+        {
+            description.Draw(ShaderFile, 1);
+            recorder?.Describe(description);
+        }
+
+        private protected override void Validate()
+        {
+            ApplyPreset();
+            look.Validate(out string problem);
+            if (problem != null)
+                Debug.LogWarning($"Rill: FluidSurface '{name}': {problem}", this);
+        }
+
+        void ApplyPreset()
+        {
+            if (preset != SurfacePreset.Custom)
+                look = SurfaceLook.Of(preset);
+        }
+
+        void SetLook(MaterialPropertyBlock properties)
+        {
+            SetSun(properties, sun);
+            properties.SetVector(Ids.Absorption, look.Absorption);
+            Vector4 scattering = ShaderColor(look.scattering);
+            scattering.w = look.ScatteringRate;
+            properties.SetVector(Ids.Scattering, scattering);
+            properties.SetVector(Ids.SurfaceOptics, new Vector4(look.refractionIndex, look.Reflectance, look.roughness, 0f));
+            properties.SetFloat(Ids.ReflectionStrength, reflectionStrength);
+            if (reflection != null)
+                properties.SetTexture(Ids.ReflectionCube, reflection);
+        }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void Reset() => active = new List<FluidSurface>();
+
+        static class Ids
+        {
+            public static readonly int SceneColor = Shader.PropertyToID("_SceneColor");
+            public static readonly int Absorption = Shader.PropertyToID("_Absorption");
+            public static readonly int Scattering = Shader.PropertyToID("_Scattering");
+            public static readonly int SurfaceOptics = Shader.PropertyToID("_SurfaceOptics");
+            public static readonly int ReflectionStrength = Shader.PropertyToID("_ReflectionStrength");
+            public static readonly int ReflectionCube = Shader.PropertyToID("_ReflectionCube");
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What a camera sees in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurfaceRecorder"/>: one eye, or two in one pass.</summary>
+    struct FluidViews
+    {
+        /// <summary>Whose textures are filled.</summary>
+        public Camera camera;
+
+        /// <summary>1, or 2 with two eyes in one pass: left first.</summary>
+        public int eyes;
+
+        /// <summary>From world to view, looking along -z; of one eye or of the left one.</summary>
+        public Matrix4x4 view, rightView;
+
+        /// <summary>As Camera.projectionMatrix has it: z -1 to 1, y up, with the jitter of this frame.</summary>
+        public Matrix4x4 projection, rightProjection;
+
+        /// <summary>Of the picture of one eye, pixels.</summary>
+        public int width, height;
+
+        /// <summary>What is in use of the scene's depth texture, texels.</summary>
+        public Vector2 sceneSize;
+
+        /// <summary>Whether the scene's textures are arrays with a slice for each eye.</summary>
+        public bool sceneIsArray;
+
+        /// <summary>View of an eye.</summary>
+        /// <param name="eye">0 or 1.</param>
+        public Matrix4x4 ViewOf(int eye) => eye == 0 ? view : rightView;
+
+        /// <summary>Projection of an eye.</summary>
+        /// <param name="eye">0 or 1.</param>
+        public Matrix4x4 ProjectionOf(int eye) => eye == 0 ? projection : rightProjection;
+
+        /// <summary>Of a camera that draws one eye.</summary>
+        public static FluidViews Of(Camera camera)
+        {
+            return new FluidViews
+            {
+                camera = camera, eyes = 1, view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, width = camera.pixelWidth, height = camera.pixelHeight,
+                sceneSize = new Vector2(camera.pixelWidth, camera.pixelHeight),
+            };
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What of a fluid is drawn in a frame, for all cameras.</summary>
+    struct SurfaceFrame
+    {
+        /// <summary>Differs once the particles have changed.</summary>
+        public int version;
+
+        /// <summary>FluidSimulation.FrameLag.</summary>
+        public Vector4 lag;
+
+        public Matrix4x4 domainToWorld;
+
+        /// <summary>d.</summary>
+        public Vector3 domainSize;
+
+        /// <summary>Particle spacing, m.</summary>
+        public float spacing;
+
+        /// <summary>Two standard deviations of the filter on the picture, and half of the depth around a texel that it takes in; world, m.</summary>
+        public float filterRadius, filterRange;
+
+        /// <summary>How often the filter runs, at least 1.</summary>
+        public int filterPasses;
+
+        /// <summary>Width of the textures over that of the screen, up to 1.</summary>
+        public float scale;
+
+        /// <summary>The ellipsoids of SurfaceParticle.hlsl and the arguments of their draw.</summary>
+        public GraphicsBuffer surfaceParticles, surfaceArguments;
+
+        /// <summary>The buffers of DrawnParticles.hlsl and the arguments of a draw of all particles.</summary>
+        public GraphicsBuffer positions, startPositions, velocities, counters, particleArguments;
+    }
+}

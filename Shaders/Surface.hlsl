@@ -1,0 +1,182 @@
+// Shades the water's surface: one rectangle over the textures that FluidSurfaceRecorder filled for this camera, with depth. The
+// SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+//
+//   _SurfaceDepth       in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
+//   _SurfaceNormals     in  xyz unit normal, world; w variance of the normals around
+//   _SurfaceThickness   in  water along the ray in front of the scene, m
+//   the scene's colour and depth as the pipeline gives them; where RILL_REFRACTION is on
+#include "MainLight.hlsl"
+#include "SurfaceView.hlsl"
+#include "Environment.hlsl"
+#include "Fog.hlsl"
+
+Texture2DArray<float> _SurfaceDepth;
+Texture2DArray<float4> _SurfaceNormals;
+Texture2DArray<float> _SurfaceThickness;
+SamplerState rill_linear_clamp_sampler;
+
+#ifdef RILL_REFRACTION
+#if defined(RILL_HIGH_DEFINITION)
+Texture2DArray _ColorPyramidTexture;
+Texture2DArray _CameraDepthTexture;
+#define RILL_SCENE_COLOR(uv) _ColorPyramidTexture.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)
+#define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r
+#elif defined(RILL_STEREO)
+#ifdef RILL_UNIVERSAL
+#define _SceneColor _CameraOpaqueTexture
+#endif
+Texture2DArray _SceneColor;
+Texture2DArray _CameraDepthTexture;
+#define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)
+#define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r
+#else
+#ifdef RILL_UNIVERSAL
+#define _SceneColor _CameraOpaqueTexture
+#endif
+Texture2D _SceneColor;
+Texture2D _CameraDepthTexture;
+#define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, uv, 0)
+#define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int3(texel, 0)).r
+#endif
+float4 _SceneSize;          // of the scene's depth: width and height of what is in use, texels
+float4 _SceneScale;         // xy: what of the scene's colour texture is in use
+#endif
+
+float4 _Absorption;         // rgb 1/m
+float4 _Scattering;         // rgb colour, linear; w 1/m
+float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness
+float4 _PictureBounds;      // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
+
+struct SurfaceVaryings
+{
+    float4 clip : SV_Position;
+    float4 picture : TEXCOORD0;     // xy
+    RILL_VIEW_OUTPUT
+};
+
+SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
+    SurfaceVaryings result = (SurfaceVaryings)0;
+    bool drawn = SelectView(instance);
+    PassViewOn(result);
+    result.clip = kNowhere;
+    if (!drawn)
+        return result;
+
+    // By way of a point of the world: whichever way up the pipeline draws, and into whatever part of its target.
+    float2 picture = lerp(_PictureBounds.xy, _PictureBounds.zw, kCorners[vertex % 6]);
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    float4 clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
+    result.clip = clip;
+    result.picture = float4(picture, 0.0, 0.0);
+    return result;
+}
+
+struct SurfacePoint
+{
+    float3 world;
+    float3 normal;
+    float3 ray;             // unit, away from the eye
+    float z;                // depth along the view, m
+    float stretch;          // length of the ray for 1 m of depth along the view
+    float roughness;        // perceptual
+};
+
+SurfacePoint PointOn(float2 picture)
+{
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));
+    if (depth == 0.0)
+        discard;
+    float4 normal = _SurfaceNormals.Load(int4(texel, eyeIndex, 0));
+
+    SurfacePoint p;
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    SurfaceRay middle = RayThrough(TexelPicture(texel), eyeIndex);
+    p.z = FromSurfaceDepth(depth, eyeIndex);
+    // From the middle of the texel along its plane: no steps where textures are smaller than the screen.
+    float3 there = middle.origin + middle.direction * p.z;
+    float facing = dot(normal.xyz, ray.direction);
+    float z = dot(normal.xyz, there - ray.origin) / min(facing, -1e-4);
+    p.z = abs(z - p.z) < 0.02 * p.z ? z : p.z;
+    p.stretch = length(ray.direction);
+    p.ray = ray.direction / p.stretch;
+    p.world = ray.origin + ray.direction * p.z;
+    p.normal = normal.xyz;
+    p.roughness = sqrt(sqrt(saturate(pow(_SurfaceOptics.z, 4.0) + normal.w)));      // variances of slopes add up
+    return p;
+}
+
+#ifdef RILL_REFRACTION
+float SceneDepthAt(float2 picture)
+{
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SceneSize.xy, 0.0, _SceneSize.xy - 1.0));
+    return FromSurfaceDepth(FlipDepth(RILL_SCENE_DEPTH(texel)), eyeIndex);
+}
+
+// The scene behind, along the refracted ray for as long as there is water.
+float3 Refracted(SurfacePoint p, float2 picture, float thickness)
+{
+    float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
+    float reach = min(thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
+    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * reach, 1.0));
+    float2 seen = clip.xy / max(clip.w, 1e-6);
+    // What stands in front of the water must not show in it.
+    if (clip.w <= 0.0 || any(abs(seen) > 1.0) || SceneDepthAt(seen) < p.z)
+        seen = picture;
+    return RILL_SCENE_COLOR((seen * 0.5 + 0.5) * _SceneScale.xy).rgb;
+}
+#endif
+
+// Reflectance of a dielectric (Schlick 1994).
+float Fresnel(float cosine, float roughness)
+{
+    float reflectance = _SurfaceOptics.y;
+    return reflectance + (max(1.0 - roughness, reflectance) - reflectance) * pow(saturate(1.0 - cosine), 5.0);
+}
+
+// GGX (Walter et al. 2007) with the visibility of Hammon 2017, for a light of unit radiance times pi.
+float Highlight(float3 normal, float3 toEye, float3 toLight, float roughness)
+{
+    float3 halfway = toEye + toLight;
+    halfway *= rsqrt(max(dot(halfway, halfway), 1e-12));
+    float nl = saturate(dot(normal, toLight)), nv = saturate(dot(normal, toEye)) + 1e-4, nh = saturate(dot(normal, halfway));
+    float alpha = max(roughness * roughness, 0.002), squared = alpha * alpha;
+    float spread = nh * nh * (squared - 1.0) + 1.0;
+    float visibility = 0.5 / max(lerp(2.0 * nl * nv, nl + nv, alpha), 1e-4);
+    return min(squared / (spread * spread) * visibility * Fresnel(dot(toLight, halfway), 0.0) * nl, 64.0);
+}
+
+float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    float2 picture = input.picture.xy;
+    SurfacePoint p = PointOn(picture);
+    float4 clip = WorldToClip(p.world);
+    depth = DeviceDepth(clip);
+
+    float3 toEye = -p.ray;
+    float facing = dot(p.normal, toEye);
+    p.normal = normalize(p.normal + toEye * max(0.05 - facing, 0.0));       // none of those that are seen looks away
+    facing = saturate(dot(p.normal, toEye));
+    float thickness = max(_SurfaceThickness.SampleLevel(rill_linear_clamp_sampler, float3(picture * 0.5 + 0.5, eyeIndex), 0), 0.0);
+
+    MainLight light = GetMainLight();
+    float3 lightColor = light.color * MainLightShadow(light, p.world, clip);
+    float3 around = Environment(p.normal, 1.0);
+    float reflectance = Fresnel(facing, p.roughness);
+    float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye, light.direction, p.roughness);
+
+    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * thickness);
+    float3 lit = (around + lightColor * (0.5 * saturate(dot(p.normal, light.direction)) + 0.25)) * _Scattering.rgb;
+    float3 scattered = lit * (1.0 - exp(-_Scattering.w * thickness));
+#ifdef RILL_REFRACTION
+    float3 color = (Refracted(p, picture, thickness) * through + scattered) * (1.0 - reflectance) + mirrored;
+    float coverage = 1.0;
+#else
+    float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);
+    float3 color = scattered * (1.0 - reflectance) + mirrored;
+#endif
+    return float4(ApplyFog(color, coverage, p.z), coverage);
+}

@@ -1,0 +1,109 @@
+// The water's surface, see Surface.hlsl: a SubShader for each render pipeline.
+Shader "Rill/Surface"
+{
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "17.0" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" "RenderType" = "Transparent" "Queue" = "Transparent-50" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 17
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex SurfaceVertex
+            #pragma fragment SurfaceFragment
+            #pragma multi_compile_local_fragment _ RILL_REFRACTION
+            #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #include "Surface.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "[14.0,15.0)" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" "RenderType" = "Transparent" "Queue" = "Transparent-50" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 14
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex SurfaceVertex
+            #pragma fragment SurfaceFragment
+            #pragma multi_compile_local_fragment _ RILL_REFRACTION
+            #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #include "Surface.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.universal" : "14.0" }
+        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Transparent" "Queue" = "Transparent-50" }
+        HLSLINCLUDE
+        #define RILL_UNIVERSAL
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "UniversalForwardOnly" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex SurfaceVertex
+            #pragma fragment SurfaceFragment
+            #pragma multi_compile_local_fragment _ RILL_REFRACTION
+            #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
+            #include "Surface.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        Tags { "RenderType" = "Transparent" "Queue" = "Transparent-50" }
+        HLSLINCLUDE
+        #define RILL_BUILT_IN
+        ENDHLSL
+        Pass
+        {
+            Name "Forward"
+            Tags { "LightMode" = "ForwardBase" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            Blend One OneMinusSrcAlpha
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex SurfaceVertex
+            #pragma fragment SurfaceFragment
+            #pragma multi_compile_local_fragment _ RILL_REFRACTION
+            #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
+            #include "Surface.hlsl"
+            ENDHLSL
+        }
+    }
+}

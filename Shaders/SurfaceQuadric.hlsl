@@ -1,0 +1,73 @@
+// Ellipsoids drawn by ray against quadric: the rectangle that holds one on the picture, and the hit of a pixel's ray.
+#ifndef RILL_SURFACE_QUADRIC_INCLUDED
+#define RILL_SURFACE_QUADRIC_INCLUDED
+
+#include "SurfaceView.hlsl"
+
+struct Ellipsoid
+{
+    float3 center;      // world
+    float3 a, b, c;     // semi-axes, world, at right angles to each other
+};
+
+struct PictureBounds
+{
+    float2 low, high;
+    float nearest;      // depth
+    bool isSeen;        // wholly in front of the eye
+};
+
+// s at which the plane "row.x - s row.w" touches the ellipsoid (Sigg, Weyrich, Botsch and Gross 2006, section 3): of one
+// coordinate, lowest and highest.
+float2 TouchingPlanes(float4 x, float4 w, float inverseA)
+{
+    float b = x.w * w.w - dot(x.xyz, w.xyz);
+    float c = x.w * x.w - dot(x.xyz, x.xyz);
+    float a = w.w * w.w - dot(w.xyz, w.xyz);
+    float root = sqrt(max(b * b - a * c, 0.0));
+    return float2(b - root, b + root) * inverseA;
+}
+
+float4 RowOf(Ellipsoid e, float4 row)
+{
+    return float4(dot(row.xyz, e.a), dot(row.xyz, e.b), dot(row.xyz, e.c), dot(row, float4(e.center, 1.0)));
+}
+
+PictureBounds BoundsOf(Ellipsoid e, uint eye)
+{
+    PictureBounds bounds;
+    float4 x = RowOf(e, _SurfaceWorldToClip[eye][0]), y = RowOf(e, _SurfaceWorldToClip[eye][1]);
+    float4 z = RowOf(e, _SurfaceWorldToClip[eye][2]), w = RowOf(e, _SurfaceWorldToClip[eye][3]);
+    float a = w.w * w.w - dot(w.xyz, w.xyz);
+    bounds.isSeen = w.w > 0.0 && a > 0.0;
+    float inverseA = 1.0 / max(a, 1e-20);
+    float2 horizontal = TouchingPlanes(x, w, inverseA), vertical = TouchingPlanes(y, w, inverseA);
+    bounds.low = float2(horizontal.x, vertical.x);
+    bounds.high = float2(horizontal.y, vertical.y);
+    bounds.nearest = TouchingPlanes(z, w, inverseA).y;
+    bounds.isSeen = bounds.isSeen && bounds.nearest < 1.0;      // what the near plane cuts is not drawn
+    return bounds;
+}
+
+// A ray in the frame in which the ellipsoid is a ball of radius 1: linear on the picture.
+void RayInBall(Ellipsoid e, SurfaceRay ray, out float3 origin, out float3 direction)
+{
+    float3 inverse = 1.0 / max(float3(dot(e.a, e.a), dot(e.b, e.b), dot(e.c, e.c)), 1e-20);
+    float3 from = ray.origin - e.center;
+    origin = float3(dot(e.a, from), dot(e.b, from), dot(e.c, from)) * inverse;
+    direction = float3(dot(e.a, ray.direction), dot(e.b, ray.direction), dot(e.c, ray.direction)) * inverse;
+}
+
+// Where the ray enters the ball of radius 1 and where it leaves it; false where it passes by.
+bool HitBall(float3 origin, float3 direction, out float2 hit)
+{
+    float squared = max(dot(direction, direction), 1e-20);
+    float middle = -dot(origin, direction) / squared;
+    float3 nearest = origin + direction * middle;       // and not b b - a c, which cancels far away
+    float missing = 1.0 - dot(nearest, nearest);
+    float halfWay = sqrt(max(missing, 0.0) / squared);
+    hit = float2(middle - halfWay, middle + halfWay);
+    return missing > 0.0;
+}
+
+#endif
