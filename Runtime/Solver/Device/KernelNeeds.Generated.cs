@@ -178,6 +178,10 @@ namespace Rill
             new KernelNeed("Statistics", "Measure", "", 128, 10752, 7, 2, 0),
             new KernelNeed("Statistics", "MeasureBeside", "BESIDE", 128, 10752, 9, 2, 0),
             new KernelNeed("Statistics", "Reduce", "REDUCE", 256, 2048, 4, 2, 0),
+            new KernelNeed("SurfaceFilter", "FilterRows", "ROWS RILL_RAW", 128, 768, 0, 1, 2),
+            new KernelNeed("SurfaceFilter", "FilterRowsAgain", "ROWS", 128, 768, 0, 1, 2),
+            new KernelNeed("SurfaceFilter", "FilterColumns", "COLUMNS", 128, 2560, 0, 1, 2),
+            new KernelNeed("SurfaceFilter", "FindNormals", "NORMALS", 256, 5488, 0, 1, 2),
             new KernelNeed("SurfaceParticles", "AddNew", "ADD_NEW", 128, 8, 5, 2, 0),
             new KernelNeed("SurfaceParticles", "Estimate", "ESTIMATE", 128, 8, 8, 4, 0),
             new KernelNeed("SurfaceParticles", "Estimate", "ESTIMATE RILL_SLEEP", 128, 8, 10, 4, 0),
@@ -229,6 +233,10 @@ namespace Rill
             new KernelNeed("Particles", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("Solid", "Vertex", "", 0, 0, 0, 0, 0),
             new KernelNeed("Solid", "Fragment", "", 0, 0, 0, 0, 1),
+            new KernelNeed("Surface", "Vertex", "", 0, 0, 0, 0, 0),
+            new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 6),
+            new KernelNeed("SurfaceRaster", "Vertex", "", 0, 0, 4, 0, 0),
+            new KernelNeed("SurfaceRaster", "Fragment", "", 0, 0, 0, 0, 1),
         };
     }
 }
