@@ -23,11 +23,12 @@ namespace Host.UnityApi
         public IReadOnlyList<string> Unreadable => unreadable;
         public int MemberCount { get; private set; }
 
-        public ApiCatalogue(UnityApiLists lists, string version)
+        /// <param name="more">Packages whose types this version has too, or null.</param>
+        public ApiCatalogue(UnityApiLists lists, string version, UnityApiLists more = null)
         {
             Version = version;
             var members = new List<(ApiType type, ApiMember member)>();
-            foreach (IGrouping<string, ApiLine> group in lists.In(version).GroupBy(line => line.Type))
+            foreach (IGrouping<string, ApiLine> group in (more == null ? lists.In(version) : lists.In(version).Concat(more.In(version))).GroupBy(line => line.Type))
             {
                 ApiType type = Declare(group.Key);
                 foreach (ApiLine line in group)

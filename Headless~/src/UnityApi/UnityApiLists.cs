@@ -63,6 +63,13 @@ namespace Host.UnityApi
             return Read(packed, supplement);
         }
 
+        /// <summary>Of the render pipelines' packages: which version of them an editor version ships is in the README beside the file.</summary>
+        public static UnityApiLists LoadPipelines()
+        {
+            using var packed = new StreamReader(new GZipStream(Resource("render-pipelines.gz"), CompressionMode.Decompress));
+            return Read(packed);
+        }
+
         static Stream Resource(string name) => typeof(UnityApiLists).Assembly.GetManifestResourceStream(name);
 
         /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that hold them.</summary>

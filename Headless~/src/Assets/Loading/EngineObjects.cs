@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using Host.Shaders;
 using UnityEngine;
+using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
 namespace Host.Assets
@@ -27,10 +28,13 @@ namespace Host.Assets
         /// <param name="note">Takes what the importer passed over.</param>
         public Shader Shader(AssetEntry entry, Action<string> note)
         {
-            var source = ShaderImporter.ImportShader(entry.File, entry.Path, includes, cache.Value);
+            var source = ShaderImporter.ImportShader(entry.File, entry.Path, Includes, cache.Value, Player.PipelineTag);
             foreach (var text in source.Notes) note(text);
             return AsAsset(UnityEngine.Shader.Create(source), source.Name);
         }
+
+        // The package of the pipeline that is stood in for is there in name.
+        string Includes(string path) => Player.PipelinePackage != null && path == $"Packages/{Player.PipelinePackage}/package.json" ? path : includes?.Invoke(path);
 
         public TextAsset Text(AssetEntry entry) => AsAsset(new TextAsset(File.ReadAllBytes(entry.File)), entry.Name);
 

@@ -9,7 +9,7 @@ namespace UnityEngine.Headless
     /// order of submission, transparent ones from back to front, then what OnRenderObject and OnPostRender draw. The main directional light has a
     /// shadow (<see cref="ScreenShadows"/>); no additional lights.
     /// </summary>
-    internal static class FrameRenderer
+    internal static partial class FrameRenderer
     {
         internal const int LastOpaqueQueue = 2500;
 
@@ -30,8 +30,11 @@ namespace UnityEngine.Headless
                 return;
             try
             {
-                foreach (Camera camera in Camera.InDrawOrder())
-                    Render(camera);
+                if (RenderPipelineManager.Prepare() is RenderPipeline pipeline)
+                    pipeline.RenderCameras(Camera.InDrawOrder());
+                else
+                    foreach (Camera camera in Camera.InDrawOrder())
+                        Render(camera);
             }
             finally
             {
@@ -48,6 +51,11 @@ namespace UnityEngine.Headless
         {
             if (Player.Device == null)
                 throw Gpu.NoDevice("Camera.Render");
+            if (RenderPipelineManager.Prepare() is RenderPipeline pipeline)
+            {
+                pipeline.RenderCameras(new List<Camera> { camera });
+                return;
+            }
             RenderTexture target = camera.targetTexture;
             RenderTexture previous = RenderTexture.active;
             Camera previousCamera = Camera.current;

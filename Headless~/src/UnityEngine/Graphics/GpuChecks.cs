@@ -116,8 +116,14 @@ namespace UnityEngine.Headless
             return true;
         }
 
+        /// <summary>Textures that what runs now must not read, and why: of a render graph's pass, those that it has not declared.</summary>
+        public static readonly System.Collections.Generic.HashSet<Texture> Withheld = new System.Collections.Generic.HashSet<Texture>();
+        public static string WithheldBecause;
+
         public static bool Texture(string program, ShaderResource resource, Texture texture, DeviceTexture device)
         {
+            if (Withheld.Count > 0 && Withheld.Contains(texture))
+                throw new GpuUsageException($"{program}: '{resource.Name}' is {texture.GetType().Name} '{texture.NameOf}', {WithheldBecause}.");
             if (device == null)
             {
                 GpuError.Report($"{program}: {texture.GetType().Name} '{texture.NameOf}', bound to '{resource.Name}', does not exist: it was never created (RenderTexture.Create), or it was released or destroyed.",

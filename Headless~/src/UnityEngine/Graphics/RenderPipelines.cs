@@ -3,30 +3,101 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Rendering
 {
-    /// <summary>Always the built-in pipeline: no asset is ever set.</summary>
-    public abstract class RenderPipelineAsset : ScriptableObject { }
-    public abstract class RenderPipeline { }
+    /// <summary>While one is set in <see cref="GraphicsSettings"/> or <see cref="QualitySettings"/>, its pipeline draws the cameras; else the Built-in one does.</summary>
+    public abstract class RenderPipelineAsset : ScriptableObject
+    {
+        protected abstract RenderPipeline CreatePipeline();
+        protected virtual void OnValidate() { }
+        protected virtual void OnDisable() { }
 
-    public struct ScriptableRenderContext { }
+        internal RenderPipeline Create() => CreatePipeline();
+    }
+
+    public abstract class RenderPipeline
+    {
+        public bool disposed { get; private set; }
+
+        protected abstract void Render(ScriptableRenderContext context, Camera[] cameras);
+        protected virtual void Render(ScriptableRenderContext context, List<Camera> cameras) => Render(context, cameras.ToArray());
+        protected virtual void Dispose(bool disposing) { }
+
+        protected static void BeginContextRendering(ScriptableRenderContext context, List<Camera> cameras) => RenderPipelineManager.RaiseBegin(context, cameras);
+        protected static void EndContextRendering(ScriptableRenderContext context, List<Camera> cameras) => RenderPipelineManager.RaiseEnd(context, cameras);
+        protected static void BeginCameraRendering(ScriptableRenderContext context, Camera camera) => RenderPipelineManager.RaiseBegin(context, camera);
+        protected static void EndCameraRendering(ScriptableRenderContext context, Camera camera) => RenderPipelineManager.RaiseEnd(context, camera);
+
+        internal void RenderCameras(List<Camera> cameras) => Render(default, cameras);
+
+        internal void DisposeOnce()
+        {
+            if (disposed)
+                return;
+            disposed = true;
+            Dispose(true);
+        }
+    }
+
+    /// <summary>Unity keeps commands until Submit; here they run when they are handed over, which is the same order.</summary>
+    public struct ScriptableRenderContext : IEquatable<ScriptableRenderContext>
+    {
+        public void ExecuteCommandBuffer(CommandBuffer commandBuffer)
+        {
+            if (commandBuffer == null)
+                throw new ArgumentNullException(nameof(commandBuffer));
+            commandBuffer.Execute();
+        }
+
+        public void Submit() { }
+
+        public bool Equals(ScriptableRenderContext other) => true;
+        public override bool Equals(object obj) => obj is ScriptableRenderContext;
+        public override int GetHashCode() => 0;
+    }
 
     public static class RenderPipelineManager
     {
-        public static RenderPipeline currentPipeline => null;
-        // Scriptable pipelines raise these; the built-in one never does.
-        public static event Action<ScriptableRenderContext, Camera> beginCameraRendering { add { } remove { } }
-        public static event Action<ScriptableRenderContext, Camera> endCameraRendering { add { } remove { } }
-        public static event Action<ScriptableRenderContext, List<Camera>> beginContextRendering { add { } remove { } }
-        public static event Action<ScriptableRenderContext, List<Camera>> endContextRendering { add { } remove { } }
-        public static event Action activeRenderPipelineTypeChanged { add { } remove { } }
-        public static event Action activeRenderPipelineCreated { add { } remove { } }
-        public static event Action activeRenderPipelineDisposed { add { } remove { } }
+        static RenderPipelineAsset asset;
+        static RenderPipeline pipeline;
+
+        public static RenderPipeline currentPipeline => pipeline;
+
+        // Scriptable pipelines raise these; the built-in one never does. What a listener throws ends the frame, as in Unity (UnityCsReference, RenderPipelineManager.cs, 2022.3).
+        public static event Action<ScriptableRenderContext, Camera> beginCameraRendering, endCameraRendering;
+        public static event Action<ScriptableRenderContext, List<Camera>> beginContextRendering, endContextRendering;
+        public static event Action activeRenderPipelineTypeChanged, activeRenderPipelineCreated, activeRenderPipelineDisposed;
+
+        /// <summary>The pipeline of the asset that is set now; null for the Built-in one.</summary>
+        internal static RenderPipeline Prepare()
+        {
+            RenderPipelineAsset wanted = GraphicsSettings.currentRenderPipeline;
+            if (ReferenceEquals(wanted, asset) && (pipeline == null || !pipeline.disposed))
+                return pipeline;
+            Type before = pipeline?.GetType();
+            if (pipeline != null)
+            {
+                pipeline.DisposeOnce();
+                activeRenderPipelineDisposed?.Invoke();
+            }
+            asset = wanted;
+            pipeline = wanted is object ? wanted.Create() : null;
+            if (pipeline != null)
+                activeRenderPipelineCreated?.Invoke();
+            if (pipeline?.GetType() != before)
+                activeRenderPipelineTypeChanged?.Invoke();
+            return pipeline;
+        }
+
+        internal static void RaiseBegin(ScriptableRenderContext context, Camera camera) => beginCameraRendering?.Invoke(context, camera);
+        internal static void RaiseEnd(ScriptableRenderContext context, Camera camera) => endCameraRendering?.Invoke(context, camera);
+        internal static void RaiseBegin(ScriptableRenderContext context, List<Camera> cameras) => beginContextRendering?.Invoke(context, cameras);
+        internal static void RaiseEnd(ScriptableRenderContext context, List<Camera> cameras) => endContextRendering?.Invoke(context, cameras);
     }
 
     public sealed class GraphicsSettings : Object
     {
         GraphicsSettings() { }
-        public static RenderPipelineAsset currentRenderPipeline => null;
-        public static RenderPipelineAsset defaultRenderPipeline { get => null; set { } }
+        public static RenderPipelineAsset currentRenderPipeline => QualitySettings.renderPipeline != null ? QualitySettings.renderPipeline : defaultRenderPipeline;
+        public static RenderPipelineAsset defaultRenderPipeline { get; set; }
         public static bool lightsUseLinearIntensity { get; set; }
         public static bool lightsUseColorTemperature { get; set; }
         public static bool useScriptableRenderPipelineBatching { get; set; }

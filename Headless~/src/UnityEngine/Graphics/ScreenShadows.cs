@@ -43,7 +43,7 @@ namespace UnityEngine.Headless
         {
             Light light = Light.MainDirectional();
             Matrix4x4 view = Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.Rotate(light.transform.rotation).inverse;
-            if (!Fit(camera, view, all, seen, out Matrix4x4 projection, out float width, out float range))
+            if (!Fit(camera, view, QualitySettings.shadowDistance, all, seen, out Matrix4x4 projection, out float width, out float range))
                 return false;
             int texels = 512 << (int)QualitySettings.shadowResolution;
             int eyes = camera.stereoEnabled ? 2 : 1, pixels = camera.pixelWidth / eyes;
@@ -92,12 +92,20 @@ namespace UnityEngine.Headless
             return false;
         }
 
+        /// <summary>The light's view of what a camera sees, for a map of one cascade; false where nothing casts or receives.</summary>
+        public static bool TryFit(Camera camera, Light light, float distance, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, out Matrix4x4 view, out Matrix4x4 projection, out float width)
+        {
+            view = Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.Rotate(light.transform.rotation).inverse;
+            (projection, width) = (default, 0);
+            return Casts(all) && Fit(camera, view, distance, all, seen, out projection, out width, out _);
+        }
+
         // Across: where the camera sees something within the shadow distance. Along the light: from the first caster to the last receiver.
-        static bool Fit(Camera camera, in Matrix4x4 view, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, out Matrix4x4 projection, out float width, out float range)
+        static bool Fit(Camera camera, in Matrix4x4 view, float distance, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, out Matrix4x4 projection, out float width, out float range)
         {
             projection = default;
             width = range = 0;
-            float far = Math.Min(camera.farClipPlane, QualitySettings.shadowDistance);
+            float far = Math.Min(camera.farClipPlane, distance);
             for (int i = 0; i < 8; i++)
                 corners[i] = camera.ViewportToWorldPoint(new Vector3(i & 1, i >> 1 & 1, i < 4 ? camera.nearClipPlane : far));
             Bounds frustum = new Bounds(view.MultiplyPoint3x4(corners[0]), Vector3.zero);

@@ -1,0 +1,40 @@
+using UnityEngine.Headless;
+
+namespace UnityEngine.Rendering.Universal
+{
+    /// <summary>What URP tells shaders about light and size (names: Shaders of URP 14.0.10 and 17.1.0, ShaderLibrary/Input.hlsl).</summary>
+    internal static class UniversalVariables
+    {
+        static readonly int
+            mainLightPosition = Id("_MainLightPosition"), mainLightColor = Id("_MainLightColor"), builtInPosition = Id("_WorldSpaceLightPos0"), builtInColor = Id("_LightColor0"),
+            scaledScreen = Id("_ScaledScreenParams"), screenSize = Id("_ScreenSize"),
+            environment = Id("_GlossyEnvironmentCubeMap"), environmentHdr = Id("_GlossyEnvironmentCubeMap_HDR"), builtInCube = Id("unity_SpecCube0"), builtInHdr = Id("unity_SpecCube0_HDR"),
+            environmentColor = Id("_GlossyEnvironmentColor");
+
+        static int Id(string name) => Shader.PropertyToID(name);
+
+        /// <summary>SetPerCameraShaderVariables: these two follow the render scale, _ScreenParams does not.</summary>
+        public static void SetSize(int width, int height)
+        {
+            Shader.SetGlobalVector(scaledScreen, new Vector4(width, height, 1 + 1f / width, 1 + 1f / height));
+            Shader.SetGlobalVector(screenSize, new Vector4(width, height, 1f / width, 1f / height));
+        }
+
+        public static void SetLighting()
+        {
+            BuiltinVariables.SetLighting();
+            Shader.SetGlobalVector(mainLightPosition, Shader.GetGlobalVector(builtInPosition));
+            Shader.SetGlobalVector(mainLightColor, Shader.GetGlobalVector(builtInColor));
+            // Of the Built-in pipeline alone.
+            Shader.SetGlobalVector(builtInPosition, Vector4.zero);
+            Shader.SetGlobalVector(builtInColor, Vector4.zero);
+            // SetupPerCameraShaderConstants: ReflectionProbe.defaultTexture, which is the sky's cube here.
+            if (Shader.GetGlobalTexture(builtInCube) is Texture cube)
+            {
+                Shader.SetGlobalTexture(environment, cube);
+                Shader.SetGlobalVector(environmentHdr, Shader.GetGlobalVector(builtInHdr));
+            }
+            Shader.SetGlobalVector(environmentColor, Shader.GetGlobalVector("unity_AmbientSky"));
+        }
+    }
+}

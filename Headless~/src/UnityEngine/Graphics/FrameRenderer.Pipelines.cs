@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+
+namespace UnityEngine.Headless
+{
+    // What scriptable pipelines draw a camera's picture from.
+    internal static partial class FrameRenderer
+    {
+        /// <summary>Of the camera's layers, seen or not; casters among them.</summary>
+        internal static IReadOnlyList<QueuedDraw> InLayers => all;
+
+        /// <summary>Of its frustum.</summary>
+        internal static IReadOnlyList<QueuedDraw> Seen => seen;
+
+        /// <summary>Culls: what was submitted until now for this camera, and the renderers.</summary>
+        internal static void Cull(Camera camera) => Collect(camera);
+
+        internal static void EndCulled()
+        {
+            items.Clear();
+            all.Clear();
+            seen.Clear();
+        }
+
+        /// <summary>Draws what was culled in the order of the Built-in pipeline: each object's passes whose LightMode is wanted.</summary>
+        /// <param name="wanted">Gets the value of LightMode, "" for a pass without.</param>
+        internal static void DrawCulled(bool opaque, Func<string, bool> wanted)
+        {
+            foreach (Item item in items)
+            {
+                if (item.Queue <= LastOpaqueQueue != opaque)
+                    continue;
+                Material material = item.Draw.Call.Material;
+                for (int pass = 0; pass < material.passCount; pass++)
+                {
+                    material.shader.Source.Passes[pass].Tags.TryGetValue("LightMode", out string mode);
+                    if (wanted(mode ?? "") && (mode == null || material.GetShaderPassEnabled(mode)))
+                        Drawing.DrawPass(item.Draw.Call, pass);
+                }
+            }
+        }
+    }
+}
