@@ -31,6 +31,8 @@ namespace Host.Check
             new NetStandardRule(),
             new NUnitRule(),
             new HostSurfaceRule(),
+            new PipelineSurfaceRule(),
+            new PipelineAdaptersRule(),
             new RenderPassesRule(),
             new FxcRule(),
             new LayoutRule(),

@@ -8,6 +8,7 @@ using Host.Assets;
 using Host.Commands;
 using Host.Fluids;
 using Host.Output;
+using Host.Pipelines;
 using UnityEngine.Headless;
 
 namespace Host
@@ -40,11 +41,14 @@ namespace Host
             Player.ScreenWidth = settings.Width;
             Player.ScreenHeight = settings.Height;
 
+            if (settings.Pipeline != null)
+                PlayedPipeline.Load(settings.Pipeline.Version, Session.Root());      // before the session, which runs initializers
             using var session = project == null ? new Session(scene, settings.Strict, settings.Compute, player: true)
                 : new Session(project.Scene.Root, project.Scene.Mounts, project.Scripts.Assemblies, strict: settings.Strict, compute: settings.Compute, foreign: project.Scripts);
             output.WriteLine($"{Path.GetFileNameWithoutExtension(scene.File)} on {session.DescribeDevice()}");
             if (settings.Seed is int seed)
                 UnityEngine.Random.InitState(seed);
+            using PlayedPipeline pipeline = settings.Pipeline == null ? null : PlayedPipeline.Start(settings.Pipeline.Version, Session.Root(), settings.Pipeline.ByExecute);
             session.LoadScene(scene);
 
             // Probes look into the package that the host was built with.
@@ -67,6 +71,7 @@ namespace Host
             }
             if (settings.Hash)
                 output.WriteLine($"hash {(project == null ? StateHash.OfScene() : null) ?? BufferDump.Hash()}");
+            pipeline?.Dispose();
             int code = Close(session);
             if (project != null)
                 code = Math.Max(code, project.Summarize(session, output));

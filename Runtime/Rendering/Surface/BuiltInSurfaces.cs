@@ -55,8 +55,9 @@ namespace Rill
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
                 FluidSurface surface = FluidSurface.Active[i];
-                if (!surface.Record(commands, views))
+                if (!surface.Prepare(views))
                     continue;
+                surface.Record(commands, views);
                 surface.Submit(views, buffer.sceneColor);
                 any = true;
             }

@@ -84,16 +84,19 @@ namespace Rill
         private protected override StageSet Stage => StageSet.Surface;
         private protected override string ShaderFile => "Surface";
 
-        /// <summary>Records what this camera needs of the surface.</summary>
-        /// <returns>Whether the camera sees it; then <see cref="Submit"/> draws it.</returns>
-        internal bool Record(CommandBuffer cmd, in FluidViews camera)
+        /// <summary>Before anything else of the surface for this camera and frame.</summary>
+        /// <returns>Whether the camera sees it; then <see cref="Record"/> fills its textures and <see cref="Submit"/> draws it, in either order.</returns>
+        internal bool Prepare(in FluidViews camera)
         {
             if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
                 return false;
-            return recorder.Record(cmd, camera, frame);
+            return recorder.Prepare(camera, frame);
         }
 
-        /// <summary>Draws the surface for a camera in this frame, after <see cref="Record"/>.</summary>
+        /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
+        internal void Record(CommandBuffer cmd, in FluidViews camera) => recorder.Record(cmd, camera, frame);
+
+        /// <summary>Draws the surface for a camera in this frame, after <see cref="Prepare"/>.</summary>
         /// <param name="sceneColor">The opaque scene, in the Built-in pipeline; null where the pipeline has it as a global.</param>
         internal void Submit(in FluidViews camera, Texture sceneColor)
         {

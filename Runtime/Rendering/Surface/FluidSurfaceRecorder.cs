@@ -64,10 +64,10 @@ namespace Rill
             return found;
         }
 
-        /// <summary>Records everything that has changed since the camera's last frame.</summary>
+        /// <summary>Makes the camera's textures and what its shading draw reads of them, before anything is recorded: a render pipeline wants that draw before it culls.</summary>
         /// <param name="fluid">What is drawn.</param>
-        /// <returns>Whether the camera sees the fluid's box; nothing is recorded otherwise.</returns>
-        public bool Record(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid)
+        /// <returns>Whether the camera sees the fluid's box; there is nothing to record and to draw otherwise.</returns>
+        public bool Prepare(in FluidViews camera, in SurfaceFrame fluid)
         {
             constants.Set(camera);
             Vector4 bounds = BoundsOnPicture(camera, fluid, constants, out float nearest);
@@ -75,21 +75,33 @@ namespace Rill
                 return false;
             SurfaceView view = ViewOf(camera.camera);
             view.Constants.Set(camera);
+            view.Bounds = bounds;
+            view.IsPrepared = true;
             float scale = ScaleOf(camera, fluid, nearest);
             view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes);
-
             SetShading(view, bounds, camera);
+            return true;
+        }
+
+        /// <summary>Records everything that has changed since the camera's last frame; nothing where it was not prepared since the last call.</summary>
+        /// <param name="camera">As <see cref="Prepare"/> had it.</param>
+        /// <param name="fluid">As <see cref="Prepare"/> had it.</param>
+        public void Record(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid)
+        {
+            SurfaceView view = ViewOf(camera.camera);
+            if (!view.IsPrepared)
+                return;
+            view.IsPrepared = false;
             var state = new SurfaceState(fluid.version, fluid.lag.x, fluid.filterRadius, fluid.domainToWorld, view.Constants);
             bool isShown = view.Shown.HasValue && view.Shown.Value.Equals(state);
             Set(properties, fluid, view.Constants);
             if (!isShown)
             {
                 RecordDepth(cmd, camera, fluid, view);
-                RecordFilter(cmd, camera, fluid, view, bounds);
+                RecordFilter(cmd, camera, fluid, view, view.Bounds);
                 view.Shown = state;
             }
             RecordThickness(cmd, camera, fluid, view);      // the scene in it may have moved
-            return true;
         }
 
         public void Dispose()

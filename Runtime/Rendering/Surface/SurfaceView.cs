@@ -32,6 +32,12 @@ namespace Rill
         /// <summary>Frame in which the camera last asked for it.</summary>
         public int LastFrame { get; set; }
 
+        /// <summary>Lowest and highest x and y of the fluid's box on the picture, -1 to 1.</summary>
+        public Vector4 Bounds { get; set; }
+
+        /// <summary>Whether a frame of the camera was prepared and is not recorded yet.</summary>
+        public bool IsPrepared { get; set; }
+
         /// <summary>What <see cref="Smoothed"/> and <see cref="Normals"/> show; null where they show nothing yet.</summary>
         public SurfaceState? Shown { get; set; }
 

@@ -35,24 +35,30 @@ namespace Host.Check.Api
             int types = 0, members = 0;
             foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, names, findings))
                 using (assembly)
-                    foreach (OfferedType type in OfferedType.Of(assembly))
-                    {
-                        types++;
-                        ApiType listed = unity.Find(type.Name.Key);
-                        string complaint = listed == null ? "has no such type" : Complaint(unity, listed, type);
-                        if (complaint != null)
-                            findings.Fault($"{assembly.Name}.dll offers {type.Name}: Unity {version} {complaint}");
-                        if (listed == null)
-                            continue;
-                        foreach (OfferedMember member in type.Members)
-                        {
-                            members++;
-                            if (Complaint(unity, listed, member) is { } problem)
-                                findings.Fault($"{assembly.Name}.dll offers {member}: Unity {version} {problem}");
-                        }
-                    }
+                    Examine(assembly, unity, ref types, ref members, findings);
             findings.Looked = $"{types} types and {members} members of the host against Unity {version}";
             return findings;
+        }
+
+        /// <summary>What of one assembly is too much for a version.</summary>
+        internal static void Examine(CompiledAssembly assembly, ApiCatalogue unity, ref int types, ref int members, Findings findings)
+        {
+            foreach (OfferedType type in OfferedType.Of(assembly))
+            {
+                types++;
+                ApiType listed = unity.Find(type.Name.Key);
+                string complaint = listed == null ? "has no such type" : Complaint(unity, listed, type);
+                if (complaint != null)
+                    findings.Fault($"{assembly.Name}.dll offers {type.Name}: Unity {unity.Version} {complaint}");
+                if (listed == null)
+                    continue;
+                foreach (OfferedMember member in type.Members)
+                {
+                    members++;
+                    if (Complaint(unity, listed, member) is { } problem)
+                        findings.Fault($"{assembly.Name}.dll offers {member}: Unity {unity.Version} {problem}");
+                }
+            }
         }
 
         static string Complaint(ApiCatalogue unity, ApiType listed, OfferedType type)

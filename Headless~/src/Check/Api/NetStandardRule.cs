@@ -38,7 +38,7 @@ namespace Host.Check.Api
             return findings;
         }
 
-        static void Examine(CompiledAssembly assembly, ISet<string> types, ISet<string> members, Findings findings)
+        internal static void Examine(CompiledAssembly assembly, ISet<string> types, ISet<string> members, Findings findings)
         {
             bool isTest = assembly.Name.EndsWith(".Tests", StringComparison.Ordinal);
             foreach (string reference in assembly.References.Where(reference => !IsExpected(reference, isTest)))

@@ -18,6 +18,8 @@ namespace Host.Check.Api
     sealed class SourceNamesRule : Rule
     {
         static readonly string[] Folders = { "Runtime/", "Editor/", "Tests/" };
+        // Compiled and examined once for each version of the pipeline: PipelineAdaptersRule.
+        internal static readonly string[] AdapterFolders = { "Runtime/Rendering.Universal/" };
 
         public override string Name => "API: constants, enum values and named arguments exist in every version";
 
@@ -25,7 +27,7 @@ namespace Host.Check.Api
         {
             var findings = new Findings();
             var options = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: new[] { "UNITY_5_3_OR_NEWER", "UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_EDITOR", "UNITY_STANDALONE", "UNITY_INCLUDE_TESTS" });
-            List<SyntaxTree> trees = package.WithExtension(".cs").Where(file => Folders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)))
+            List<SyntaxTree> trees = package.WithExtension(".cs").Where(file => Folders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)) && !AdapterFolders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)))
                 .Select(file => CSharpSyntaxTree.ParseText(SourceText.From(package.Read(file)), options, file)).ToList();
             if (trees.Count == 0)
                 findings.Fault($"no C# source below {string.Join(", ", Folders)} of {package.Root}");
@@ -33,10 +35,20 @@ namespace Host.Check.Api
                 Conditions(tree, findings);
 
             CSharpCompilation compilation = CSharpCompilation.Create("Sources", trees, References(package), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
-            HashSet<string> names = ConstantNames(package, findings);
             var constants = new HashSet<string>();
+            int arguments = Examine(compilation, ConstantNames(PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings)), UnityCatalogues.All, constants, findings);
+            findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
+            return findings;
+        }
+
+        /// <summary>What the sources of a compilation name of Unity, against these versions.</summary>
+        /// <param name="names">Of constants and values of enums that are there at all.</param>
+        /// <param name="constants">Gets those that are used.</param>
+        /// <returns>How many arguments were passed by name.</returns>
+        internal static int Examine(CSharpCompilation compilation, ISet<string> names, IReadOnlyList<ApiCatalogue> versions, ISet<string> constants, Findings findings)
+        {
             int arguments = 0;
-            foreach (SyntaxTree tree in trees)
+            foreach (SyntaxTree tree in compilation.SyntaxTrees)
             {
                 SemanticModel model = compilation.GetSemanticModel(tree);
                 foreach (IdentifierNameSyntax name in Candidates(tree.GetCompilationUnitRoot(), names))
@@ -49,19 +61,18 @@ namespace Host.Check.Api
                             break;
                         case IParameterSymbol { ContainingSymbol: IMethodSymbol method } when IsUnity(method):
                             arguments++;
-                            NamedArgument(method.OriginalDefinition, name, findings);
+                            NamedArgument(method.OriginalDefinition, name, versions, findings);
                             break;
                         case IFieldSymbol { HasConstantValue: true } field when IsUnity(field):
                             constants.Add(field.ToString());
                             var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0, TypeOf((INamedTypeSymbol)field.Type), Array.Empty<ApiTypeName>());
                             // Nothing but the source names a type of which only a value is used.
-                            Report(findings, name, field.ToString(), unity => ApiLookup.Complaint(unity, member.Owner) ?? ApiLookup.Complaint(unity, member));
+                            Report(findings, versions, name, field.ToString(), unity => ApiLookup.Complaint(unity, member.Owner) ?? ApiLookup.Complaint(unity, member));
                             break;
                     }
                 }
             }
-            findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
-            return findings;
+            return arguments;
         }
 
         // Names of arguments, and those that some type of Unity's has a constant of: to bind all the others would take the compiler's time.
@@ -77,10 +88,10 @@ namespace Host.Check.Api
             });
         }
 
-        static HashSet<string> ConstantNames(PackageTree package, Findings findings)
+        internal static HashSet<string> ConstantNames(IEnumerable<CompiledAssembly> assemblies)
         {
             var names = new HashSet<string>();
-            foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings))
+            foreach (CompiledAssembly assembly in assemblies)
                 using (assembly)
                     names.UnionWith(assembly.Metadata.FieldDefinitions.Select(assembly.Metadata.GetFieldDefinition)
                         .Where(field => (field.Attributes & FieldAttributes.Literal) != 0).Select(field => assembly.Metadata.GetString(field.Name)));
@@ -104,11 +115,11 @@ namespace Host.Check.Api
                 yield return MetadataReference.CreateFromFile(path);
         }
 
-        static void NamedArgument(IMethodSymbol method, IdentifierNameSyntax argument, Findings findings)
+        static void NamedArgument(IMethodSymbol method, IdentifierNameSyntax argument, IReadOnlyList<ApiCatalogue> versions, Findings findings)
         {
             string parameter = argument.Identifier.ValueText;
             string name = method.MethodKind == MethodKind.Constructor ? ".ctor" : method.Name;
-            Report(findings, argument, $"{method.ContainingType}.{method.Name}({parameter}:)", unity =>
+            Report(findings, versions, argument, $"{method.ContainingType}.{method.Name}({parameter}:)", unity =>
             {
                 ApiType type = unity.Find(TypeOf(method.ContainingType).Key);
                 if (type == null)
@@ -132,9 +143,9 @@ namespace Host.Check.Api
 
         static string Where(Location location) => $"{location.SourceTree?.FilePath}:{location.GetLineSpan().StartLinePosition.Line + 1}";
 
-        static void Report(Findings findings, SyntaxNode node, string what, Func<ApiCatalogue, string> complain)
+        static void Report(Findings findings, IReadOnlyList<ApiCatalogue> versions, SyntaxNode node, string what, Func<ApiCatalogue, string> complain)
         {
-            foreach (IGrouping<string, string> same in UnityCatalogues.All.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
+            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
                 findings.Fault($"{Where(node.GetLocation())}: {what}: Unity {string.Join(", ", same)} {same.Key}");
         }
     }

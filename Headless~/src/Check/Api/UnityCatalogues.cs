@@ -11,11 +11,13 @@ namespace Host.Check.Api
         // Comments to a line's end stand inside of these two, on one line with what follows: not to be told from code any more.
         static readonly string[] Garbled = { "UnityEditor.TerrainTools.TerrainPaintUtilityEditor | static void DrawBrushPreview(", "UnityEngine.TerrainTools.TerrainPaintUtility | static void SetupTerrainToolMaterialProperties(" };
 
-        static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load()));
+        static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load(), UnityApiLists.LoadPipelines()));
 
         public static IReadOnlyList<ApiCatalogue> All => all.Value;
 
-        public static IReadOnlyList<ApiCatalogue> Make(UnityApiLists lists) => lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalogue(lists, version)).ToList();
+        /// <param name="pipelines">The render pipelines' packages, or null.</param>
+        public static IReadOnlyList<ApiCatalogue> Make(UnityApiLists lists, UnityApiLists pipelines = null) =>
+            lists.Versions.AsParallel().AsOrdered().Select(version => new ApiCatalogue(lists, version, pipelines)).ToList();
 
         /// <summary>Lines that say nothing to the check, but for those known.</summary>
         public static IEnumerable<string> Unreadable(IEnumerable<ApiCatalogue> catalogues) =>

@@ -31,27 +31,32 @@ namespace Host.Check.Api
             var members = new HashSet<string>();
             foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, names, findings))
                 using (assembly)
-                {
-                    foreach (ApiTypeName type in assembly.TypesUsed.Where(use => IsUnity(use.Assembly)).Select(use => use.Type))
-                    {
-                        types.Add(type.Key);
-                        Report(findings, assembly, type.ToString(), versions, unity => ApiLookup.Complaint(unity, type));
-                    }
-                    foreach ((_, CompiledMember member, MemberReferenceHandle reference) in assembly.MembersUsed.Where(use => IsUnity(use.Assembly)))
-                    {
-                        members.Add(member.ToString());
-                        Report(findings, assembly, member.ToString(), versions, unity => ApiLookup.Complaint(unity, member), reference);
-                    }
-                    foreach (CompiledMember member in assembly.AttributeArguments(IsUnity, versions[^1]))
-                    {
-                        members.Add(member.ToString());
-                        Report(findings, assembly, member.ToString(), versions, unity => ApiLookup.Complaint(unity, member));
-                    }
-                    foreach (Inheritance inheritance in Inheritance.Of(assembly))
-                        inheritance.Examine(versions, members, (what, complaint) => Report(findings, assembly, what, versions, complaint));
-                }
+                    Examine(assembly, versions, types, members, findings);
             findings.Looked = $"{types.Count} types and {members.Count} members of Unity against {string.Join(", ", versions.Select(unity => $"{unity.Version} ({unity.Types.Count} types, {unity.MemberCount} members)"))}";
             return findings;
+        }
+
+        /// <summary>What one assembly names, against these versions.</summary>
+        /// <param name="isKnown">Faults that are meant so: what is named, and the complaint. Null: none.</param>
+        internal static void Examine(CompiledAssembly assembly, IReadOnlyList<ApiCatalogue> versions, ISet<string> types, ISet<string> members, Findings findings, Func<string, string, bool> isKnown = null)
+        {
+            foreach (ApiTypeName type in assembly.TypesUsed.Where(use => IsUnity(use.Assembly)).Select(use => use.Type))
+            {
+                types.Add(type.Key);
+                Report(findings, assembly, type.ToString(), versions, unity => ApiLookup.Complaint(unity, type), isKnown);
+            }
+            foreach ((_, CompiledMember member, MemberReferenceHandle reference) in assembly.MembersUsed.Where(use => IsUnity(use.Assembly)))
+            {
+                members.Add(member.ToString());
+                Report(findings, assembly, member.ToString(), versions, unity => ApiLookup.Complaint(unity, member), isKnown, reference);
+            }
+            foreach (CompiledMember member in assembly.AttributeArguments(IsUnity, versions[^1]))
+            {
+                members.Add(member.ToString());
+                Report(findings, assembly, member.ToString(), versions, unity => ApiLookup.Complaint(unity, member), isKnown);
+            }
+            foreach (Inheritance inheritance in Inheritance.Of(assembly))
+                inheritance.Examine(versions, members, (what, complaint) => Report(findings, assembly, what, versions, complaint, isKnown));
         }
 
         public static bool IsUnity(string assembly) => assembly.StartsWith("UnityEngine", StringComparison.Ordinal) || assembly.StartsWith("UnityEditor", StringComparison.Ordinal) || assembly.StartsWith("Unity.", StringComparison.Ordinal);
@@ -59,9 +64,9 @@ namespace Host.Check.Api
         static string User(CompiledAssembly assembly, MemberReferenceHandle reference) => !reference.IsNil && assembly.FirstUser(reference) is { } user ? $"; first used in {user}" : "";
 
         // One line for all versions that say the same.
-        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions, Func<ApiCatalogue, string> complain, MemberReferenceHandle reference = default)
+        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions, Func<ApiCatalogue, string> complain, Func<string, string, bool> isKnown, MemberReferenceHandle reference = default)
         {
-            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
+            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null && !(isKnown != null && isKnown(what, v.complaint))).GroupBy(v => v.complaint, v => v.Version))
                 findings.Fault($"{assembly.Name}.dll: {what}: Unity {string.Join(", ", same)} {same.Key}{User(assembly, reference)}");
         }
     }

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Reflection.Metadata;
 using System.Reflection.PortableExecutable;
+using Host.Pipelines;
 
 namespace Host.Check
 {
@@ -98,13 +99,23 @@ namespace Host.Check
         public static IEnumerable<AssemblyDefinition> Of(PackageTree package, Findings findings)
         {
             foreach (AssemblyDefinition definition in AssemblyDefinition.All(package, findings).Where(a => !a.IsTest && a.IncludePlatforms.Length == 0))
-                if (File.Exists(PathOf(package, definition)))
+                if (definition.IsAdapter ? ImageOf(package, definition, findings) != null : File.Exists(PathOf(package, definition)))
                     yield return definition;
                 else
                     findings.Fault($"{PathOf(package, definition)} is not there: build it first (Headless~/rill does)");
         }
 
-        public static Stream Open(PackageTree package, AssemblyDefinition definition) => File.OpenRead(PathOf(package, definition));
+        public static Stream Open(PackageTree package, AssemblyDefinition definition) =>
+            definition.IsAdapter ? new MemoryStream(ImageOf(package, definition, new Findings())) : File.OpenRead(PathOf(package, definition));
+
+        // Of the version in which it has both paths.
+        static byte[] ImageOf(PackageTree package, AssemblyDefinition definition, Findings findings)
+        {
+            byte[] image = PipelineAssemblies.Of(PipelineVersion.Find("17")).CompileAdapter(AdapterDefinition.Read(package.FullPath(definition.File)), false, out List<string> errors);
+            if (image == null)
+                findings.Fault($"{definition.Name} is not compiled: {string.Join("; ", errors)}");
+            return image;
+        }
 
         static string PathOf(PackageTree package, AssemblyDefinition definition) => Path.Combine(package.Assemblies, definition.Name + ".dll");
     }

@@ -22,7 +22,9 @@ namespace Host.Check
             {
                 scripts += definition.Scripts(package, all).Count();
                 CheckDefinition(definition, findings);
-                CheckProject(package, definition, all, findings);
+                // Adapters have a rule of their own: PipelineAdaptersRule.
+                if (!definition.IsAdapter)
+                    CheckProject(package, definition, all, findings);
             }
             foreach (string script in package.Visible.Where(f => f.EndsWith(".cs", StringComparison.Ordinal) && AssemblyDefinition.Owner(f, all) == null))
                 findings.Fault($"{script} lies in no folder with an .asmdef, so Unity does not compile it: packages need one");

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Reflection;
 using Host.Assets;
+using Host.Pipelines;
 using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.SceneManagement;
@@ -73,7 +74,8 @@ namespace Host.Check
         public static List<Assembly> Load(PackageTree package, Findings findings)
         {
             var loaded = new List<Assembly>();
-            IEnumerable<string> names = AssemblyDefinition.All(package, findings).Where(a => !a.IsTest).Select(a => a.Name);
+            List<AssemblyDefinition> definitions = AssemblyDefinition.All(package, findings).Where(a => !a.IsTest).ToList();
+            IEnumerable<string> names = definitions.Where(a => !a.IsAdapter).Select(a => a.Name);
             if (package.WithExtension(".cs").Any(f => f.StartsWith("Samples~/", StringComparison.Ordinal)))
                 names = names.Append(Samples);
             foreach (string name in names)
@@ -84,6 +86,15 @@ namespace Host.Check
                 else
                     findings.Fault($"{file} is not there: build it first (Headless~/rill does)");
             }
+            foreach (AssemblyDefinition adapter in definitions.Where(a => a.IsAdapter))
+                try
+                {
+                    loaded.Add(PlayedPipeline.Load(PipelineVersion.Find("17"), package.Root)[adapter.Name]);
+                }
+                catch (InvalidOperationException problem)
+                {
+                    findings.Fault(problem.Message);
+                }
             return loaded;
         }
     }

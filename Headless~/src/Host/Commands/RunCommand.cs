@@ -31,10 +31,11 @@ namespace Host.Commands
             var strict = new Option<bool>("--strict") { Description = "With --project: stop where Unity logs and goes on or is undefined." };
             var notStrict = new Option<bool>("--not-strict") { Description = "Where Unity logs and goes on, do so, instead of stopping." };
             var stereo = new Option<bool>("--stereo") { Description = "Draw two eyes in one pass, as for a headset, beside each other." };
+            var pipeline = new Option<string>("--pipeline") { Description = $"Render pipeline whose stand-in draws, with the package's adapter: {string.Join(", ", PipelineChoice.Names)}. Built-in by default." };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
 
-            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, stereo, shaders, limits };
+            var command = new Command("run", "Plays a scene without Unity and shows it.") { scene, project, seconds, frames, fps, every, size, target, noVideo, noFrames, stills, hash, dump, at, seed, noCompute, strict, notStrict, stereo, pipeline, shaders, limits };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -61,10 +62,13 @@ namespace Host.Commands
                     DumpFolder = parsed.GetValue(dump),
                     DumpAt = Frames(parsed.GetValue(at)),
                     Seed = parsed.GetValue(seed),
+                    Pipeline = PipelineChoice.Of(parsed.GetValue(pipeline)),
                     Compute = !parsed.GetValue(noCompute),
                     Strict = parsed.GetValue(project) == null ? !parsed.GetValue(notStrict) : parsed.GetValue(strict),
                     Command = "rill " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
                 };
+                if (settings.Pipeline != null && settings.Project != null)
+                    throw new HostException("--pipeline plays scenes of this package; a project under --project is drawn by the Built-in pipeline.");
                 if (settings.Stills.Length > 0 && !settings.Draw)
                     throw new HostException("--stills needs frames; leave out --no-frames.");
                 if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
@@ -114,5 +118,7 @@ namespace Host.Commands
         public int[] DumpAt;
         public double[] Stills;
         public int? Seed;
+        /// <summary>Null: the Built-in one.</summary>
+        public PipelineChoice Pipeline;
     }
 }

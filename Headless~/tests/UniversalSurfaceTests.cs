@@ -1,0 +1,236 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Text.RegularExpressions;
+using Host.Assets;
+using Host.Pipelines;
+using NUnit.Framework;
+using Rill;
+using UnityEngine;
+using UnityEngine.Headless;
+using UnityEngine.TestTools;
+
+namespace Host.Tests
+{
+    /// <summary>The package's adapter for URP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
+    public class UniversalSurfaceTests : UniversalFixture
+    {
+        ProjectAssets assets;
+        IAssetSource assetsBefore;
+        FluidSimulation simulation;
+
+        [SetUp]
+        public void KeepAssets() => assetsBefore = Player.Assets;
+
+        [TearDown]
+        public void EndScene()
+        {
+            UnityEngine.SceneManagement.SceneManager.UnloadEverything();
+            assets?.ReloadAll();
+            assets = null;
+            Player.Assets = assetsBefore;
+        }
+
+        // Shaders are imported for the pipeline that runs: by a project of its own.
+        void Build(string version, bool editor = false, string adapterRoot = null)
+        {
+            if (version.Length > 0)
+            {
+                bool byExecute = version.EndsWith(" by Execute", StringComparison.Ordinal);
+                pipeline = PlayedPipeline.Start(PipelineVersion.Find(version.Split(' ')[0]), adapterRoot ?? Session.Root(), byExecute, editor);
+                Assembly adapter = pipeline["Rill.Universal"];
+                adapter.GetType("Rill.Universal.UniversalSurfaces").GetMethod("Listen", BindingFlags.Static | BindingFlags.NonPublic).Invoke(null, null);
+            }
+            assets = new ProjectAssets(ProjectFolders.Of(Session.Root()), new[] { typeof(FluidSimulation).Assembly }, strict: true);
+            Player.Assets = assets;
+
+            RenderSettings.ambientMode = UnityEngine.Rendering.AmbientMode.Flat;
+            RenderSettings.ambientSkyColor = new Color(0.3f, 0.3f, 0.3f);
+            var sun = new GameObject("Sun").AddComponent<Light>();
+            sun.type = LightType.Directional;
+            sun.transform.rotation = Quaternion.Euler(60, 30, 0);
+            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Plane);
+            floor.transform.position = new Vector3(0, -0.8f, 0);
+            floor.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", Player.PipelineTag);
+            camera.transform.position = new Vector3(0, 1, -4);
+            camera.transform.LookAt(new Vector3(0, -0.3f, 0));
+
+            var fluid = new GameObject("Fluid");
+            fluid.SetActive(false);
+            simulation = fluid.AddComponent<FluidSimulation>();
+            simulation.Configure(new Vector3(1.6f, 1.6f, 1.6f), 0.1f, 600);
+            simulation.StatisticsInterval = 0;
+            fluid.AddComponent<FluidVolume>().Size = new Vector3(0.8f, 0.8f, 0.8f);
+            fluid.AddComponent<FluidSurface>();
+            fluid.SetActive(true);
+        }
+
+        static void Play(int frames)
+        {
+            for (int i = 0; i < frames; i++)
+                PlayerLoop.Frame(1f / 60);
+        }
+
+        // Of the pixels, those in which the water changes the picture.
+        int Covered(Vector4[] with)
+        {
+            simulation.gameObject.SetActive(false);
+            Play(1);
+            Vector4[] without = Pixels();
+            return with.Where((pixel, i) => (pixel - without[i]).magnitude > 0.02f).Count();
+        }
+
+        [Test]
+        public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17 by Execute", "17.3", "17.3-compatibility by Execute", "17.4")] string version)
+        {
+            Build(version);
+            Play(2);
+            Assert.That(Errors, Is.Empty);
+            Assert.That(Logged, Has.None.Contains("RecordRenderGraph").And.None.Contains("Execute is not implemented"));
+            Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
+        }
+
+        [Test]
+        public void It_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version)
+        {
+            Build("");
+            Play(2);
+            Vector4[] builtIn = Pixels();
+            EndScene();
+            PlayerLoop.Reset();
+            target.Release();
+            MakeCamera();
+            Build(version);
+            Play(2);
+            Vector4[] universal = Pixels();
+            // Where the water is not, the floor has the same light; where it is, what is seen through it is of half size.
+            int other = universal.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.1f).Count();
+            Assert.That(other, Is.LessThan(Width * Height / 50));
+        }
+
+        [Test]
+        public void A_camera_that_is_not_culled_disturbs_no_later_frame([Values("14", "17")] string version)
+        {
+            Build(version);
+            Play(2);
+            camera.rect = new Rect(0, 0, 0, 0);
+            Play(1);
+            camera.rect = new Rect(0, 0, 1, 1);
+            Play(1);
+            Vector4[] after = Pixels();
+            Assert.That(Errors, Is.Empty);
+            Assert.That(Covered(after), Is.GreaterThan(Width * Height / 20));
+        }
+
+        [Test]
+        public void Nothing_is_enqueued_for_a_camera_that_does_not_see_the_water([Values("14", "17")] string version)
+        {
+            Build(version);
+            camera.transform.rotation = Quaternion.Euler(0, 180, 0);
+            Play(2);
+            Assert.That(Shader.GetGlobalTexture("_CameraDepthTexture"), Is.SameAs(Texture2D.blackTexture), "no pass asked for depth");
+            Assert.That(Errors, Is.Empty);
+        }
+
+        [Test]
+        public void It_follows_the_render_scale([Values("14", "17")] string version, [Values(0.5f, 0.97f)] float scale)
+        {
+            Build(version);
+            Set(pipeline.Asset, "renderScale", scale);
+            Play(2);
+            Vector4[] drawn = Pixels();
+            Assert.That(Errors, Is.Empty);
+            Assert.That(Covered(drawn), Is.GreaterThan(Width * Height / 20));
+        }
+
+        [Test]
+        public void No_component_is_added_to_a_camera([Values("14", "17")] string version)
+        {
+            Build(version);
+            int before = camera.GetComponents<Component>().Length;
+            Play(2);
+            Assert.That(camera.GetComponents<Component>().Length, Is.EqualTo(before));
+        }
+
+        [Test]
+        public void A_feature_moves_the_pass_before_others([Values("14", "17")] string version)
+        {
+            Build(version);
+            var feature = (ScriptableObject)ScriptableObject.CreateInstance(pipeline["Rill.Universal"].GetType("Rill.Universal.FluidSurfaceFeature"));
+            Set(feature, "StepsBefore", 100);
+            Assert.That(Get(feature, "StepsBefore"), Is.EqualTo(49), "clamped");
+            object data = ((Array)Get(pipeline.Asset, "m_RendererDataList")).GetValue(0);
+            ((System.Collections.IList)Get(data, "rendererFeatures")).Add(feature);
+            data.GetType().GetMethod("SetDirty").Invoke(data, null);
+            Play(2);
+            object pass = pipeline["Rill.Universal"].GetType("Rill.Universal.UniversalSurfaces").GetProperty("Pass").GetValue(null);
+            Assert.That((int)Get(pass, "renderPassEvent"), Is.EqualTo(401));
+            Assert.That(Errors, Is.Empty);
+            Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
+        }
+
+        // The same with a fault in the adapter: what the tests above would see.
+        void BuildWithFault(string version, string file, string line, string instead)
+        {
+            string root = Path.Combine(Path.GetTempPath(), "rill-adapter-" + Guid.NewGuid().ToString("N")), folder = Path.Combine(root, "Runtime", "Rendering.Universal");
+            Directory.CreateDirectory(folder);
+            try
+            {
+                foreach (string source in Directory.GetFiles(Path.Combine(Session.Root(), "Runtime", "Rendering.Universal")).Where(source => !source.EndsWith(".meta")))
+                {
+                    string text = File.ReadAllText(source);
+                    if (Path.GetFileName(source) == file)
+                    {
+                        Assert.That(text, Does.Contain(line));
+                        text = text.Replace(line, instead);
+                    }
+                    File.WriteAllText(Path.Combine(folder, Path.GetFileName(source)), text);
+                }
+                Build(version, adapterRoot: root);
+            }
+            finally
+            {
+                Directory.Delete(root, true);
+            }
+        }
+
+        [TestCase("builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);", "", "'Rill.Surface' of the render graph has not declared")]
+        [TestCase("ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color", "ScriptableRenderPassInput.Color", "Trying to use an invalid resource (pass Rill.Surface)")]
+        [TestCase("DefaultEvent = RenderPassEvent.BeforeRenderingTransparents", "DefaultEvent = RenderPassEvent.AfterRenderingShadows", "that nothing has written to yet")]
+        public void A_pass_that_reads_what_it_must_not_is_caught(string line, string instead, string words)
+        {
+            BuildWithFault("17", "SurfacePass.cs", line, instead);
+            if (words.Contains("written"))
+                Set(pipeline.Asset, "supportsCameraDepthTexture", true);
+            LogAssert.Expect(LogType.Exception, new Regex(Regex.Escape(words)));
+            Play(2);        // the surface is found in the second frame
+        }
+
+        [TestCase("17", "builder.AllowPassCulling(false);", "")]
+        [TestCase("17", "renderPassEvent = DefaultEvent;", "renderPassEvent = RenderPassEvent.AfterRenderingTransparents;")]
+        [TestCase("14", "cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);", "")]
+        public void Without_the_line_the_water_is_not_there(string version, string line, string instead)
+        {
+            BuildWithFault(version, "SurfacePass.cs", line, instead);
+            Play(2);
+            Assert.That(Covered(Pixels()), Is.LessThan(Width * Height / 20));
+        }
+
+        [Test]
+        public void What_the_project_lacks_is_listed_and_one_click_puts_it_right()
+        {
+            Build("17", editor: true);
+            IRenderSetup setup = RenderSetups.All.Last();
+            Assert.That(setup.Problems, Is.Empty);
+            object data = ((Array)Get(pipeline.Asset, "m_RendererDataList")).GetValue(0);
+            ((UnityEngine.Object)data).name = "Mobile";
+            Set(data, "shadowTransparentReceive", false);
+            SetupProblem problem = setup.Problems.Single();
+            Assert.That(problem.Text, Does.Contain("'Mobile'").And.Contain("Transparent Receive Shadows is off"));
+            Assert.That(problem.FixLabel, Is.Not.Null);
+            problem.Fix();
+            Assert.That(setup.Problems, Is.Empty);
+        }
+    }
+}

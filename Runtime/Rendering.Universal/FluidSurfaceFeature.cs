@@ -1,0 +1,30 @@
+using UnityEngine;
+using UnityEngine.Rendering.Universal;
+
+namespace Rill.Universal
+{
+    /// <summary>
+    /// Moves the pass that fills the textures of <see cref="FluidSurface"/> before other passes of a renderer. Without this feature it runs
+    /// just before the transparent draws; nothing else depends on it.
+    /// </summary>
+    [DisallowMultipleRendererFeature("Rill Fluid Surface")]
+    public sealed class FluidSurfaceFeature : ScriptableRendererFeature
+    {
+        /// <summary>Furthest that the pass can be moved: to just after the copy of the opaque scene.</summary>
+        public const int MaxStepsBefore = 49;
+
+        [Tooltip("How many steps of RenderPassEvent before the transparent draws, 0 to 49. Passes of the same step run in the order in which they were added.")]
+        [Range(0, MaxStepsBefore)]
+        [SerializeField] int stepsBefore;
+
+        /// <summary>Steps of <see cref="RenderPassEvent"/> before the transparent draws, 0 to <see cref="MaxStepsBefore"/>; clamped.</summary>
+        public int StepsBefore { get => stepsBefore; set => stepsBefore = Mathf.Clamp(value, 0, MaxStepsBefore); }
+
+        /// <inheritdoc/>
+        public override void Create() => StepsBefore = stepsBefore;
+
+        /// <inheritdoc/>
+        public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData) =>
+            UniversalSurfaces.Pass.renderPassEvent = SurfacePass.DefaultEvent - stepsBefore;
+    }
+}

@@ -1,0 +1,98 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.Universal;
+#if RILL_RENDER_GRAPH
+using UnityEngine.Rendering.RenderGraphModule;
+#endif
+
+namespace Rill.Universal
+{
+    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque and its transparent draws.</summary>
+    /// <remarks>
+    /// One pass for all cameras, which come one after the other. URP leaves it in the queue of a renderer where a camera was not
+    /// culled, so it does its work once, and only for the camera that it was made ready for.
+    /// </remarks>
+    sealed class SurfacePass : ScriptableRenderPass
+    {
+        /// <summary>Just before the transparent draws, among which the surface is shaded.</summary>
+        public const RenderPassEvent DefaultEvent = RenderPassEvent.BeforeRenderingTransparents;
+
+        FluidViews views;
+        bool isReady;
+
+        public SurfacePass()
+        {
+            // Depth to measure water in front of the scene, colour to see the scene through it: no project setting has to be on.
+            ConfigureInput(ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color);
+        }
+
+        /// <summary>For the camera of these views, in this frame.</summary>
+        public void Prepare(in FluidViews camera)
+        {
+            views = camera;
+            isReady = true;
+            renderPassEvent = DefaultEvent;
+        }
+
+        /// <summary>The camera has been drawn, or has not been culled.</summary>
+        public void Forget()
+        {
+            views = default;
+            isReady = false;
+        }
+
+        bool Begin(Camera camera)
+        {
+            if (!isReady || !ReferenceEquals(camera, views.camera))
+                return false;
+            isReady = false;
+            return true;
+        }
+
+        void Record(CommandBuffer cmd)
+        {
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+                FluidSurface.Active[i].Record(cmd, views);
+        }
+
+#if RILL_RENDER_GRAPH
+        sealed class PassData
+        {
+            public SurfacePass pass;
+        }
+
+        public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
+        {
+            if (!Begin(frameData.Get<UniversalCameraData>().camera))
+                return;
+            using (IUnsafeRenderGraphBuilder builder = renderGraph.AddUnsafePass("Rill.Surface", out PassData data))
+            {
+                data.pass = this;
+                builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);
+                // It writes textures of its own, which the graph does not know.
+                builder.AllowPassCulling(false);
+                builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) => recorded.pass.Record(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd)));
+            }
+        }
+#endif
+
+#if !RILL_GRAPH_BY_DEFAULT || URP_COMPATIBILITY_MODE && !RILL_GRAPH_ONLY
+        // The path of 2022.3, and of later projects in Compatibility Mode, which URP calls obsolete from 17.0 on.
+#pragma warning disable CS0618, CS0672
+        public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
+        {
+            if (!Begin(renderingData.cameraData.camera))
+                return;
+            CommandBuffer cmd = CommandBufferPool.Get("Rill.Surface");
+            Record(cmd);
+            // URP binds a target only where it differs from the last that it bound itself: the next pass would draw into ours.
+            ScriptableRenderer renderer = renderingData.cameraData.renderer;
+            RenderTargetIdentifier color = renderer.cameraColorTargetHandle.nameID, depth = renderer.cameraDepthTargetHandle.nameID;
+            cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
+            context.ExecuteCommandBuffer(cmd);
+            CommandBufferPool.Release(cmd);
+        }
+#pragma warning restore CS0618, CS0672
+#endif
+    }
+}

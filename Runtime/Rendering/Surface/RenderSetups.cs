@@ -1,0 +1,21 @@
+using System.Collections.Generic;
+
+namespace Rill
+{
+    /// <summary>The adapters that are compiled in this project.</summary>
+    static class RenderSetups
+    {
+        [KeptBetweenPlays] static readonly List<IRenderSetup> all = new List<IRenderSetup>();
+
+        public static IReadOnlyList<IRenderSetup> All => all;
+
+        /// <summary>In place of an earlier one of the same class.</summary>
+        public static void Add(IRenderSetup setup)
+        {
+            for (int i = all.Count - 1; i >= 0; i--)
+                if (all[i].GetType() == setup.GetType())
+                    all.RemoveAt(i);
+            all.Add(setup);
+        }
+    }
+}
