@@ -17,11 +17,11 @@ namespace Rill
             public uint4 a, b;
         }
 
-        /// <summary>Entries of <see cref="Counters"/>; kFound and kDrawn in SurfaceParticles.compute.</summary>
-        public enum Counter { Found, Drawn }
+        /// <summary>Entries of <see cref="Counters"/>; kFound and its like in SurfaceParticles.compute.</summary>
+        public enum Counter { Found, Drawn, DidNotFit }
 
         /// <summary>Passes that average the planes among neighbors before the ellipsoids are made, which average them once more.</summary>
-        public const int SmoothingPasses = 2;
+        public const int SmoothingPasses = 3;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 
@@ -42,7 +42,7 @@ namespace Rill
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             try
             {
-                surface = GpuBuffer.Structured<Element>("Rill.Surface", layout.Capacity);
+                surface = GpuBuffer.Structured<Element>("Rill.Surface", CapacityFor(layout));
                 planes = GpuBuffer.Structured<uint2>("Rill.Surface.Planes", layout.Capacity);
                 smoothPlanes = GpuBuffer.Structured<uint2>("Rill.Surface.SmoothPlanes", layout.Capacity);
                 counters = GpuBuffer.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length);
@@ -56,7 +56,15 @@ namespace Rill
             }
         }
 
-        /// <summary>SurfaceParticle [capacity], of which the first [drawn] are set, in any order; see SurfaceParticle.hlsl.</summary>
+        /// <summary>Most ellipsoids: one for each particle, and those that cover the walls of the domain.</summary>
+        public static long CapacityFor(SolverLayout layout)
+        {
+            float3 size = layout.DomainSize;
+            double area = 2.0 * ((double)size.x * size.y + (double)size.y * size.z + (double)size.z * size.x);
+            return layout.Capacity + (long)Math.Min(3.0 * layout.Capacity, 1.5 * area);
+        }
+
+        /// <summary>SurfaceParticle [<see cref="CapacityFor"/>], of which the first [drawn] are set, in any order; see SurfaceParticle.hlsl.</summary>
         public GraphicsBuffer Particles => surface;
 
         /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for those, 6 vertices each; see Arguments.hlsl.</summary>
@@ -75,6 +83,7 @@ namespace Rill
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
             RecordNew(cmd, particles, substepTime);
             if (constants != null)
             {
@@ -135,6 +144,7 @@ namespace Rill
         void RecordEstimate(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
         {
             BindNeighbors(cmd, estimate, particles, lists, search, resting);
+            cmd.SetComputeBufferParam(shader, estimate, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, estimate, Ids.Planes, planes);
             cmd.SetComputeBufferParam(shader, estimate, Ids.SmoothPlanes, smoothPlanes);
             cmd.DispatchCompute(shader, estimate, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -142,7 +152,6 @@ namespace Rill
 
         void RecordDrawn(CommandBuffer cmd)
         {
-            cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
             cmd.SetComputeBufferParam(shader, storeDrawn, Ids.SurfaceCounters, counters);
             cmd.SetComputeBufferParam(shader, storeDrawn, Ids.SurfaceArguments, arguments);
             cmd.DispatchCompute(shader, storeDrawn, 1, 1, 1);
@@ -176,7 +185,6 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
             }
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
         }

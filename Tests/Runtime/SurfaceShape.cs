@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rill.Tests.Reference;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -15,10 +16,32 @@ namespace Rill.Tests
         public int particle;
 
         /// <summary>Those that the solver has to draw, sorted by particle.</summary>
-        public static SurfaceShape[] Read(PbfSolver solver)
+        public static SurfaceShape[] Read(PbfSolver solver) => Read(solver.Surface);
+
+        public static SurfaceShape[] Read(SurfaceParticles stage)
         {
-            int drawn = (int)GpuTest.Read<uint>(solver.Surface.Counters, 2)[(int)SurfaceParticles.Counter.Drawn];
-            return GpuTest.Read<SurfaceParticles.Element>(solver.Surface.Particles, drawn).Select(Unpack).OrderBy(shape => shape.particle).ToArray();
+            int drawn = (int)GpuTest.Read<uint>(stage.Counters, 3)[(int)SurfaceParticles.Counter.Drawn];
+            return GpuTest.Read<SurfaceParticles.Element>(stage.Particles, drawn).Select(Unpack).OrderBy(shape => shape.particle).ToArray();
+        }
+
+        /// <summary>The sum of the outer products of the semi-axes.</summary>
+        public Tensor Squares => semiAxes.x * semiAxes.x * Tensor.Outer(x, x) + semiAxes.y * semiAxes.y * Tensor.Outer(y, y) + semiAxes.z * semiAxes.z * Tensor.Outer(z, z);
+
+        /// <summary>How far it reaches along the axes of the domain.</summary>
+        public double3 Reach
+        {
+            get
+            {
+                Tensor squares = Squares;
+                return math.sqrt(new double3(squares.x.x, squares.y.y, squares.z.z));
+            }
+        }
+
+        /// <summary>Whether it is a disc that covers a wall of the box.</summary>
+        public bool IsOnWall(double3 box)
+        {
+            double3 distance = math.min(center, box - center), along = math.abs(z);
+            return semiAxes.z < 0.101 && math.any((along > 0.999) & (math.abs(distance - 0.1) < 1e-4));
         }
 
         public static SurfaceShape Unpack(SurfaceParticles.Element element)
