@@ -129,6 +129,7 @@ namespace Host.Tests
         {
             Camera camera = NewCamera();
             camera.clearFlags = CameraClearFlags.Skybox;
+            NewLight(new Vector3(0, -1, 0.5f));
             RenderSettings.skybox = Resources.GetBuiltinResource<Material>("Default-Skybox.mat");
             GameObject quad = GameObject.CreatePrimitive(PrimitiveType.Quad);
             quad.GetComponent<Renderer>().material = new Material(Shader.Find("Unlit/Color")) { color = Color.red };

@@ -19,7 +19,7 @@ namespace Host.Assets
             ["MeshFilter.m_Mesh"] = "sharedMesh", ["MeshCollider.m_Mesh"] = "sharedMesh", ["SkinnedMeshRenderer.m_Mesh"] = "sharedMesh",
             ["Renderer.m_Materials"] = "sharedMaterials", ["Renderer.m_CastShadows"] = "shadowCastingMode",
             ["RenderSettings.m_LinearFogStart"] = "fogStartDistance", ["RenderSettings.m_LinearFogEnd"] = "fogEndDistance",
-            ["RenderSettings.m_SkyboxMaterial"] = "skybox", ["Collider.m_Material"] = "sharedMaterial",
+            ["RenderSettings.m_SkyboxMaterial"] = "skybox", ["RenderSettings.m_CustomReflection"] = "customReflectionTexture", ["Collider.m_Material"] = "sharedMaterial",
             ["Rigidbody.m_LinearDamping"] = "drag", ["Rigidbody.m_AngularDamping"] = "angularDrag", ["Rigidbody.m_Interpolate"] = "interpolation",
             ["Rigidbody.m_CollisionDetection"] = "collisionDetectionMode", ["Rigidbody.m_InertiaRotation"] = "inertiaTensorRotation",
             // After the tensor and the centre, which they take back.

@@ -168,6 +168,7 @@ namespace Host.Assets
                 case RenderTexture: found = TextureReader.MakeRenderTexture(document.Fields); break;
                 case RenderSettings when isScene:
                     NativeFields.Read(null, typeof(UnityEngine.RenderSettings), document.Fields, Reader(), new ReadScope(() => "the scene's RenderSettings"));
+                    UnityEngine.Headless.EnvironmentLighting.Invalidate();
                     return;
                 default:
                     if (isScene) return;

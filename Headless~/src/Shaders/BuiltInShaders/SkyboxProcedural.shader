@@ -1,5 +1,6 @@
 // Of the headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
-// A gradient from the ground's colour over a bright horizon to the sky's, with the sun as a disk: no scattering.
+// Light that air scatters once: blue overhead, white towards the horizon, where the way through it is long, and red where the sun is
+// low; a disk and a glow for the sun; the ground's colour below.
 Shader "Skybox/Procedural"
 {
     Properties
@@ -43,13 +44,29 @@ Shader "Skybox/Procedural"
 
             half4 frag(v2f i) : SV_Target
             {
-                float3 d = normalize(i.direction);
-                float3 zenith = float3(0.13, 0.24, 0.48) * _SkyTint.rgb / unity_ColorSpaceGrey.rgb * saturate(0.4 + 0.6 * _AtmosphereThickness);
-                float3 horizon = float3(0.52, 0.60, 0.67);
-                float3 sky = lerp(horizon, zenith, saturate(sqrt(max(d.y, 0))));
-                float3 color = lerp(sky, _GroundColor.rgb, smoothstep(0, 0.02, -d.y));
-                float sun = _SunDisk > 0.5 && d.y > 0 ? smoothstep(cos(_SunSize), 1, dot(d, normalize(_WorldSpaceLightPos0.xyz))) : 0;
-                return half4(color * _Exposure / 1.3 + sun * _LightColor0.rgb, 1);
+                float3 d = normalize(i.direction), sun = normalize(_WorldSpaceLightPos0.xyz);
+            #ifdef UNITY_COLORSPACE_GAMMA
+                float3 tint = _SkyTint.rgb / 0.5, ground = GammaToLinearSpace(_GroundColor.rgb), light = GammaToLinearSpace(_LightColor0.rgb);
+            #else
+                float3 tint = _SkyTint.rgb / unity_ColorSpaceGrey.rgb, ground = _GroundColor.rgb, light = _LightColor0.rgb;
+            #endif
+                // By wavelength, over a vertical way; ways in vertical ones.
+                float3 scattering = float3(0.058, 0.135, 0.331) * tint * _AtmosphereThickness;
+                float way = 1 / (0.95 * max(d.y, 0) + 0.05), sunWay = 1 / (0.95 * max(sun.y, 0) + 0.05);
+                float cosine = dot(d, sun);
+                float3 sunlight = exp(-scattering * 0.35 * (sunWay - 1)) * smoothstep(-0.15, 0.1, sun.y);
+                float glow = 0.012 / pow(1.64 - 1.6 * cosine, 1.5) * saturate(way * 0.15);
+                float3 sky = (1 - exp(-scattering * way)) * sunlight * (0.8 + 0.15 * cosine * cosine) + glow * sunlight;
+                float3 horizon = (1 - exp(-scattering * 20)) * sunlight * (0.8 + 0.15 * cosine * cosine);
+                float3 color = d.y >= 0 ? sky : lerp(horizon, ground * max(sunlight, 0.1), smoothstep(0, 0.06, -d.y));
+
+                float away = acos(min(cosine, 1)), radius = max(_SunSize * 0.5, 1e-3);
+                float disk = _SunDisk > 0.5 && d.y > 0 ? 1 - smoothstep(radius * 0.85, radius, away) : 0;
+                color = (color + disk * 20 * light * sunlight) * _Exposure / 1.3;
+            #ifdef UNITY_COLORSPACE_GAMMA
+                color = LinearToGammaSpace(color);
+            #endif
+                return half4(color, 1);
             }
             ENDCG
         }

@@ -1,5 +1,5 @@
 // The lighting models Standard and StandardSpecular: Lambert and one GGX highlight with Schlick's Fresnel term.
-// Written anew for the headless host; reflections take the ambient light, since there are no probes.
+// Written anew for the headless host; what is reflected is the sky, since there are no probes.
 #ifndef UNITY_PBS_LIGHTING_INCLUDED
 #define UNITY_PBS_LIGHTING_INCLUDED
 
@@ -105,17 +105,16 @@ inline half4 LightingStandardSpecular(SurfaceOutputStandardSpecular s, float3 vi
     return c;
 }
 
-// What a mirror would see is the ambient light that comes from there.
 inline void LightingStandard_GI(SurfaceOutputStandard s, UnityGIInput data, inout UnityGI gi)
 {
     gi = UnityGlobalIllumination(data, s.Occlusion, s.Normal);
-    gi.indirect.specular = max(0, ShadeSH9(half4(reflect(-data.worldViewDir, s.Normal), 1.0))) * s.Occlusion;
+    gi.indirect.specular = UnityReflectedSky(s.Smoothness, data.worldViewDir, s.Normal) * s.Occlusion;
 }
 
 inline void LightingStandardSpecular_GI(SurfaceOutputStandardSpecular s, UnityGIInput data, inout UnityGI gi)
 {
     gi = UnityGlobalIllumination(data, s.Occlusion, s.Normal);
-    gi.indirect.specular = max(0, ShadeSH9(half4(reflect(-data.worldViewDir, s.Normal), 1.0))) * s.Occlusion;
+    gi.indirect.specular = UnityReflectedSky(s.Smoothness, data.worldViewDir, s.Normal) * s.Occlusion;
 }
 
 #endif

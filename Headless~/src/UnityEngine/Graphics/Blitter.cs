@@ -6,10 +6,10 @@ namespace UnityEngine.Headless
     /// <summary>A quad over the whole target, drawn with a material whose _MainTex is the source.</summary>
     internal static class Blitter
     {
-        const string CopyShader = "Hidden/BlitCopy";
-        static readonly int mainTex = Shader.PropertyToID("_MainTex");
+        const string CopyShader = "Hidden/BlitCopy", ArrayCopyShader = "Hidden/Headless/BlitCopyArray";
+        static readonly int mainTex = Shader.PropertyToID("_MainTex"), slice = Shader.PropertyToID("_Slice");
         static Mesh quad;
-        static Material copy;
+        static Material copy, arrayCopy;
 
         public static void Blit(Texture source, RenderTexture target, Material material, int pass)
         {
@@ -28,8 +28,29 @@ namespace UnityEngine.Headless
             var block = new PropertyTable();
             if (source != null)
                 block.SetTexture(mainTex, source);
+            Draw(target, 0, material, pass, block);
+        }
+
+        /// <summary>One slice of an array, or a texture, into one slice of an array, or into a texture.</summary>
+        public static void BlitSlice(Texture source, RenderTexture target, int sourceSlice, int targetSlice)
+        {
+            if (source == null)
+                throw new ArgumentNullException(nameof(source), "Blit: the source is null.");
+            bool isArray = source.dimension == TextureDimension.Tex2DArray;
+            int slices = source is RenderTexture texture && isArray ? texture.volumeDepth : source is Texture2DArray array ? array.depth : 1, targets = target is object && target.dimension == TextureDimension.Tex2DArray ? target.volumeDepth : 1;
+            if (sourceSlice < 0 || sourceSlice >= slices || targetSlice < 0 || targetSlice >= targets)
+                throw new GpuUsageException($"Blit: slice {sourceSlice} of '{source.name}', which has {slices}, into slice {targetSlice} of '{(target is object ? target.name : "the screen")}', which has {targets}.");
+            Material material = isArray ? arrayCopy = arrayCopy != null ? arrayCopy : new Material(BuiltinResources.FindShader(ArrayCopyShader)) { hideFlags = HideFlags.HideAndDontSave } : Copy();
+            var block = new PropertyTable();
+            block.SetTexture(mainTex, source);
+            block.SetFloat(slice, sourceSlice);
+            Draw(target, targetSlice, material, 0, block);
+        }
+
+        static void Draw(RenderTexture target, int targetSlice, Material material, int pass, PropertyTable block)
+        {
             (Matrix4x4 view, Matrix4x4 projection) = (RenderState.View, RenderState.Projection);
-            RenderState.SetTarget(target);
+            RenderState.SetTarget(target, 0, targetSlice);
             BuiltinVariables.SetViewProjection(Matrix4x4.identity, Matrix4x4.Ortho(0, 1, 0, 1, -1, 100));
             Drawing.Draw(new DrawCall { Call = "Blit", Mesh = Quad(), Matrix = Matrix4x4.identity, Material = material, Pass = pass, Block = block, Instances = 1 });
             BuiltinVariables.SetViewProjection(view, projection);
@@ -53,8 +74,10 @@ namespace UnityEngine.Headless
                 Object.DestroyImmediate(quad);
             if (copy is object)
                 Object.DestroyImmediate(copy);
+            if (arrayCopy is object)
+                Object.DestroyImmediate(arrayCopy);
             quad = null;
-            copy = null;
+            copy = arrayCopy = null;
         }
 
         static bool SameShape(Texture source, RenderTexture target)

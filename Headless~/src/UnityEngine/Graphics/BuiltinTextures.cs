@@ -23,6 +23,7 @@ namespace UnityEngine.Headless
                 case DeviceTextureDimension.Tex2D: return texture;
                 case DeviceTextureDimension.Tex3D: return Other(name + " 3D", () => Fill(new Texture3D(1, 1, 1, TextureFormat.RGBA32, false), texture));
                 case DeviceTextureDimension.Tex2DArray: return Other(name + " array", () => Fill(new Texture2DArray(1, 1, 1, TextureFormat.RGBA32, false), texture));
+                case DeviceTextureDimension.Cube: return Other(name + " cube", () => Fill(new Cubemap(1, TextureFormat.RGBA32, false), texture));
                 default: return null;
             }
         }
@@ -71,6 +72,15 @@ namespace UnityEngine.Headless
         {
             texture.SetPixels(with.GetPixels(), 0);
             texture.Apply();
+            return texture;
+        }
+
+        static Cubemap Fill(Cubemap texture, Texture2D with)
+        {
+            for (int face = 0; face < 6; face++)
+                texture.SetPixels(with.GetPixels(), (CubemapFace)face);
+            texture.Apply();
+            LiveObjects.Remove(texture.Store);
             return texture;
         }
 

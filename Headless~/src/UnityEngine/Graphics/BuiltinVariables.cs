@@ -98,7 +98,7 @@ namespace UnityEngine.Headless
             Globals.SetVector(deltaTime, new Vector4(dt, dt > 0 ? 1 / dt : 0, smooth, smooth > 0 ? 1 / smooth : 0));
         }
 
-        public static void SetLighting()
+        public static void SetSun()
         {
             Light sun = Light.MainDirectional();
             Vector4 position = new Vector4(0, 0, 1, 0), color = Vector4.zero;
@@ -112,6 +112,10 @@ namespace UnityEngine.Headless
             Globals.SetVector(lightColor, color);
             Globals.SetVector(lightAttenuation, new Vector4(0, 0, 1, 0));
 
+        }
+
+        public static void SetAmbient()
+        {
             Vector4 sky = Linear(RenderSettings.ambientSkyColor), equator = Linear(RenderSettings.ambientEquatorColor), ground = Linear(RenderSettings.ambientGroundColor);
             if (RenderSettings.ambientMode != Rendering.AmbientMode.Trilight)
                 equator = ground = sky;
@@ -120,6 +124,33 @@ namespace UnityEngine.Headless
             Globals.SetVector(ambientGround, ground);
             Globals.SetVector(ambient, sky);
 
+            if (RenderSettings.ambientMode == Rendering.AmbientMode.Skybox && EnvironmentLighting.Harmonics != null)
+                SetSkyHarmonics();
+            else
+                SetGradient(sky, equator, ground);
+
+            Globals.SetVector(fogColor, Linear(RenderSettings.fogColor));
+            float d = RenderSettings.fogDensity, span = Math.Max(1e-6f, RenderSettings.fogEndDistance - RenderSettings.fogStartDistance);
+            Globals.SetVector(fogParams, new Vector4(d / Mathf.Sqrt(Mathf.Log(2)), d / Mathf.Log(2), -1 / span, RenderSettings.fogEndDistance / span));
+        }
+
+        static void SetSkyHarmonics()
+        {
+            float intensity = RenderSettings.ambientIntensity;
+            EnvironmentLighting.ShaderHarmonics(0, intensity, out Vector4 a, out Vector4 b, out float red);
+            Globals.SetVector(shAr, a);
+            Globals.SetVector(shBr, b);
+            EnvironmentLighting.ShaderHarmonics(1, intensity, out a, out b, out float green);
+            Globals.SetVector(shAg, a);
+            Globals.SetVector(shBg, b);
+            EnvironmentLighting.ShaderHarmonics(2, intensity, out a, out b, out float blue);
+            Globals.SetVector(shAb, a);
+            Globals.SetVector(shBb, b);
+            Globals.SetVector(shC, new Vector4(red, green, blue, 1));
+        }
+
+        static void SetGradient(Vector4 sky, Vector4 equator, Vector4 ground)
+        {
             // Ambient light as constant and linear harmonics in y: what ShadeSH9 of a lit shader evaluates.
             Vector4 mean = (sky + equator * 2 + ground) / 4, slope = (sky - ground) / 2;
             Globals.SetVector(shAr, new Vector4(0, slope.x, 0, mean.x));
@@ -129,10 +160,6 @@ namespace UnityEngine.Headless
             Globals.SetVector(shBg, Vector4.zero);
             Globals.SetVector(shBb, Vector4.zero);
             Globals.SetVector(shC, Vector4.zero);
-
-            Globals.SetVector(fogColor, Linear(RenderSettings.fogColor));
-            float d = RenderSettings.fogDensity, span = Math.Max(1e-6f, RenderSettings.fogEndDistance - RenderSettings.fogStartDistance);
-            Globals.SetVector(fogParams, new Vector4(d / Mathf.Sqrt(Mathf.Log(2)), d / Mathf.Log(2), -1 / span, RenderSettings.fogEndDistance / span));
         }
 
         static Vector4 Linear(Color color) => Player.LinearColorSpace ? (Vector4)color.linear : (Vector4)color;

@@ -97,6 +97,18 @@ namespace UnityEngine.Rendering
             (c.A, c.B) = (from, to);
         }
 
+        void CopyTexture(in Command c)
+        {
+            Texture source = targets[c.A].Resolve();
+            if (targets[c.A].Type == BuiltinRenderTextureType.CameraTarget && ReferenceEquals(source, ScreenTarget.Texture))
+            {
+                GpuError.Report("CopyTexture from CameraTarget: this camera draws straight to the screen, which is no texture; use Blit.",
+                    "CommandBuffer: CopyTexture can not copy from the back buffer");
+                return;
+            }
+            GraphicsCopies.Texture(source, targets[c.B].Resolve());
+        }
+
         // ---- blits
 
         public void Blit(Texture source, RenderTargetIdentifier dest) => Blit(source, dest, null, -1);
@@ -112,7 +124,15 @@ namespace UnityEngine.Rendering
             (c.A, c.B, c.C, c.Object) = (from, to, pass, mat);
         }
 
+        public void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest, int sourceDepthSlice, int destDepthSlice)
+        {
+            int from = AddTarget(source), to = AddTarget(dest);
+            ref Command c = ref Add(Op.BlitSlice);
+            (c.A, c.B, c.C, c.D) = (from, to, sourceDepthSlice, destDepthSlice);
+        }
+
         void Blit(in Command c) => Blitter.Blit(targets[c.A].Resolve(), AsTarget(targets[c.B].Resolve()), (Material)c.Object, c.C);
+        void BlitSlice(in Command c) => Blitter.BlitSlice(targets[c.A].Resolve(), AsTarget(targets[c.B].Resolve()), c.C, c.D);
 
         // ---- draws
 

@@ -18,7 +18,7 @@ namespace UnityEngine.Rendering
             ComputeValue, ComputeBuffer, ComputeConstantBuffer, ComputeTexture, ComputeKeyword, ComputeFromMaterial, Dispatch, DispatchIndirect,
             BufferData, BufferCounter, CopyCounter, CopyBuffer, CopyTexture,
             GlobalValue, GlobalTexture, GlobalBuffer, GlobalConstantBuffer, GlobalKeyword, MaterialKeyword,
-            SetTarget, SetTargets, Clear, Viewport, ViewProjection, View, Projection, InvertCulling, Draw, Blit, TemporaryTarget, ReleaseTemporary,
+            SetTarget, SetTargets, Clear, Viewport, ViewProjection, View, Projection, InvertCulling, Draw, Blit, BlitSlice, TemporaryTarget, ReleaseTemporary,
             BeginSample, EndSample, Readback, WaitReadbacks,
         }
 
@@ -187,7 +187,7 @@ namespace UnityEngine.Rendering
                 case Op.BufferCounter: ((BufferStorage)c.Object).SetCounter((uint)c.A); break;
                 case Op.CopyCounter: BufferStorage.CopyCount((BufferStorage)c.Subject, (BufferStorage)c.Object, (uint)c.A); break;
                 case Op.CopyBuffer: GraphicsCopies.Buffer((BufferStorage)c.Subject, (BufferStorage)c.Object); break;
-                case Op.CopyTexture: GraphicsCopies.Texture(targets[c.A].Resolve(), targets[c.B].Resolve()); break;
+                case Op.CopyTexture: CopyTexture(c); break;
 
                 case Op.GlobalValue: Shader.Globals.Set(c.A, c.Kind, c.Flag, Data(c)); break;
                 case Op.GlobalTexture: Shader.Globals.SetTexture(c.A, targets[c.B].Resolve(), (RenderTextureSubElement)c.C); break;
@@ -214,6 +214,7 @@ namespace UnityEngine.Rendering
                 case Op.InvertCulling: RenderState.InvertCulling = c.Flag; break;
                 case Op.Draw: Drawing.Draw(draws[c.A]); break;
                 case Op.Blit: Blit(c); break;
+                case Op.BlitSlice: BlitSlice(c); break;
                 case Op.TemporaryTarget: TemporaryTargets.Get(c.A, (RenderTextureDescriptor)c.Object, (FilterMode)c.B); break;
                 case Op.ReleaseTemporary: TemporaryTargets.Release(c.A); break;
 

@@ -80,6 +80,7 @@ namespace UnityEngine.Rendering
     public enum BlendOp { Add, Subtract, ReverseSubtract, Min, Max }
     public enum CullMode { Off, Front, Back }
     [Flags] public enum ColorWriteMask { Alpha = 1, Blue = 2, Green = 4, Red = 8, All = 15 }
+    public enum DefaultReflectionMode { Skybox, Custom }
     public enum AmbientMode { Skybox = 0, Trilight = 1, Flat = 3, Custom = 4 }
     public enum ComputeQueueType { Default, Background, Urgent }
     [Flags] public enum CommandBufferExecutionFlags { None = 0, AsyncCompute = 2 }

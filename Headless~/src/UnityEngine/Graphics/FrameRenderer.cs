@@ -71,7 +71,9 @@ namespace UnityEngine.Headless
                 StereoView.Begin(camera);
             RenderState.SetCameraTarget(stereo ? StereoView.Eyes : target);
             BuiltinVariables.SetTime();
-            BuiltinVariables.SetLighting();
+            BuiltinVariables.SetSun();
+            EnvironmentLighting.Update();
+            BuiltinVariables.SetAmbient();
             Restore(camera, target);
 
             bool shadows = ScreenShadows.AreWanted(all);
@@ -251,6 +253,7 @@ namespace UnityEngine.Headless
 
         static void Draw(bool opaque, bool shadows)
         {
+            EnvironmentLighting.Bind();
             foreach (Item item in items)
             {
                 if (item.Queue <= LastOpaqueQueue != opaque)
@@ -263,6 +266,7 @@ namespace UnityEngine.Headless
                         Drawing.DrawPass(item.Draw.Call, pass);
             }
             GlobalKeywords.Set.Set(ScreenShadows.Keyword, false);
+            EnvironmentLighting.Unbind();
         }
 
         static bool IsForward(Material material, int pass)

@@ -79,6 +79,7 @@ namespace UnityEngine.Headless
             DepthTexture.Forget();
             ScreenShadows.Forget();
             StereoView.Forget();
+            EnvironmentLighting.Forget();
             BuiltinResources.Forget();
         }
     }

@@ -21,6 +21,9 @@ namespace UnityEngine
         public static Light sun { get; set; }
         public static Material skybox { get; set; }
         public static float reflectionIntensity { get; set; } = 1;
+        public static DefaultReflectionMode defaultReflectionMode { get; set; }
+        public static int defaultReflectionResolution { get; set; } = 128;
+        public static Texture customReflectionTexture { get; set; }
         public static int reflectionBounces { get; set; } = 1;
         public static Color subtractiveShadowColor { get; set; } = new Color(0.42f, 0.478f, 0.627f, 1);
         public static float haloStrength { get; set; } = 0.5f;

@@ -10,16 +10,18 @@ namespace UnityEngine.Headless
 
         static Mesh cube;
 
-        public static void Draw(Camera camera)
+        public static void Draw(Camera camera) => Draw(camera.transform.position, camera.farClipPlane);
+
+        public static void Draw(Vector3 eye, float farClipPlane)
         {
             Material material = RenderSettings.skybox;
             if (material == null)
                 return;
-            float size = 2 * Reach * camera.farClipPlane;
+            float size = 2 * Reach * farClipPlane;
             var call = new DrawCall
             {
                 Call = "skybox", Material = material, Mesh = Cube(), Instances = 1,
-                Matrix = Matrix4x4.TRS(camera.transform.position, Quaternion.identity, Vector3.one * size),
+                Matrix = Matrix4x4.TRS(eye, Quaternion.identity, Vector3.one * size),
             };
             for (int pass = 0; pass < material.passCount; pass++)
                 Drawing.DrawPass(call, pass);

@@ -49,7 +49,7 @@ namespace UnityEngine.Headless
                 Width = width, Height = height, Depth = depth, Slices = slices, Mips = Mips, Samples = 1,
             });
             Gpu.Device.ClearTexture(device, default);
-            LiveObjects.Add(this, dimension == DeviceTextureDimension.Tex3D ? "Texture3D" : dimension == DeviceTextureDimension.Tex2D ? "Texture2D" : "Texture2DArray", name);
+            LiveObjects.Add(this, dimension == DeviceTextureDimension.Tex3D ? "Texture3D" : dimension == DeviceTextureDimension.Tex2D ? "Texture2D" : dimension == DeviceTextureDimension.Cube ? "Cubemap" : "Texture2DArray", name);
         }
 
         public DeviceTexture Device => device;
