@@ -31,6 +31,14 @@ namespace Rill.Editor
             Shadows,
         };
 
+        readonly SetupProblemList setup = new SetupProblemList();
+
         internal override InspectorSection[] Sections => AllSections;
+
+        private protected override void DrawMessages()
+        {
+            base.DrawMessages();
+            setup.Draw();
+        }
     }
 }

@@ -226,6 +226,12 @@ namespace Host.Tests
             object data = ((Array)Get(pipeline.Asset, "m_RendererDataList")).GetValue(0);
             ((UnityEngine.Object)data).name = "Mobile";
             Set(data, "shadowTransparentReceive", false);
+            var inspector = (Rill.Editor.FluidSurfaceEditor)UnityEditor.Editor.CreateEditor(simulation.GetComponent<FluidSurface>());
+            UnityEditor.GuiTrace.Clear();
+            GuiPasses.Draw(() => inspector.OnInspectorGUI());
+            Assert.That(UnityEditor.GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.Contains("'Mobile'"), "the inspector says so");
+            UnityEngine.Object.DestroyImmediate(inspector);
+            UnityEditor.GuiTrace.Clear();
             SetupProblem problem = setup.Problems.Single();
             Assert.That(problem.Text, Does.Contain("'Mobile'").And.Contain("Transparent Receive Shadows is off"));
             Assert.That(problem.FixLabel, Is.Not.Null);

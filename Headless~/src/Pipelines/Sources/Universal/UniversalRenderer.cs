@@ -322,7 +322,7 @@ namespace UnityEngine.Rendering.Universal
             RenderState.Clear(true, color, camera.backgroundColor, 1);
         }
 
-        static void DrawOpaque() => FrameRenderer.DrawCulled(true, forward);
+        static void DrawOpaque() => UniversalVariables.DrawCulled(true, forward);
 
         void DrawSky()
         {
@@ -332,7 +332,7 @@ namespace UnityEngine.Rendering.Universal
 
         static void DrawTransparent()
         {
-            FrameRenderer.DrawCulled(false, forward);
+            UniversalVariables.DrawCulled(false, forward);
             PlayerLoop.RenderObjects.Run();
         }
 

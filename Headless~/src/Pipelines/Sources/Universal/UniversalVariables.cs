@@ -22,19 +22,28 @@ namespace UnityEngine.Rendering.Universal
 
         public static void SetLighting()
         {
-            BuiltinVariables.SetLighting();
+            BuiltinVariables.SetSun();
+            EnvironmentLighting.Update();
+            BuiltinVariables.SetAmbient();
             Shader.SetGlobalVector(mainLightPosition, Shader.GetGlobalVector(builtInPosition));
             Shader.SetGlobalVector(mainLightColor, Shader.GetGlobalVector(builtInColor));
             // Of the Built-in pipeline alone.
             Shader.SetGlobalVector(builtInPosition, Vector4.zero);
             Shader.SetGlobalVector(builtInColor, Vector4.zero);
             // SetupPerCameraShaderConstants: ReflectionProbe.defaultTexture, which is the sky's cube here.
-            if (Shader.GetGlobalTexture(builtInCube) is Texture cube)
-            {
-                Shader.SetGlobalTexture(environment, cube);
-                Shader.SetGlobalVector(environmentHdr, Shader.GetGlobalVector(builtInHdr));
-            }
+            EnvironmentLighting.Bind();
+            Shader.SetGlobalTexture(environment, Shader.GetGlobalTexture(builtInCube));
+            Shader.SetGlobalVector(environmentHdr, Shader.GetGlobalVector(builtInHdr));
+            EnvironmentLighting.Unbind();
             Shader.SetGlobalVector(environmentColor, Shader.GetGlobalVector("unity_AmbientSky"));
+        }
+
+        /// <summary>Draws what was culled, with the reflection that each draw has of its own.</summary>
+        public static void DrawCulled(bool opaque, System.Func<string, bool> wanted)
+        {
+            EnvironmentLighting.Bind();
+            FrameRenderer.DrawCulled(opaque, wanted);
+            EnvironmentLighting.Unbind();
         }
     }
 }
