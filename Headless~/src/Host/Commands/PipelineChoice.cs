@@ -16,11 +16,14 @@ namespace Host.Commands
         public bool ByExecute { get; private init; }
 
         /// <summary>Null for null.</summary>
-        /// <exception cref="HostException">There is none of that name.</exception>
-        public static PipelineChoice Of(string name)
+        /// <param name="project">Of <c>--project</c>; null for a scene of the package.</param>
+        /// <exception cref="HostException">There is none of that name, or it is for another project.</exception>
+        public static PipelineChoice Of(string name, string project = null)
         {
             if (name == null)
                 return null;
+            if (project != null)
+                throw new HostException("--pipeline plays scenes of this package; a project under --project is drawn by the Built-in pipeline.");
             if (!Names.Contains(name))
                 throw new HostException($"--pipeline {name}: there are {string.Join(", ", Names)}.");
             bool byExecute = name.EndsWith(Compatibility, StringComparison.Ordinal);

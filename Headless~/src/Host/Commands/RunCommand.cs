@@ -62,13 +62,11 @@ namespace Host.Commands
                     DumpFolder = parsed.GetValue(dump),
                     DumpAt = Frames(parsed.GetValue(at)),
                     Seed = parsed.GetValue(seed),
-                    Pipeline = PipelineChoice.Of(parsed.GetValue(pipeline)),
+                    Pipeline = PipelineChoice.Of(parsed.GetValue(pipeline), parsed.GetValue(project)),
                     Compute = !parsed.GetValue(noCompute),
                     Strict = parsed.GetValue(project) == null ? !parsed.GetValue(notStrict) : parsed.GetValue(strict),
                     Command = "rill " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
                 };
-                if (settings.Pipeline != null && settings.Project != null)
-                    throw new HostException("--pipeline plays scenes of this package; a project under --project is drawn by the Built-in pipeline.");
                 if (settings.Stills.Length > 0 && !settings.Draw)
                     throw new HostException("--stills needs frames; leave out --no-frames.");
                 if (settings.DumpFolder == null != (settings.DumpAt.Length == 0))
