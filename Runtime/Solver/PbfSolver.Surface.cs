@@ -11,6 +11,9 @@ namespace Rill
         /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
         public SurfaceParticles Surface => surface;
 
+        /// <summary>Of the last substep, as long as no step follows.</summary>
+        public NeighborLists NeighborLists => densityConstraint.Lists;
+
         /// <summary>Whether <see cref="Surface"/> is that of the current state.</summary>
         public bool SurfaceIsCurrent { get; private set; }
 

@@ -61,6 +61,16 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void With_eight_the_surface_of_a_fluid_with_two_lists_is_refused_by_name_and_that_with_one_is_not()
+        {
+            DeviceGate gate = With(8);
+            gate.Decide(DeviceFeature.Surface);
+            Assert.That(gate.Refusals, Is.Empty);
+            gate.Decide(DeviceFeature.Surface | DeviceFeature.TwoLists);
+            Assert.That(gate.Refusals.Single().problem, Does.Match(@"^goes on without the water's surface: kernel '\w+' of SurfaceParticles\.compute takes \d+ storage buffers, and this device has 8 .* or draw it with a ParticleRenderer\.$"));
+        }
+
+        [Test]
         public void Fewer_than_eight_storage_buffers_are_refused_with_the_kernel_and_the_limit()
         {
             Assert.That(With(7).ProblemOf(DeviceFeature.None), Does.Match(@"^kernel '\w+' of \w+\.compute takes 8 storage buffers, and this device has 7 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on "));

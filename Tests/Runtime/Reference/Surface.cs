@@ -26,7 +26,7 @@ namespace Rill.Tests.Reference
 
         const int Passes = 3;
         const double Reach = 3.5;       // from a wall, of particles whose image can be a neighbor of a neighbor
-        const double PlaneShare = 0.85, Disc = 1.5, DiscHeight = 0.1, WallDisc = 1.3, DropRadius = 0.62, MinSemiAxis = 0.1;
+        const double PlaneShare = 0.95, Disc = 1.5, DiscHeight = 0.1, WallDisc = 1.3, DropRadius = 0.62, MinSemiAxis = 0.1;
 
         readonly double3 box;
         readonly double3[] points;          // the particles, then the images
@@ -136,7 +136,7 @@ namespace Rill.Tests.Reference
 
         Plane First(int i)
         {
-            return new Plane { normal = directions[i], depth = Math.Min(-0.105 - 1.08 * offsets[i] + 0.0873 * weights[i], 1.4), trust = Step(0.02, 0.1, offsets[i]) };
+            return new Plane { normal = directions[i], depth = Math.Min(-0.065 - 1.08 * offsets[i] + 0.0873 * weights[i], 1.4), trust = Step(0.02, 0.1, offsets[i]) };
         }
 
         // The mean of the planes around a particle, and how much they bend.
@@ -199,7 +199,8 @@ namespace Rill.Tests.Reference
         {
             double3 wallNormal = 0.0;
             wallNormal[axis] = side == 0 ? -1.0 : 1.0;
-            double size = math.lerp(DropRadius, WallDisc, Step(6.0, 10.0, weights[i]));
+            bool inCorner = math.all(math.min(points[i], box - points[i]) < 1.0);
+            double size = inCorner ? DropRadius : math.lerp(DropRadius, WallDisc, Step(6.0, 10.0, weights[i]));
             double3 center = points[i] + wallNormal * ((side == 0 ? points[i][axis] : box[axis] - points[i][axis]) - DiscHeight);
             Plane plane = First(i);
             double3 up = plane.normal - wallNormal * math.dot(plane.normal, wallNormal);
