@@ -33,11 +33,11 @@ namespace Rill.Editor
             return missing;
         }
 
-        // The box alone shows no fluid.
+        // The box and the foam alone show no fluid.
         static bool HasRenderer(FluidSimulation fluid)
         {
             foreach (FluidRenderer renderer in fluid.GetComponents<FluidRenderer>())
-                if (!(renderer is DomainRenderer))
+                if (!(renderer is DomainRenderer) && !(renderer is FluidFoam))
                     return true;
             return false;
         }

@@ -43,6 +43,7 @@ namespace Rill.Editor
             ("Rill.Velocity", "Velocity, viscosity"),
             ("Rill.Viscoelasticity", "Viscoelasticity"),
             ("Rill.Vorticity", "Vorticity"),
+            ("Rill.Foam", "Foam"),
             ("Rill.Emit", "Emitters"),
             ("Rill.Statistics", "Statistics"),
         };

@@ -79,6 +79,8 @@ namespace Rill
                 input.material.vorticity = 0f;
             if ((refused & DeviceFeature.Sleep) != 0)
                 input.settings.sleepSpeed = 0f;
+            if ((refused & DeviceFeature.Foam) != 0)
+                input.foam.budget = 0;
             LimitSources(refused);
         }
 
@@ -120,6 +122,7 @@ namespace Rill
             Want(Viscoelasticity.IsNeeded(input), DeviceFeature.Elasticity);
             Want(VorticityConfinement.IsNeeded(input), DeviceFeature.Vorticity);
             Want(RestingRegions.IsNeeded(input), DeviceFeature.Sleep);
+            Want(Foam.IsNeeded(input), DeviceFeature.Foam);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);
             if (sources != null)

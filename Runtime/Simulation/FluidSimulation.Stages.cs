@@ -75,6 +75,8 @@ namespace Rill
                 step.material.vorticity = 0f;
             if (RestingRegions.IsNeeded(step) && !HasStages(StageSet.Sleep))
                 step.settings.sleepSpeed = 0f;
+            if (Foam.IsNeeded(step) && !HasStages(StageSet.Foam))
+                step.foam.budget = 0;
             if (pbf.IsDeep(step) && !HasStages(StageSet.DeepWater))
                 step.settings.deepWater = DeepWater.Off;
         }
@@ -88,6 +90,7 @@ namespace Rill
                 case StageSet.Vorticity: return "vorticity confinement";
                 case StageSet.Sleep: return "sleep";
                 case StageSet.Statistics: return "statistics";
+                case StageSet.Foam: return "foam";
                 case StageSet.Colliders: return "colliders";
                 case StageSet.Emitters: return "emitters";
                 case StageSet.Drains: return "drains and lifetimes";

@@ -141,6 +141,9 @@ namespace Rill
         /// <summary>Set every frame by what draws the density, which then is summed with the velocities of the next steps.</summary>
         internal bool NeedsDensity { get; set; }
 
+        /// <summary>Set every frame by what draws foam, which then is made in the next steps; none where it was not set.</summary>
+        internal FoamSettings? NeedsFoam { get; set; }
+
         /// <summary>Sets box, resolution and capacity; a running fluid starts anew.</summary>
         /// <param name="size">Inner size of the box, m.</param>
         /// <param name="spacing">Distance between particles at rest, m.</param>
@@ -324,6 +327,7 @@ namespace Rill
             reactions?.Request();
             if (measures)
             {
+                pbf.Foam?.Request();
                 pbf.RequestStatistics();
                 stepsSinceStatistics = 0;
             }
@@ -375,8 +379,11 @@ namespace Rill
                 material = material,
                 needsDensity = NeedsDensity,
                 colliders = colliders,
+                foam = NeedsFoam ?? default,
+                foamSeed = seed,
             };
             NeedsDensity = false;
+            NeedsFoam = null;
             LeaveOutMissing(ref input);
             wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));

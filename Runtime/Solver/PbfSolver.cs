@@ -28,6 +28,7 @@ namespace Rill
         Viscoelasticity viscoelasticity;
         VorticityConfinement vorticityConfinement;
         RestingRegions restingRegions;
+        Foam foam;
         StatisticsPass statistics;
 
         GraphicsBuffer constants;
@@ -99,6 +100,9 @@ namespace Rill
         /// <summary>What the fluid does to colliders; null where none wants to know.</summary>
         public ColliderReactions Reactions => colliders?.Reactions;
 
+        /// <summary>Foam, spray and bubbles; null while nothing asks for them.</summary>
+        public Foam Foam => foam;
+
         /// <summary>Removes all particles and resets the counters, at once.</summary>
         public void Clear()
         {
@@ -106,6 +110,7 @@ namespace Rill
             lastSubsteps = 0;
             SurfaceIsCurrent = false;
             statistics?.Forget();
+            foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided anew
             ReleaseViscoelasticity();       // the next fluid is not stretched
             ClearSources();
@@ -183,6 +188,7 @@ namespace Rill
                 particles.Advance();
             }
             lastSubsteps = input.settings.substeps;
+            FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity));
             RecordEmission(cmd, input, resting);
             if (!VorticityConfinement.IsNeeded(input))
                 ReleaseVorticity();
@@ -237,6 +243,7 @@ namespace Rill
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
                 Rill.Viscoelasticity.Describe(viscoelasticity, input, Layout, densityConstraint.Lists, restingRegions),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
+                Rill.Foam.Describe(foam, input, densityConstraint.Lists),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions),
                 StatisticsPass.Describe(statistics, statisticsInterval, colliders),
@@ -254,6 +261,7 @@ namespace Rill
             ReleaseColliders();
             ReleaseViscoelasticity();
             ReleaseVorticity();
+            ReleaseFoam();
             ReleaseSources();
             ReleaseStatistics();
             ReleaseSurface();
@@ -325,6 +333,20 @@ namespace Rill
         {
             viscoelasticity?.Dispose();
             viscoelasticity = null;
+        }
+
+        // Another budget is other buffers: what floated is gone.
+        Foam FoamFor(in StepInput input)
+        {
+            if (foam != null && foam.Budget != input.foam.budget)
+                ReleaseFoam();
+            return Rill.Foam.IsNeeded(input) ? foam ??= new Foam(Layout, input.foam.budget) : null;
+        }
+
+        void ReleaseFoam()
+        {
+            foam?.Dispose();
+            foam = null;
         }
 
         void ReleaseColliders()

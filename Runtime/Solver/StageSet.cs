@@ -21,10 +21,11 @@ namespace Rill
         ParticleRenderer = 1 << 10,
         DomainRenderer = 1 << 11,
         Surface = 1 << 12,
-        MeshBaking = 1 << 13,
+        Foam = 1 << 13,
+        MeshBaking = 1 << 14,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
-        OfFluids = (1 << 13) - 1,
-        All = (1 << 14) - 1,
+        OfFluids = (1 << 14) - 1,
+        All = (1 << 15) - 1,
     }
 
     static class StageSets
@@ -39,6 +40,7 @@ namespace Rill
                 // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
                 case StageSet.DeepWater: return index == 0 ? "CoarseGrid" : index == 1 ? "CoarseSolver" : index == 2 ? "CoarseSolids" : null;
                 case StageSet.Surface: return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceParticles" : null;
+                case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : null;
                 default: return index == 0 ? Only(group) : null;
             }
         }

@@ -21,5 +21,9 @@ namespace Rill
         public float frameFrom, frameTo;
         /// <summary>Emitters, drains and force fields; null for none.</summary>
         public StepSources sources;
+        /// <summary>Validated; a budget of 0 is no foam.</summary>
+        public FoamSettings foam;
+        /// <summary>Of the random numbers of foam.</summary>
+        public int foamSeed;
     }
 }

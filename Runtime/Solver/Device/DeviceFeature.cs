@@ -23,10 +23,12 @@ namespace Rill
         /// <summary>What the fluid does to colliders.</summary>
         Reactions = 1024,
         Sleep = 2048,
-        Statistics = 4096,
+        /// <summary>Foam, spray and bubbles.</summary>
+        Foam = 4096,
+        Statistics = 8192,
         /// <summary>What has to be drawn of the water's surface, found once a frame.</summary>
-        Surface = 8192,
+        Surface = 16384,
         /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
-        Baking = 16384,
+        Baking = 32768,
     }
 }

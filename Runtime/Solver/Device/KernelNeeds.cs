@@ -38,6 +38,8 @@ namespace Rill
                 case "Colliders": return DeviceFeature.Colliders;
                 case "Drains": return DeviceFeature.Drains;
                 case "Emitters": return DeviceFeature.Emitters;
+                case "Foam":
+                case "FoamSources": return DeviceFeature.Foam;
                 case "ForceFields": return DeviceFeature.ForceFields;
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "RestingRegions": return DeviceFeature.Sleep;
@@ -58,15 +60,19 @@ namespace Rill
                 case "ADD_NEW":
                 case "APPLY":
                 case "ARTIFICIAL_PRESSURE":
+                case "AVERAGE":
                 case "AT_REST":
                 case "BINS":
                 case "COLUMNS":
+                case "COMPACT":
                 case "CONFINE":
                 case "CORRECT":
+                case "COUNT":
                 case "EMIT":
                 case "ESTIMATE":
                 case "FIELDS":
                 case "LAST":
+                case "MOVE":
                 case "NORMALS":
                 case "PASS":
                 case "PATHS":
@@ -79,6 +85,7 @@ namespace Rill
                 case "SHAPE":
                 case "SMALL":
                 case "SMOOTH":
+                case "SPAWN":
                 case "STORE_DRAWN": return DeviceFeature.None;
                 case "BESIDE":
                 case "CARRIES":

@@ -1,0 +1,120 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Makes spray, foam and bubbles where the water of the <see cref="FluidSimulation"/> on this object breaks, and draws them.</summary>
+    /// <remarks>
+    /// Potentials of trapped air, wave crests and kinetic energy (Ihmsen et al. 2012) are summed over the solver's neighbor lists,
+    /// once a step. Limits are fixed shares of the scene's own speed √(g H), so that calm water makes none and the amount does not
+    /// depend on the particle spacing. Without this component none of it costs anything. Foam takes no part in the motion of the fluid.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Foam")]
+    [DisallowMultipleComponent]
+    public sealed class FluidFoam : FluidRenderer, IHasProblems
+    {
+        const float AutomaticRadius = 0.01f;        // of the scene's depth
+        const float MaxRadius = 10f;
+
+        [SerializeField] FoamSettings settings = FoamSettings.Default;
+
+        [Tooltip("Radius of the largest particle, m; the smallest have 0.4 of it. 0: a hundredth of the scene's depth. 0 to 10.")]
+        [Range(0f, MaxRadius)]
+        [SerializeField] float radius;
+
+        [SerializeField] Color color = Color.white;
+
+        [Tooltip("How much one particle covers of what is behind its middle. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float opacity = 0.6f;
+
+        [Tooltip("Light whose direction and colour the foam takes. None: the scene's main light; in HDRP, from above.")]
+        [SerializeField] Light sun;
+
+        [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
+
+        MaterialPropertyBlock properties;
+        string clamped;         // what the newest validation changed
+
+        /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget takes away what is there.</summary>
+        public FoamSettings Settings { get => settings; set { settings = value; Validate(); } }
+
+        /// <summary>Radius of the largest particle, m, 0 to 10; 0 for a hundredth of the scene's depth. One that is out of range is clamped with a warning.</summary>
+        public float Radius { get => radius; set { radius = value; Validate(); } }
+
+        /// <summary>Its colour in white light.</summary>
+        public Color Color { get => color; set => color = value; }
+
+        /// <summary>How much one particle covers of what is behind its middle, 0 to 1.</summary>
+        public float Opacity { get => opacity; set { opacity = value; Validate(); } }
+
+        /// <summary>Light whose direction and colour the foam takes; null for the scene's main light (in HDRP, from above).</summary>
+        public Light Sun { get => sun; set => sun = value; }
+
+        FluidFoam() : base(ShadowCastingMode.Off) { }
+
+        private protected override StageSet Stage => StageSet.Foam;
+        private protected override string ShaderFile => "FoamParticles";
+
+        /// <summary>The newest counts, a few frames old; false before the first since a restart, and where the simulation measures nothing (its statistics interval is 0).</summary>
+        public bool TryGetStatistics(out FoamStatistics statistics)
+        {
+            statistics = default;
+            Foam foam = Simulation != null ? Simulation.Solver?.Foam : null;
+            return foam != null && foam.TryGetStatistics(out statistics);
+        }
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            if (settings.referenceSpeed == 0f && TryGetComponent(out FluidSimulation simulation) && simulation.Gravity == Vector3.zero)
+                problems.Add("makes no foam: without gravity the scene has no speed of its own. Set Reference Speed to that of its fast water, m/s, and Reference Depth to its size, m.");
+        }
+
+        private protected override void Begin() => Validate();
+
+        private protected override void Validate()
+        {
+            settings.Validate(out string problem);
+            Limit.Clamp("radius", ref radius, 0f, MaxRadius, 0f, ref problem);
+            Limit.Clamp("opacity", ref opacity, 0f, 1f, 0.6f, ref problem);
+            clamped = problem;
+            if (problem != null)
+                Debug.LogWarning($"Rill: FluidFoam '{name}': {problem}", this);
+        }
+
+        private protected override void Draw()
+        {
+            Simulation.NeedsFoam = settings;
+            Foam foam = Simulation.Solver.Foam;
+            if (foam == null)
+                return;
+            properties ??= new MaterialPropertyBlock();
+            properties.SetBuffer(Ids.FoamParticles, foam.Particles);
+            properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
+            properties.SetVector(Ids.FrameLag, Simulation.FrameLag);
+            properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
+            float largest = radius > 0f ? radius : AutomaticRadius * (float)foam.Scales.Depth * Simulation.ParticleSpacing;
+            properties.SetVector(Ids.FoamLook, new Vector4(largest, 0.5f * Simulation.ParticleSpacing, opacity, 0f));
+            properties.SetVector(Ids.FoamColor, ShaderColor(color));
+            properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
+            SetSun(properties, sun);
+            int command = StereoInstancing.IsActive ? StereoInstancing.StereoCommand : StereoInstancing.MonoCommand;
+            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, foam.Arguments, 1, command);
+        }
+
+        private protected override void DescribeDraws(StageDescription description) => description.Draw(ShaderFile, 1);
+
+        static class Ids
+        {
+            public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
+            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int FoamLook = Shader.PropertyToID("_FoamLook");
+            public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
+            public static readonly int AmbientColor = Shader.PropertyToID("_AmbientColor");
+        }
+    }
+}

@@ -1,0 +1,302 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Entries of the counter buffer of foam; the constants of Foam.compute. Those of the kinds are a kind's number.</summary>
+    enum FoamCounter { Alive, Spray, Foam, Bubbles, Spawned, Refused }
+
+    /// <summary>FoamParticle of Foam.hlsl.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct FoamParticle
+    {
+        public uint4 a, b;
+    }
+
+    /// <summary>Foam, spray and bubbles (Ihmsen et al. 2012), once a step. Made when first needed.</summary>
+    /// <remarks>
+    /// Particles lie without gaps in the order in which they came: every step moves them, leaves out what is over and puts the new
+    /// ones behind, at places that one prefix sum over groups of 128 gives to both. So a run repeats bit for bit.
+    /// </remarks>
+    sealed class Foam : IDisposable
+    {
+        public const int CounterCount = 8;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Foam");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Foam"), sources = StageShader.LoadCompute("FoamSources");
+        readonly int averageCells, move, compact, spawn, commit, findPotentials, countSpawned;
+        readonly LocalKeyword twoLists;
+        readonly int foamGroups, fluidGroups;
+        readonly int cellTotal;
+        readonly float3 cellSize;
+        readonly int[] cellCounts, cellsPerFoamCell;
+        readonly PrefixSum prefixSum;
+        readonly Readback readback;
+        GraphicsBuffer particles, moved, arguments, cells, potentials, spawnCounts, groupCounts, sums;
+
+        /// <param name="budget">Most particles.</param>
+        /// <exception cref="ArgumentOutOfRangeException">More than the device can bind.</exception>
+        public Foam(SolverLayout layout, int budget)
+        {
+            Budget = budget;
+            averageCells = shader.FindKernel("AverageCells");
+            move = shader.FindKernel("Move");
+            compact = shader.FindKernel("Compact");
+            spawn = shader.FindKernel("Spawn");
+            commit = shader.FindKernel("Commit");
+            findPotentials = sources.FindKernel("FindPotentials");
+            countSpawned = sources.FindKernel("CountSpawned");
+            twoLists = new LocalKeyword(sources, NeighborLists.TwoListsKeyword);
+
+            foamGroups = Groups(budget);
+            fluidGroups = Groups(layout.Capacity);
+            int3 counts = (layout.CellCounts + layout.CellsPerRadius - 1) / layout.CellsPerRadius;
+            cellTotal = counts.x * counts.y * counts.z;
+            cellCounts = new[] { counts.x, counts.y, counts.z, cellTotal };
+            cellsPerFoamCell = new[] { layout.CellsPerRadius.x, layout.CellsPerRadius.y, layout.CellsPerRadius.z, 0 };
+            cellSize = layout.CellSize * layout.CellsPerRadius;
+
+            try
+            {
+                particles = GpuBuffer.Structured<FoamParticle>("Rill.Foam.Particles", budget);
+                moved = GpuBuffer.Structured<FoamParticle>("Rill.Foam.Moved", budget);
+                cells = GpuBuffer.Structured<float4>("Rill.Foam.Cells", cellTotal);
+                potentials = GpuBuffer.Structured<uint2>("Rill.Foam.Potentials", layout.Capacity);
+                spawnCounts = GpuBuffer.Structured<uint>("Rill.Foam.SpawnCounts", layout.Capacity);
+                groupCounts = GpuBuffer.Structured<uint>("Rill.Foam.GroupCounts", foamGroups + fluidGroups + 1);
+                sums = GpuBuffer.Structured<uint>("Rill.Foam.Sums", foamGroups + fluidGroups + 1);
+                arguments = GpuBuffer.Arguments("Rill.Foam.Arguments");
+                prefixSum = new PrefixSum(StageShader.LoadCompute("PrefixSum"), foamGroups + fluidGroups + 1);
+                readback = new Readback(GpuBuffer.Structured<uint>("Rill.Foam.Counters", CounterCount));
+                BufferClear.Now(groupCounts);
+                Clear();
+            }
+            catch
+            {
+                Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Most particles.</summary>
+        public int Budget { get; }
+
+        /// <summary>FoamParticle [<see cref="Budget"/>], see Foam.hlsl: those that are there come first.</summary>
+        public GraphicsBuffer Particles => particles;
+
+        /// <summary>Of a draw of the particles and a dispatch over them, see <see cref="GpuBuffer.Arguments"/>.</summary>
+        public GraphicsBuffer Arguments => arguments;
+
+        /// <summary>uint [<see cref="CounterCount"/>], by <see cref="FoamCounter"/>.</summary>
+        public GraphicsBuffer Counters => readback.Buffer;
+
+        /// <summary>uint2 [capacity], see FoamSources.compute.</summary>
+        public GraphicsBuffer Potentials => potentials;
+
+        /// <summary>float4 [cells], see Foam.compute.</summary>
+        public GraphicsBuffer Cells => cells;
+
+        /// <summary>uint [capacity], see FoamSources.compute.</summary>
+        public GraphicsBuffer SpawnCounts => spawnCounts;
+
+        /// <summary>Limits of the last step.</summary>
+        public FoamScales Scales { get; private set; }
+
+        public static bool IsNeeded(in StepInput input) => input.foam.budget > 0;
+
+        /// <summary>No foam, at once; counts begin anew.</summary>
+        public void Clear()
+        {
+            BufferClear.Now(readback.Buffer);
+            arguments.SetData(NoParticles);
+            readback.Forget();
+        }
+
+        /// <summary>Records the step of all foam, after the fluid's own. <see cref="Particles"/> is another buffer then.</summary>
+        /// <param name="depth">Of the water, d.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborSearch search, NeighborLists lists, SolverLayout layout, in StepInput input, float depth)
+        {
+            Scales = new FoamScales(input.foam, math.length(input.gravity), depth, layout.Spacing, input.timeStep, input.settings.substeps);
+            cmd.BeginSample(Marker);
+            RecordSources(cmd, constants, fluid, lists, input);
+            RecordAverages(cmd, constants, fluid, search, layout, input);
+
+            cmd.SetComputeBufferParam(shader, move, Ids.FoamParticles, particles);
+            cmd.SetComputeBufferParam(shader, move, Ids.FoamCells, cells);
+            cmd.SetComputeBufferParam(shader, move, Ids.GroupCounts, groupCounts);
+            cmd.SetComputeBufferParam(shader, move, Ids.FoamCounters, readback.Buffer);
+            cmd.DispatchCompute(shader, move, arguments, GpuBuffer.DispatchArgumentsAt);
+
+            prefixSum.Record(cmd, groupCounts, sums, foamGroups + fluidGroups + 1);
+
+            (particles, moved) = (moved, particles);
+            cmd.SetComputeBufferParam(shader, compact, Ids.Moved, moved);
+            cmd.SetComputeBufferParam(shader, compact, Ids.FoamParticles, particles);
+            cmd.SetComputeBufferParam(shader, compact, Ids.Sums, sums);
+            cmd.SetComputeBufferParam(shader, compact, Ids.FoamCounters, readback.Buffer);
+            cmd.DispatchCompute(shader, compact, arguments, GpuBuffer.DispatchArgumentsAt);
+
+            RecordSpawn(cmd, fluid);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Asks for the counts as the commands executed so far leave them. Nothing while some are under way.</summary>
+        public void Request() => readback.Request();
+
+        /// <summary>The newest counts that have come back since the last <see cref="Clear"/>.</summary>
+        public bool TryGetStatistics(out FoamStatistics statistics)
+        {
+            statistics = readback.HasResult ? FoamStatistics.From(readback.Latest) : default;
+            return readback.HasResult;
+        }
+
+        public void Dispose()
+        {
+            readback?.Dispose();
+            prefixSum?.Dispose();
+            GpuBuffer.Release(ref particles);
+            GpuBuffer.Release(ref moved);
+            GpuBuffer.Release(ref arguments);
+            GpuBuffer.Release(ref cells);
+            GpuBuffer.Release(ref potentials);
+            GpuBuffer.Release(ref spawnCounts);
+            GpuBuffer.Release(ref groupCounts);
+            GpuBuffer.Release(ref sums);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(Foam stage, in StepInput input, NeighborLists lists)
+        {
+            bool needed = IsNeeded(input);
+            var description = new StageDescription("Foam", needed, needed ? $"at most {input.foam.budget:N0} particles of spray, foam and bubbles" : "no FluidFoam component");
+            if (!needed || stage == null)
+                return description;
+            description.Kernel("FoamSources", "FindPotentials", 1, lists.Variant);
+            description.Kernel("FoamSources", "CountSpawned", 1, lists.Variant);
+            description.Kernel("Foam", "AverageCells", 1);
+            description.Kernel("Foam", "Move", 1);
+            stage.prefixSum.Describe(description, 1);
+            description.Kernel("Foam", "Compact", 1);
+            description.Kernel("Foam", "Spawn", 1);
+            description.Kernel("Foam", "Commit", 1);
+            description.Buffer("Rill.Foam.Particles", stage.particles);
+            description.Buffer("Rill.Foam.Moved", stage.moved);
+            description.Buffer("Rill.Foam.Arguments", stage.arguments);
+            description.Buffer("Rill.Foam.Counters", stage.readback.Buffer);
+            description.Buffer("Rill.Foam.Cells", stage.cells);
+            description.Buffer("Rill.Foam.Potentials", stage.potentials);
+            description.Buffer("Rill.Foam.SpawnCounts", stage.spawnCounts);
+            description.Buffer("Rill.Foam.GroupCounts", stage.groupCounts);
+            description.Buffer("Rill.Foam.Sums", stage.sums);
+            return description;
+        }
+
+        static readonly uint[] NoParticles = { 0, 1, 0, 0, 1, 1, 1, 0, 0, 2, 0, 0 };      // as StoreArguments writes it
+
+        static int Groups(int count) => (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
+
+        void RecordSources(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborLists lists, in StepInput input)
+        {
+            lists.RecordKeyword(cmd, sources, twoLists);
+            cmd.SetComputeConstantBufferParam(sources, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeVectorParam(sources, Ids.FoamLimits, Scales.Limits);
+            cmd.SetComputeVectorParam(sources, Ids.FoamRates, Scales.Rates);
+            cmd.SetComputeIntParam(sources, Ids.FoamSeed, input.foamSeed);
+            cmd.SetComputeIntParam(sources, Ids.FirstGroup, foamGroups);
+            cmd.SetComputeIntParam(sources, Ids.FluidGroups, fluidGroups);
+
+            BindLists(cmd, findPotentials, fluid, lists);
+            cmd.SetComputeBufferParam(sources, findPotentials, Ids.Velocities, fluid.Velocities);
+            cmd.DispatchCompute(sources, findPotentials, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+
+            BindLists(cmd, countSpawned, fluid, lists);
+            cmd.SetComputeBufferParam(sources, countSpawned, Ids.ParticleIds, fluid.Ids);
+            cmd.SetComputeBufferParam(sources, countSpawned, Ids.SpawnCounts, spawnCounts);
+            cmd.SetComputeBufferParam(sources, countSpawned, Ids.GroupCounts, groupCounts);
+            cmd.DispatchCompute(sources, countSpawned, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        void BindLists(CommandBuffer cmd, int kernel, ParticleBuffers fluid, NeighborLists lists)
+        {
+            lists.Bind(cmd, sources, kernel);
+            cmd.SetComputeBufferParam(sources, kernel, Ids.Positions, fluid.Current);
+            cmd.SetComputeBufferParam(sources, kernel, Ids.Potentials, potentials);
+            cmd.SetComputeBufferParam(sources, kernel, Ids.Counters, fluid.Counters);
+        }
+
+        void RecordAverages(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborSearch search, SolverLayout layout, in StepInput input)
+        {
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeVectorParam(shader, Ids.FoamCellSize, new float4(cellSize, input.timeStep));
+            cmd.SetComputeVectorParam(shader, Ids.FoamGravity, new float4(input.gravity / layout.Spacing, (float)(FoamScales.Rise * Scales.Speed)));
+            cmd.SetComputeIntParams(shader, Ids.FoamCellCounts, cellCounts);
+            cmd.SetComputeIntParams(shader, Ids.CellsPerFoamCell, cellsPerFoamCell);
+            cmd.SetComputeFloatParam(shader, Ids.FoamLifetime, input.foam.lifetime);
+            cmd.SetComputeIntParam(shader, Ids.FoamKinds, (int)input.foam.kinds);
+            cmd.SetComputeIntParam(shader, Ids.FoamBudget, Budget);
+            cmd.SetComputeIntParam(shader, Ids.FoamGroups, foamGroups);
+            cmd.SetComputeIntParam(shader, Ids.FluidGroups, fluidGroups);
+            cmd.SetComputeIntParam(shader, Ids.FoamSeed, input.foamSeed);
+
+            cmd.SetComputeBufferParam(shader, averageCells, Ids.CellStarts, search.CellStarts);
+            cmd.SetComputeBufferParam(shader, averageCells, Ids.Velocities, fluid.Velocities);
+            cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCells, cells);
+            cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCounters, readback.Buffer);
+            CoarseGrid.Dispatch(cmd, shader, averageCells, cellTotal);
+        }
+
+        void RecordSpawn(CommandBuffer cmd, ParticleBuffers fluid)
+        {
+            cmd.SetComputeBufferParam(shader, spawn, Ids.Positions, fluid.Current);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.Velocities, fluid.Velocities);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.ParticleIds, fluid.Ids);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.SpawnCounts, spawnCounts);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.Sums, sums);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.FoamCells, cells);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.FoamParticles, particles);
+            cmd.SetComputeBufferParam(shader, spawn, Ids.FoamCounters, readback.Buffer);
+            cmd.DispatchCompute(shader, spawn, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+
+            cmd.SetComputeBufferParam(shader, commit, Ids.Sums, sums);
+            cmd.SetComputeBufferParam(shader, commit, Ids.FoamCounters, readback.Buffer);
+            cmd.SetComputeBufferParam(shader, commit, Ids.FoamArguments, arguments);
+            cmd.DispatchCompute(shader, commit, 1, 1, 1);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Potentials = Shader.PropertyToID("_Potentials");
+            public static readonly int SpawnCounts = Shader.PropertyToID("_SpawnCounts");
+            public static readonly int GroupCounts = Shader.PropertyToID("_GroupCounts");
+            public static readonly int Sums = Shader.PropertyToID("_Sums");
+            public static readonly int Moved = Shader.PropertyToID("_Moved");
+            public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
+            public static readonly int FoamCells = Shader.PropertyToID("_FoamCells");
+            public static readonly int FoamCounters = Shader.PropertyToID("_FoamCounters");
+            public static readonly int FoamArguments = Shader.PropertyToID("_FoamArguments");
+            public static readonly int FoamLimits = Shader.PropertyToID("_FoamLimits");
+            public static readonly int FoamRates = Shader.PropertyToID("_FoamRates");
+            public static readonly int FoamSeed = Shader.PropertyToID("_FoamSeed");
+            public static readonly int FirstGroup = Shader.PropertyToID("_FirstGroup");
+            public static readonly int FluidGroups = Shader.PropertyToID("_FluidGroups");
+            public static readonly int FoamGroups = Shader.PropertyToID("_FoamGroups");
+            public static readonly int FoamCellSize = Shader.PropertyToID("_FoamCellSize");
+            public static readonly int FoamGravity = Shader.PropertyToID("_FoamGravity");
+            public static readonly int FoamCellCounts = Shader.PropertyToID("_FoamCellCounts");
+            public static readonly int CellsPerFoamCell = Shader.PropertyToID("_CellsPerFoamCell");
+            public static readonly int FoamLifetime = Shader.PropertyToID("_FoamLifetime");
+            public static readonly int FoamKinds = Shader.PropertyToID("_FoamKinds");
+            public static readonly int FoamBudget = Shader.PropertyToID("_FoamBudget");
+        }
+    }
+}
