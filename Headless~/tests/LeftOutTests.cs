@@ -19,7 +19,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Viscoelasticity", "GatherOrigins", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.Origins", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Viscoelasticity", "GatherOrigins", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.Origins", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside", "Foam" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -97,6 +97,11 @@ namespace Host.Tests
                 "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *", "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous",     // which has the density
             }),
             ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still), new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}", "+1 Rill.Emitters.*" }),
+            ("foam", null, s => s.gameObject.AddComponent<FluidFoam>(), new[]
+            {
+                "+1 FoamSources.compute FindPotentials", "+1 FoamSources.compute CountSpawned", "+1 Foam.compute AverageCells", "+1 Foam.compute Move", "+1 PrefixSum.compute SumTiles", "+1 PrefixSum.compute ScanTileSums",
+                "+1 PrefixSum.compute ScanTiles", "+1 Foam.compute Compact", "+1 Foam.compute Spawn", "+1 Foam.compute Commit", "+1 FoamParticles.shader *", "+1 Rill.Foam.*", "+1 Rill.PrefixSum.TileSums *",
+            }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute Displace" }),
         };
 
@@ -131,6 +136,7 @@ namespace Host.Tests
                 UnityEngine.Object.DestroyImmediate(mover);
             foreach (FluidCollider collider in FluidCollider.Enabled.Except(collidersBefore).ToArray())
                 UnityEngine.Object.DestroyImmediate(collider.gameObject);
+            UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidFoam>());
             simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Speed;
             for (int i = 0; i < 4; i++)
                 PlayerLoop.Frame(FrameTime);        // what was read back arrives

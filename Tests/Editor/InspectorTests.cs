@@ -15,7 +15,7 @@ namespace Rill.Editor.Tests
         static readonly Type[] Components =
         {
             typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidVolume), typeof(FluidCollider),
-            typeof(ParticleRenderer), typeof(DomainRenderer),
+            typeof(ParticleRenderer), typeof(DomainRenderer), typeof(FluidFoam),
         };
 
         EditorScene scene;

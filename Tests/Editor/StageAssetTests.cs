@@ -14,6 +14,8 @@ namespace Rill.Editor.Tests
         [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveTail")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "Displace", "DisplaceWithPressure", "DisplaceDeep", "DisplaceDeepWithPressure")]
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
+        [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
+        [TestCase("FoamSources", "FindPotentials", "CountSpawned")]
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsBeside", "CountCellsDeepBeside", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside", "GatherTags", "GatherOrigins")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
@@ -70,6 +72,7 @@ namespace Rill.Editor.Tests
 
         [TestCase("ParticleRenderer")]
         [TestCase("DomainRenderer")]
+        [TestCase("Foam")]
         public void Every_renderer_has_a_shader_that_runs_on_this_device(string stage)
         {
             Shader shader = StageShader.Load(stage).Shader;
