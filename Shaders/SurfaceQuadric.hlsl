@@ -1,14 +1,9 @@
-// Ellipsoids drawn by ray against quadric: the rectangle that holds one on the picture, and the hit of a pixel's ray.
+// Ellipsoids on the picture: the rectangle that holds one.
 #ifndef RILL_SURFACE_QUADRIC_INCLUDED
 #define RILL_SURFACE_QUADRIC_INCLUDED
 
+#include "Ellipsoid.hlsl"
 #include "SurfaceView.hlsl"
-
-struct Ellipsoid
-{
-    float3 center;      // world
-    float3 a, b, c;     // semi-axes, world, at right angles to each other
-};
 
 struct PictureBounds
 {
@@ -49,25 +44,11 @@ PictureBounds BoundsOf(Ellipsoid e, uint eye)
     return bounds;
 }
 
-// A ray in the frame in which the ellipsoid is a ball of radius 1: linear on the picture.
+// A ray of the picture in the frame in which the ellipsoid is a ball of radius 1: linear on the picture.
 void RayInBall(Ellipsoid e, SurfaceRay ray, out float3 origin, out float3 direction)
 {
-    float3 inverse = 1.0 / max(float3(dot(e.a, e.a), dot(e.b, e.b), dot(e.c, e.c)), 1e-20);
-    float3 from = ray.origin - e.center;
-    origin = float3(dot(e.a, from), dot(e.b, from), dot(e.c, from)) * inverse;
-    direction = float3(dot(e.a, ray.direction), dot(e.b, ray.direction), dot(e.c, ray.direction)) * inverse;
-}
-
-// Where the ray enters the ball of radius 1 and where it leaves it; false where it passes by.
-bool HitBall(float3 origin, float3 direction, out float2 hit)
-{
-    float squared = max(dot(direction, direction), 1e-20);
-    float middle = -dot(origin, direction) / squared;
-    float3 nearest = origin + direction * middle;       // and not b b - a c, which cancels far away
-    float missing = 1.0 - dot(nearest, nearest);
-    float halfWay = sqrt(max(missing, 0.0) / squared);
-    hit = float2(middle - halfWay, middle + halfWay);
-    return missing > 0.0;
+    origin = ToBall(e, ray.origin - e.center);
+    direction = ToBall(e, ray.direction);
 }
 
 #endif

@@ -27,7 +27,7 @@ Texture2D _CameraDepthTexture;
 float4 _SceneSize;              // of the scene's depth: width and height of what is in use, texels
 float _ParticleSpacing;         // m
 
-static const float kBallRadius = 0.8;           // d
+static const float kBallRadius = 0.65;          // d; wider ones would be more and smaller terms of sums that a half has to hold
 static const float kFillingRadius = 0.62035;    // d, of a ball with the volume of a particle
 #endif
 
@@ -37,7 +37,7 @@ struct RasterVaryings
     float3 origin : TEXCOORD0;      // of the ray, in the frame in which the ellipsoid is a ball of radius 1
     float3 direction : TEXCOORD1;
 #ifdef RILL_PASS_THICKNESS
-    nointerpolation float amount : TEXCOORD2;       // m of water for each m of the ball along the view
+    nointerpolation float2 amount : TEXCOORD2;      // m of water for each m of the ball along the view, in either channel
     float2 picture : TEXCOORD3;
 #endif
 };
@@ -86,7 +86,8 @@ RasterVaryings RasterVertex(uint vertex : SV_VertexID)
     RayInBall(e, RayThrough(picture, _SurfaceEye), result.origin, result.direction);
     result.clip = SurfacePosition(picture, bounds.nearest);
 #ifdef RILL_PASS_THICKNESS
-    result.amount = amount;
+    // Two channels with half of the particles each: a sum of many in a half loses what is below its last bit.
+    result.amount = amount * ((vertex / 6) & 1 ? float2(1.0, 0.0) : float2(0.0, 1.0));
     result.picture = picture;
 #endif
     return result;
@@ -118,7 +119,7 @@ float4 ThicknessFragment(RasterVaryings input) : SV_Target
     float seen = min(hit.y, FromSurfaceDepth(FlipDepth(scene), _SurfaceEye)) - max(hit.x, 0.0);
     if (seen <= 0.0)
         discard;
-    return seen * input.amount * length(RayThrough(input.picture, _SurfaceEye).direction);
+    return float4(seen * length(RayThrough(input.picture, _SurfaceEye).direction) * input.amount, 0.0, 0.0);
 }
 
 #endif

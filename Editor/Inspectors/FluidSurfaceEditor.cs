@@ -1,5 +1,6 @@
 using System;
 using UnityEditor;
+using UnityEngine.Rendering;
 
 namespace Rill.Editor
 {
@@ -28,7 +29,10 @@ namespace Rill.Editor
                 new InspectorField("sun"),
                 new InspectorField("reflection"),
                 new InspectorField("reflectionStrength")),
-            Shadows,
+            new InspectorSection("Shadows", true,
+                new InspectorField("castShadows"),
+                new InspectorField("shadowOpacity", when: inspected => inspected.FindProperty("castShadows").intValue != (int)ShadowCastingMode.Off),
+                new InspectorField("receiveShadows")),
         };
 
         readonly SetupProblemList setup = new SetupProblemList();

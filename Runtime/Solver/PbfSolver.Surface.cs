@@ -17,6 +17,9 @@ namespace Rill
         /// <summary>Whether <see cref="Surface"/> is that of the current state.</summary>
         public bool SurfaceIsCurrent { get; private set; }
 
+        /// <summary>Differs once <see cref="Surface"/> is that of another state.</summary>
+        public int SurfaceVersion { get; private set; }
+
         /// <summary>Records the surface of the current state; not after <see cref="RecordStatistics"/> of that state, which sorts anew.</summary>
         /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
@@ -26,6 +29,7 @@ namespace Rill
             float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
             surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, substepTime, hasSteps ? restingRegions : null);
             SurfaceIsCurrent = true;
+            SurfaceVersion++;
         }
 
         /// <summary>Gives back what the surface needs, where nothing draws it any more.</summary>

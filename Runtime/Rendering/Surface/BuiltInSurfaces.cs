@@ -45,29 +45,34 @@ namespace Rill
         {
             if (camera.cameraType == CameraType.Preview)
                 return;
-            CameraBuffer buffer = BufferOf(camera);
             FluidViews views = FluidViews.Of(camera);
-            CommandBuffer commands = buffer.commands;
-            commands.Clear();
-            Prepare(ref buffer.sceneColor, camera);
-            commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor);
+            CameraBuffer buffer = Find(camera);
+            buffer?.commands.Clear();
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
                 FluidSurface surface = FluidSurface.Active[i];
                 if (!surface.Prepare(views))
                     continue;
-                surface.Record(commands, views);
-                surface.Submit(views, buffer.sceneColor);
+                buffer ??= Add(camera);
+                if (!any)
+                    Begin(buffer, views);
                 any = true;
+                surface.Record(buffer.commands, views);
+                surface.Submit(views, buffer.sceneColor);
             }
-            if (any)
-                camera.depthTextureMode |= DepthTextureMode.Depth;
-            else
-                commands.Clear();
         }
 
-        static CameraBuffer BufferOf(Camera camera)
+        // The opaque scene, before the recorder draws elsewhere.
+        static void Begin(CameraBuffer buffer, in FluidViews views)
+        {
+            views.camera.depthTextureMode |= DepthTextureMode.Depth;
+            Prepare(ref buffer.sceneColor, views);
+            buffer.commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor);
+        }
+
+        // Gives back those of cameras that are gone.
+        static CameraBuffer Find(Camera camera)
         {
             CameraBuffer found = null;
             for (int i = buffers.Count - 1; i >= 0; i--)
@@ -80,21 +85,28 @@ namespace Rill
                     buffers.RemoveAt(i);
                 }
             }
-            if (found != null)
-                return found;
-            found = new CameraBuffer { camera = camera, commands = new CommandBuffer { name = "Rill.Surface" } };
-            camera.AddCommandBuffer(Event, found.commands);
-            buffers.Add(found);
             return found;
         }
 
-        static void Prepare(ref RenderTexture texture, Camera camera)
+        static CameraBuffer Add(Camera camera)
         {
-            RenderTextureFormat format = camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
-            if (texture != null && texture.width == camera.pixelWidth && texture.height == camera.pixelHeight && texture.format == format)
+            var added = new CameraBuffer { camera = camera, commands = new CommandBuffer { name = "Rill.Surface" } };
+            camera.AddCommandBuffer(Event, added.commands);
+            buffers.Add(added);
+            return added;
+        }
+
+        static void Prepare(ref RenderTexture texture, in FluidViews views)
+        {
+            RenderTextureFormat format = views.camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
+            if (texture != null && texture.width == views.width && texture.height == views.height && texture.volumeDepth == views.eyes && texture.format == format)
                 return;
             Release(ref texture);
-            texture = new RenderTexture(camera.pixelWidth, camera.pixelHeight, 0, format) { name = "Rill.Surface.SceneColor", hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Bilinear };
+            texture = new RenderTexture(views.width, views.height, 0, format)
+            {
+                name = "Rill.Surface.SceneColor", hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Bilinear,
+                dimension = views.eyes > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = views.eyes,
+            };
             texture.Create();
         }
 

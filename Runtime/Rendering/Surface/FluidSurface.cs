@@ -37,6 +37,10 @@ namespace Rill
         [Range(0f, 4f)]
         [SerializeField] float reflectionStrength = 1f;
 
+        [Tooltip("How much of the light is gone in its shadow where it casts shadows, 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float shadowOpacity = 0.4f;
+
         [Tooltip("Light whose highlight is seen. None: the scene's main light; in HDRP, from above.")]
         [SerializeField] Light sun;
 
@@ -46,6 +50,7 @@ namespace Rill
         static List<FluidSurface> active = new List<FluidSurface>();
 
         FluidSurfaceRecorder recorder;
+        SurfaceShadow shadow;
         SurfaceFrame frame;
         bool hasFrame;
 
@@ -74,6 +79,9 @@ namespace Rill
 
         /// <summary>Factor of what it mirrors, 0 to 4.</summary>
         public float ReflectionStrength { get => reflectionStrength; set => reflectionStrength = Mathf.Clamp(value, 0f, 4f); }
+
+        /// <summary>How much of the light is gone in its shadow, 0 to 1.</summary>
+        public float ShadowOpacity { get => shadowOpacity; set => shadowOpacity = Mathf.Clamp01(value); }
 
         /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, from above).</summary>
         public Light Sun { get => sun; set => sun = value; }
@@ -117,6 +125,7 @@ namespace Rill
         private protected override void Begin()
         {
             recorder = new FluidSurfaceRecorder();
+            shadow = new SurfaceShadow();
             active.Add(this);
             BuiltInSurfaces.Begin();
         }
@@ -126,6 +135,8 @@ namespace Rill
             hasFrame = false;
             active.Remove(this);
             BuiltInSurfaces.End();
+            shadow?.Dispose();
+            shadow = null;
             recorder?.Dispose();
             recorder = null;
         }
@@ -133,19 +144,13 @@ namespace Rill
         private protected override void Draw()
         {
             Simulation.NeedsSurface = true;
-            SurfaceParticles surface = Simulation.Solver.Surface;
-            hasFrame = surface != null;
+            PbfSolver solver = Simulation.Solver;
+            hasFrame = solver.Surface != null;
             if (!hasFrame)
                 return;
-            PbfSolver solver = Simulation.Solver;
-            float spacing = Simulation.ParticleSpacing;
-            frame = new SurfaceFrame
-            {
-                version = Simulation.StepCount, lag = Simulation.FrameLag, domainToWorld = Simulation.DomainToWorld, domainSize = Simulation.DomainSize / spacing, spacing = spacing,
-                filterRadius = smoothing * spacing, filterRange = 2f * spacing, filterPasses = quality == SurfaceQuality.High ? 2 : 1, scale = quality == SurfaceQuality.Low ? 0.5f : 1f,
-                surfaceParticles = surface.Particles, surfaceArguments = surface.Arguments,
-                positions = solver.Positions, startPositions = solver.StartPositions, velocities = solver.Velocities, counters = solver.Counters, particleArguments = solver.DrawArguments,
-            };
+            frame = SurfaceFrame.Of(solver, Simulation.DomainToWorld, Simulation.FrameLag, smoothing, quality);
+            if (CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f)
+                shadow.Draw(Parameters(shadow.Properties), frame, shadowOpacity);
             SetKeyword(RefractionKeyword, refraction);
             SetKeyword(ReflectionKeyword, reflection != null);
         }

@@ -17,15 +17,17 @@ namespace Rill
         static readonly ProfilerMarker FilterMarker = GpuMarker.Create("Rill.Surface.Filter");
         static readonly ProfilerMarker NormalsMarker = GpuMarker.Create("Rill.Surface.Normals");
         static readonly ProfilerMarker ThicknessMarker = GpuMarker.Create("Rill.Surface.Thickness");
+        static readonly ProfilerMarker BlurMarker = GpuMarker.Create("Rill.Surface.Blur");
 
         const int DepthPass = 0, ThicknessPass = 1;
         const int MaxFilterRadius = 32;         // texels, kMaxRadius in SurfaceFilter.compute
+        const float ThicknessBlur = 2f;         // two standard deviations, d
         const int FramesKept = 3;               // for which a camera may stay away
         const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
 
         readonly ComputeShader filter;
         readonly Material raster;
-        readonly int filterRows, filterRowsAgain, filterColumns, findNormals;
+        readonly int filterRows, filterRowsAgain, filterColumns, findNormals, blurThickness;
         readonly List<SurfaceView> views = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         readonly SurfaceConstants constants = new SurfaceConstants();
@@ -41,6 +43,7 @@ namespace Rill
             filterRowsAgain = filter.FindKernel("FilterRowsAgain");
             filterColumns = filter.FindKernel("FilterColumns");
             findNormals = filter.FindKernel("FindNormals");
+            blurThickness = filter.FindKernel("BlurThickness");
         }
 
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
@@ -144,11 +147,24 @@ namespace Rill
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 properties.SetInt(Ids.SurfaceEye, eye);
-                cmd.SetRenderTarget(view.Thickness, 0, CubemapFace.Unknown, eye);
+                cmd.SetRenderTarget(view.DrawnThickness, 0, CubemapFace.Unknown, eye);
                 cmd.ClearRenderTarget(false, true, Color.clear);
                 cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, ThicknessPass, MeshTopology.Triangles, fluid.particleArguments, 0, properties);
             }
             cmd.EndSample(ThicknessMarker);
+
+            cmd.BeginSample(BlurMarker);
+            SetFilter(cmd, view);
+            cmd.SetComputeVectorParam(filter, Ids.ThicknessSize, SizeOf(view.Thickness.width, view.Thickness.height));
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                SetFilterEye(cmd, camera, fluid, view, eye);
+                cmd.SetComputeTextureParam(filter, blurThickness, Ids.Depth, view.Smoothed);
+                cmd.SetComputeTextureParam(filter, blurThickness, Ids.Drawn, view.DrawnThickness);
+                cmd.SetComputeTextureParam(filter, blurThickness, Ids.Thickness, view.Thickness);
+                Dispatch(cmd, blurThickness, view.Thickness.width, view.Thickness.height);
+            }
+            cmd.EndSample(BlurMarker);
         }
 
         void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, Vector4 bounds)
@@ -157,16 +173,11 @@ namespace Rill
             int width = view.Width, height = view.Height;
             int left = Mathf.Clamp((int)((bounds.x * 0.5f + 0.5f) * width), 0, width - 1), right = Mathf.Clamp((int)((bounds.z * 0.5f + 0.5f) * width) + 1, left + 1, width);
             int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1), top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
-            cmd.SetComputeMatrixArrayParam(filter, Ids.WorldToClip, view.Constants.WorldToClip);
-            cmd.SetComputeVectorArrayParam(filter, Ids.Rays, view.Constants.Rays);
-            cmd.SetComputeVectorArrayParam(filter, Ids.Depths, view.Constants.Depths);
-            cmd.SetComputeVectorParam(filter, Ids.SurfaceSize, SizeOf(width, height));
+            SetFilter(cmd, view);
             cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(left, bottom, right, top));
             for (int eye = 0; eye < camera.eyes; eye++)
             {
-                cmd.SetComputeIntParam(filter, Ids.SurfaceEye, eye);
-                float radius = fluid.filterRadius * SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), height);
-                cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(radius, fluid.filterRange, 0f, 0f));
+                SetFilterEye(cmd, camera, fluid, view, eye);
                 cmd.BeginSample(FilterMarker);
                 for (int i = 0; i < fluid.filterPasses; i++)
                 {
@@ -189,6 +200,22 @@ namespace Rill
                 Dispatch(cmd, findNormals, right - left, top - bottom);
                 cmd.EndSample(NormalsMarker);
             }
+        }
+
+        void SetFilter(CommandBuffer cmd, SurfaceView view)
+        {
+            cmd.SetComputeMatrixArrayParam(filter, Ids.WorldToClip, view.Constants.WorldToClip);
+            cmd.SetComputeVectorArrayParam(filter, Ids.Rays, view.Constants.Rays);
+            cmd.SetComputeVectorArrayParam(filter, Ids.Depths, view.Constants.Depths);
+            cmd.SetComputeVectorParam(filter, Ids.SurfaceSize, SizeOf(view.Width, view.Height));
+            cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(0f, 0f, view.Width, view.Height));
+        }
+
+        void SetFilterEye(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int eye)
+        {
+            cmd.SetComputeIntParam(filter, Ids.SurfaceEye, eye);
+            float texels = SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Height);
+            cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, ThicknessBlur * fluid.spacing * 0.5f * texels, 0f));
         }
 
         // A thread for each texel.
@@ -279,6 +306,9 @@ namespace Rill
             public static readonly int FilterRadius = Shader.PropertyToID("_FilterRadius");
             public static readonly int Depth = Shader.PropertyToID("_Depth");
             public static readonly int Filtered = Shader.PropertyToID("_Filtered");
+            public static readonly int Drawn = Shader.PropertyToID("_Drawn");
+            public static readonly int Thickness = Shader.PropertyToID("_Thickness");
+            public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
             public static readonly int Normals = Shader.PropertyToID("_Normals");
             public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
             public static readonly int SurfaceNormals = Shader.PropertyToID("_SurfaceNormals");

@@ -35,7 +35,7 @@ namespace Rill
         /// <param name="eye">0 or 1.</param>
         public Matrix4x4 ProjectionOf(int eye) => eye == 0 ? projection : rightProjection;
 
-        /// <summary>Of a camera that draws one eye.</summary>
+        /// <summary>Of a camera as Unity has it: two eyes where it is stereo.</summary>
         public static FluidViews Of(Camera camera)
         {
             return new FluidViews

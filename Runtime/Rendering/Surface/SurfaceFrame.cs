@@ -5,6 +5,8 @@ namespace Rill
     /// <summary>What of a fluid is drawn in a frame, for all cameras.</summary>
     struct SurfaceFrame
     {
+        const float FilterRange = 2f;       // d
+
         /// <summary>Differs once the particles have changed.</summary>
         public int version;
 
@@ -33,5 +35,20 @@ namespace Rill
 
         /// <summary>The buffers of DrawnParticles.hlsl and the arguments of a draw of all particles.</summary>
         public GraphicsBuffer positions, startPositions, velocities, counters, particleArguments;
+
+        /// <param name="smoothing">Two standard deviations of the filter on the picture, d.</param>
+        public static SurfaceFrame Of(PbfSolver solver, Matrix4x4 domainToWorld, Vector4 lag, float smoothing, SurfaceQuality quality)
+        {
+            float spacing = solver.Layout.Spacing;
+            return new SurfaceFrame
+            {
+                version = solver.SurfaceVersion, lag = lag, domainToWorld = domainToWorld, domainSize = solver.Layout.DomainSize, spacing = spacing,
+                filterRadius = smoothing * spacing, filterRange = FilterRange * spacing,
+                filterPasses = quality == SurfaceQuality.High ? 2 : 1, scale = quality == SurfaceQuality.Low ? 0.5f : 1f,
+                surfaceParticles = solver.Surface.Particles, surfaceArguments = solver.Surface.Arguments,
+                positions = solver.Positions, startPositions = solver.StartPositions, velocities = solver.Velocities, counters = solver.Counters,
+                particleArguments = solver.DrawArguments,
+            };
+        }
     }
 }

@@ -22,8 +22,8 @@ namespace Rill
         /// <summary>xyz unit normal, world; w variance.</summary>
         public RenderTexture Normals;
 
-        /// <summary>Water in front of the scene, m; half the size.</summary>
-        public RenderTexture Thickness;
+        /// <summary>Water in front of the scene, m; half the size. As it was drawn, and smoothed.</summary>
+        public RenderTexture DrawnThickness, Thickness;
 
         public SurfaceView(Camera camera) => Camera = camera;
 
@@ -54,7 +54,8 @@ namespace Rill
             Rows = Make("Rill.Surface.Rows", width, height, eyes, GraphicsFormat.R32_SFloat, true);
             Smoothed = Make("Rill.Surface.Depth", width, height, eyes, GraphicsFormat.R32_SFloat, true);
             Normals = Make("Rill.Surface.Normals", width, height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
-            Thickness = Make("Rill.Surface.Thickness", (width + 1) / 2, (height + 1) / 2, eyes, GraphicsFormat.R16_SFloat, false);
+            DrawnThickness = Make("Rill.Surface.DrawnThickness", (width + 1) / 2, (height + 1) / 2, eyes, GraphicsFormat.R16G16_SFloat, false);
+            Thickness = Make("Rill.Surface.Thickness", (width + 1) / 2, (height + 1) / 2, eyes, GraphicsFormat.R32_SFloat, true);
         }
 
         public void Dispose()
@@ -63,18 +64,19 @@ namespace Rill
             Release(ref Rows);
             Release(ref Smoothed);
             Release(ref Normals);
+            Release(ref DrawnThickness);
             Release(ref Thickness);
             Shown = null;
         }
 
         public void Describe(StageDescription stage)
         {
-            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, Thickness })
+            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, DrawnThickness, Thickness })
                 if (texture != null)
                     stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
         }
 
-        static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : texture.graphicsFormat == GraphicsFormat.R16_SFloat ? 2 : 4;
+        static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;
 
         static RenderTexture Make(string name, int width, int height, int eyes, GraphicsFormat format, bool written)
         {

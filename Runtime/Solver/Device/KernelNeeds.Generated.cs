@@ -191,6 +191,7 @@ namespace Rill
             new KernelNeed("SurfaceFilter", "FilterRowsAgain", "ROWS", 128, 768, 0, 1, 2),
             new KernelNeed("SurfaceFilter", "FilterColumns", "COLUMNS", 128, 2560, 0, 1, 2),
             new KernelNeed("SurfaceFilter", "FindNormals", "NORMALS", 256, 5488, 0, 1, 2),
+            new KernelNeed("SurfaceFilter", "BlurThickness", "THICKNESS", 256, 7680, 0, 1, 3),
             new KernelNeed("SurfaceParticles", "AddNew", "ADD_NEW", 128, 8, 5, 2, 0),
             new KernelNeed("SurfaceParticles", "Estimate", "ESTIMATE", 128, 8, 8, 4, 0),
             new KernelNeed("SurfaceParticles", "Estimate", "ESTIMATE RILL_SLEEP", 128, 8, 10, 4, 0),
@@ -248,6 +249,8 @@ namespace Rill
             new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 6),
             new KernelNeed("SurfaceRaster", "Vertex", "", 0, 0, 4, 0, 0),
             new KernelNeed("SurfaceRaster", "Fragment", "", 0, 0, 0, 0, 1),
+            new KernelNeed("SurfaceShadow", "Vertex", "", 0, 0, 1, 0, 0),
+            new KernelNeed("SurfaceShadow", "Fragment", "", 0, 0, 0, 0, 0),
         };
     }
 }

@@ -86,7 +86,8 @@ namespace Rill
                 case "SMALL":
                 case "SMOOTH":
                 case "SPAWN":
-                case "STORE_DRAWN": return DeviceFeature.None;
+                case "STORE_DRAWN":
+                case "THICKNESS": return DeviceFeature.None;
                 case "BESIDE":
                 case "CARRIES":
                 case "SOLIDS": return DeviceFeature.Colliders;

@@ -1,0 +1,47 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>The shadow of a fluid's surface: its ellipsoids, drawn into shadow maps alone.</summary>
+    sealed class SurfaceShadow : IDisposable
+    {
+        readonly Material material = new Material(StageShader.Load("SurfaceShadow").Shader) { hideFlags = HideFlags.HideAndDontSave };
+
+        public MaterialPropertyBlock Properties { get; } = new MaterialPropertyBlock();
+
+        /// <param name="parameters">Made with <see cref="Properties"/>.</param>
+        /// <param name="opacity">How much of the light is gone, 0 to 1.</param>
+        public void Draw(RenderParams parameters, in SurfaceFrame fluid, float opacity)
+        {
+            Properties.SetMatrix(Ids.DomainToWorld, fluid.domainToWorld);
+            Properties.SetVector(Ids.FrameLag, fluid.lag);
+            Properties.SetVector(Ids.DrawnDomainSize, fluid.domainSize);
+            Properties.SetBuffer(Ids.SurfaceParticles, fluid.surfaceParticles);
+            Properties.SetFloat(Ids.ShadowOpacity, opacity);
+            parameters.material = material;
+            // The depth of the scene must not hold it.
+            parameters.shadowCastingMode = ShadowCastingMode.ShadowsOnly;
+            parameters.motionVectorMode = MotionVectorGenerationMode.Camera;
+            Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, fluid.surfaceArguments, 1, StereoInstancing.MonoCommand);
+        }
+
+        public void Dispose()
+        {
+            if (Application.isPlaying)
+                UnityEngine.Object.Destroy(material);
+            else
+                UnityEngine.Object.DestroyImmediate(material);
+        }
+
+        static class Ids
+        {
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
+            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int SurfaceParticles = Shader.PropertyToID("_SurfaceParticles");
+            public static readonly int ShadowOpacity = Shader.PropertyToID("_ShadowOpacity");
+        }
+    }
+}

@@ -1,0 +1,30 @@
+// Ellipsoids and the rays that hit them.
+#ifndef RILL_ELLIPSOID_INCLUDED
+#define RILL_ELLIPSOID_INCLUDED
+
+struct Ellipsoid
+{
+    float3 center;      // world
+    float3 a, b, c;     // semi-axes, world, at right angles to each other
+};
+
+// A vector in the frame in which the ellipsoid is a ball of radius 1.
+float3 ToBall(Ellipsoid e, float3 v)
+{
+    float3 squares = float3(dot(e.a, e.a), dot(e.b, e.b), dot(e.c, e.c));
+    return float3(dot(e.a, v), dot(e.b, v), dot(e.c, v)) / max(squares, 1e-20);
+}
+
+// Where the ray enters the ball of radius 1 and where it leaves it; false where it passes by.
+bool HitBall(float3 origin, float3 direction, out float2 hit)
+{
+    float squared = max(dot(direction, direction), 1e-20);
+    float middle = -dot(origin, direction) / squared;
+    float3 nearest = origin + direction * middle;       // and not b b - a c, which cancels far away
+    float missing = 1.0 - dot(nearest, nearest);
+    float halfWay = sqrt(max(missing, 0.0) / squared);
+    hit = float2(middle - halfWay, middle + halfWay);
+    return missing > 0.0;
+}
+
+#endif

@@ -1,0 +1,92 @@
+// The ellipsoids of the water's surface in a shadow map, in a pattern with holes: water lets light through. The SubShader around it
+// says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+//
+//   _SurfaceParticles  in  see SurfaceParticle.hlsl
+#include "ShadowBias.hlsl"
+#include "Ellipsoid.hlsl"
+#include "SurfaceParticle.hlsl"
+
+StructuredBuffer<SurfaceParticle> _SurfaceParticles;
+
+float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
+float4 _FrameLag;               // x: time of this frame since the newest state, substeps
+float4 _DrawnDomainSize;        // xyz, d
+float _ShadowOpacity;           // 0 to 1
+
+struct ShadowVaryings
+{
+    float4 clip : SV_Position;
+    float3 world : TEXCOORD0;                   // on the quad
+    nointerpolation float4 center : TEXCOORD1;
+    nointerpolation float4 a : TEXCOORD2;       // semi-axes
+    nointerpolation float4 b : TEXCOORD3;
+    nointerpolation float4 c : TEXCOORD4;
+    RILL_VIEW_OUTPUT
+};
+
+ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    static const float2 kCorners[6] = { float2(-1, -1), float2(-1, 1), float2(1, 1), float2(-1, -1), float2(1, 1), float2(1, -1) };
+    ShadowVaryings result = (ShadowVaryings)0;
+    bool drawn = SelectView(instance);
+    PassViewOn(result);
+    result.clip = kNowhere;
+    if (!drawn)
+        return result;
+
+    float3 center, chord;
+    float3x3 axes;
+    uint index;
+    UnpackSurface(_SurfaceParticles[vertex / 6], center, axes, index, chord);
+    center = clamp(center + chord * _FrameLag.x, min(center, 0.0), max(center, _DrawnDomainSize.xyz));
+    float3 world = mul(_DomainToWorld, float4(center, 1.0)).xyz;
+    result.center = float4(world, 1.0);
+    result.a = float4(mul((float3x3)_DomainToWorld, axes[0]), 0.0);
+    result.b = float4(mul((float3x3)_DomainToWorld, axes[1]), 0.0);
+    result.c = float4(mul((float3x3)_DomainToWorld, axes[2]), 0.0);
+
+    // A quad towards the eye that holds the ball around the ellipsoid, whose silhouette perspective makes wider.
+    float squared = max(max(dot(result.a, result.a), dot(result.b, result.b)), dot(result.c, result.c));
+    float size = sqrt(squared);
+    if (!IsOrthographic())
+    {
+        float distanceSquared = EyeDistanceSquared(world);
+        size *= sqrt(distanceSquared / max(distanceSquared - squared, 1e-4 * distanceSquared));
+    }
+    float2 corner = kCorners[vertex % 6];
+    float3 ray = -ToEye(world);
+    float3 side = normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
+    result.world = world + (side * corner.x + cross(ray, side) * corner.y) * size;
+    result.clip = WorldToClip(result.world);
+    return result;
+}
+
+// A 4 by 4 pattern of thresholds (Bayer 1973), between 0 and 1.
+float Threshold(uint2 pixel)
+{
+    static const uint4 kRows[4] = { uint4(0, 8, 2, 10), uint4(12, 4, 14, 6), uint4(3, 11, 1, 9), uint4(15, 7, 13, 5) };
+    uint4 row = kRows[pixel.y & 3];
+    uint x = pixel.x & 3;
+    return ((x == 0 ? row.x : x == 1 ? row.y : x == 2 ? row.z : row.w) + 0.5) / 16.0;
+}
+
+float4 ShadowFragment(ShadowVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    if (Threshold(uint2(input.clip.xy)) > _ShadowOpacity)
+        discard;
+    Ellipsoid e;
+    e.center = input.center.xyz;
+    e.a = input.a.xyz;
+    e.b = input.b.xyz;
+    e.c = input.c.xyz;
+    float3 ray = -ToEye(input.world);
+    float2 hit;
+    if (!HitBall(ToBall(e, input.world - e.center), ToBall(e, ray), hit))
+        discard;
+    float3 world = input.world + ray * hit.x;
+    float3 inBall = ToBall(e, world - e.center);
+    float3 normal = e.a * (inBall.x / max(dot(e.a, e.a), 1e-20)) + e.b * (inBall.y / max(dot(e.b, e.b), 1e-20)) + e.c * (inBall.z / max(dot(e.c, e.c), 1e-20));
+    depth = DeviceDepth(ShadowClip(world, normal * rsqrt(max(dot(normal, normal), 1e-20))));
+    return depth;
+}
