@@ -68,7 +68,11 @@ namespace Rill
         {
             views.camera.depthTextureMode |= DepthTextureMode.Depth;
             Prepare(ref buffer.sceneColor, views);
-            buffer.commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor);
+            if (views.eyes == 1)
+                buffer.commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor);
+            else
+                for (int eye = 0; eye < views.eyes; eye++)
+                    buffer.commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor, eye, eye);
         }
 
         // Gives back those of cameras that are gone.

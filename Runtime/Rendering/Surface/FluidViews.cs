@@ -38,6 +38,13 @@ namespace Rill
         /// <summary>Of a camera as Unity has it: two eyes where it is stereo.</summary>
         public static FluidViews Of(Camera camera)
         {
+            if (camera.stereoEnabled)
+                return new FluidViews
+                {
+                    camera = camera, eyes = 2, width = camera.pixelWidth, height = camera.pixelHeight, sceneSize = new Vector2(camera.pixelWidth, camera.pixelHeight), sceneIsArray = true,
+                    view = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Left), projection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Left),
+                    rightView = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Right), rightProjection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Right),
+                };
             return new FluidViews
             {
                 camera = camera, eyes = 1, view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, width = camera.pixelWidth, height = camera.pixelHeight,

@@ -80,6 +80,8 @@ namespace UnityEngine
         public bool allowDynamicResolution { get; set; }
         public bool useOcclusionCulling { get; set; } = true;
         public bool forceIntoRenderTexture { get; set; }
+        public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => stereoEnabled ? StereoView.ViewOf(this, (int)eye) : worldToCameraMatrix;
+        public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => stereoEnabled ? StereoView.ProjectionOf(this) : projectionMatrix;
         public bool stereoEnabled => Player.Stereo && targetTexture is null;
         public int targetDisplay { get; set; }
         public OpaqueSortMode opaqueSortMode { get; set; }
@@ -103,7 +105,8 @@ namespace UnityEngine
             set => rect = new Rect(value.x / TargetWidth, value.y / TargetHeight, value.width / TargetWidth, value.height / TargetHeight);
         }
 
-        public int pixelWidth => Mathf.RoundToInt(pixelRect.width);
+        /// <summary>Of one eye, where there are two.</summary>
+        public int pixelWidth => Mathf.RoundToInt(pixelRect.width) / (stereoEnabled ? 2 : 1);
         public int pixelHeight => Mathf.RoundToInt(pixelRect.height);
         public int scaledPixelWidth => pixelWidth;
         public int scaledPixelHeight => pixelHeight;

@@ -21,7 +21,7 @@ namespace UnityEngine.Headless
         public static void Draw(Camera camera, IReadOnlyList<QueuedDraw> seen)
         {
             bool stereo = camera.stereoEnabled;
-            Need(stereo ? camera.pixelWidth / 2 : camera.pixelWidth, camera.pixelHeight, stereo ? 2 : 1);
+            Need(camera.pixelWidth, camera.pixelHeight, stereo ? 2 : 1);
             BuiltinVariables.SetCamera(camera, texture.width, texture.height);
             if (stereo)
                 StereoView.SetSinglePass(true, texture);

@@ -188,7 +188,7 @@ namespace UnityEngine.Headless
         static void Restore(Camera camera, RenderTexture target)
         {
             SetTarget(camera, target);
-            BuiltinVariables.SetCamera(camera, camera.stereoEnabled ? camera.pixelWidth / 2 : camera.pixelWidth, camera.pixelHeight);
+            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
         }
 
         static void Collect(Camera camera)

@@ -46,7 +46,7 @@ namespace UnityEngine.Headless
             if (!Fit(camera, view, QualitySettings.shadowDistance, all, seen, out Matrix4x4 projection, out float width, out float range))
                 return false;
             int texels = 512 << (int)QualitySettings.shadowResolution;
-            int eyes = camera.stereoEnabled ? 2 : 1, pixels = camera.pixelWidth / eyes;
+            int eyes = camera.stereoEnabled ? 2 : 1, pixels = camera.pixelWidth;
             Need(ref mapTexture, "Shadow map", texels, texels, GraphicsFormat.None);
             Need(ref maskTexture, "Shadow mask", pixels, camera.pixelHeight, GraphicsFormat.R8_UNorm, eyes);
 

@@ -35,10 +35,17 @@ namespace UnityEngine.Headless
             }
             for (int eye = 0; eye < 2; eye++)
             {
-                Views[eye] = Matrix4x4.Translate(new Vector3((0.5f - eye) * EyeDistance, 0, 0)) * camera.worldToCameraMatrix;
-                Projections[eye] = camera.orthographic ? camera.projectionMatrix : Matrix4x4.Perspective(camera.fieldOfView, (float)width / height, camera.nearClipPlane, camera.farClipPlane);
+                Views[eye] = ViewOf(camera, eye);
+                Projections[eye] = ProjectionOf(camera);
             }
             BuiltinVariables.SetStereo(Views, Projections);
+        }
+
+        public static Matrix4x4 ViewOf(Camera camera, int eye) => Matrix4x4.Translate(new Vector3((0.5f - eye) * EyeDistance, 0, 0)) * camera.worldToCameraMatrix;
+
+        public static Matrix4x4 ProjectionOf(Camera camera)
+        {
+            return camera.orthographic ? camera.projectionMatrix : Matrix4x4.Perspective(camera.fieldOfView, (float)camera.pixelWidth / camera.pixelHeight, camera.nearClipPlane, camera.farClipPlane);
         }
 
         /// <summary>Draws from here on are for both eyes, until it is off.</summary>
