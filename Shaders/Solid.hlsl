@@ -32,6 +32,7 @@ float4x4 unity_MatrixPreviousM;
 float4 _Color;
 float4 _Ambient;
 float4 _Sun;                // world, any length: towards the light where the scene has none
+float _Tile;                // m, side of square tiles in world space; 0 for a plain surface
 #endif
 
 struct SolidVertexInput
@@ -83,6 +84,39 @@ SolidVaryings SolidVertex(SolidVertexInput input)
     return result;
 }
 
+#ifdef RILL_PASS_FORWARD
+float TileNoise(float2 cell)
+{
+    return frac(sin(dot(cell, float2(12.9898, 78.233))) * 43758.5453);
+}
+
+// Between the values of four corners.
+float TileGrain(float2 at)
+{
+    float2 cell = floor(at), t = at - cell;
+    t = t * t * (3.0 - 2.0 * t);
+    float low = lerp(TileNoise(cell), TileNoise(cell + float2(1.0, 0.0)), t.x);
+    float high = lerp(TileNoise(cell + float2(0.0, 1.0)), TileNoise(cell + float2(1.0, 1.0)), t.x);
+    return lerp(low, high, t.y);
+}
+
+// Stone tiles: each of its own shade, with grain and darker joints. Where a pixel is wider than what it shows, its mean.
+float TileShade(float3 world, float3 normal)
+{
+    float3 facing = abs(normal);
+    float2 at = facing.y >= max(facing.x, facing.z) ? world.xz : facing.x >= facing.z ? world.zy : world.xy;
+    at /= max(_Tile, 1e-3);
+    float2 cell = floor(at), within = at - cell;
+    float pixel = max(max(fwidth(at.x), fwidth(at.y)), 1e-5), seen = saturate(1.0 - pixel * 2.0);
+    float2 edge = min(within, 1.0 - within);
+    float joint = 0.015;
+    float stone = smoothstep(joint - pixel, joint + pixel, min(edge.x, edge.y));
+    float shade = 1.0 + seen * (0.14 * (TileNoise(cell + 0.5) - 0.5) + 0.1 * (TileGrain(at * 7.0) - 0.5));
+    shade += saturate(1.0 - pixel * 24.0) * 0.08 * (TileGrain(at * 41.0) - 0.5);
+    return lerp(lerp(0.97, 0.62, seen), shade, lerp(1.0, stone, seen));
+}
+#endif
+
 float4 SolidFragment(SolidVaryings input, bool isFront : SV_IsFrontFace) : SV_Target
 {
     RestoreView(input);
@@ -94,7 +128,8 @@ float4 SolidFragment(SolidVaryings input, bool isFront : SV_IsFrontFace) : SV_Ta
     MainLight light = GetMainLight();
     float shadow = MainLightShadow(light, input.world, WorldToClip(input.world));
     float3 direct = light.color * (0.75 * saturate(dot(normal, light.direction)) * shadow);
-    return float4(_Color.rgb * min(_Ambient.rgb + direct, 1.0), _Color.a);
+    float shade = _Tile > 0.0 ? TileShade(input.world, normal) : 1.0;
+    return float4(_Color.rgb * shade * min(_Ambient.rgb + direct, 1.0), _Color.a);
 #elif defined(RILL_PASS_NORMALS)
     return ScreenNormal(normal);
 #elif defined(RILL_PASS_MOTION)

@@ -8,6 +8,7 @@ Shader "Rill/Solid"
         _Ambient ("Ambient", Color) = (0.42, 0.47, 0.55, 1)
         _SunDirection ("Direction to a Light of Its Own (W 1)", Vector) = (0.3, 0.9, -0.3, 0)
         _SunColor ("Color of That Light", Color) = (1, 1, 1, 1)
+        _Tile ("Tiles, Side in m (0 None)", Float) = 0
         [ToggleUI] _ReceiveShadows ("Receive Shadows", Float) = 1
         [Enum(UnityEngine.Rendering.CullMode)] _Cull ("Cull", Float) = 2
         [Enum(UnityEngine.Rendering.BlendMode)] _SrcBlend ("Source", Float) = 1
