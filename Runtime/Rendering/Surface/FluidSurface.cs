@@ -158,7 +158,8 @@ namespace Rill
         private protected override void DescribeDraws(StageDescription description)
         {
             description.Draw(ShaderFile, 1);
-            recorder?.Describe(description);
+            description.Draw("SurfaceShadow", 0);       // in shadow maps alone
+            recorder?.Describe(description, frame.filterPasses);
         }
 
         private protected override void Validate()

@@ -19,6 +19,7 @@ namespace Rill
         static readonly ProfilerMarker ThicknessMarker = GpuMarker.Create("Rill.Surface.Thickness");
         static readonly ProfilerMarker BlurMarker = GpuMarker.Create("Rill.Surface.Blur");
 
+        const string FilterFile = "SurfaceFilter";
         const int DepthPass = 0, ThicknessPass = 1;
         const int MaxFilterRadius = 32;         // texels, kMaxRadius in SurfaceFilter.compute
         const float ThicknessBlur = 2f;         // two standard deviations, d
@@ -118,10 +119,24 @@ namespace Rill
                 UnityEngine.Object.DestroyImmediate(raster);
         }
 
-        public void Describe(StageDescription stage)
+        /// <summary>What a frame costs for the cameras that have drawn lately, and their textures.</summary>
+        /// <param name="filterPasses">How often the filter runs.</param>
+        public void Describe(StageDescription stage, int filterPasses)
         {
             foreach (SurfaceView view in views)
+            {
+                if (view.Smoothed == null)
+                    continue;
+                int eyes = view.Smoothed.volumeDepth;
+                stage.Kernel(FilterFile, "FilterRows", eyes);
+                if (filterPasses > 1)
+                    stage.Kernel(FilterFile, "FilterRowsAgain", eyes * (filterPasses - 1));
+                stage.Kernel(FilterFile, "FilterColumns", eyes * filterPasses);
+                stage.Kernel(FilterFile, "FindNormals", eyes);
+                stage.Kernel(FilterFile, "BlurThickness", eyes);
+                stage.Draw("SurfaceRaster", 2 * eyes);
                 view.Describe(stage);
+            }
         }
 
         void RecordDepth(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)

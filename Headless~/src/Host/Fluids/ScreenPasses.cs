@@ -54,7 +54,7 @@ namespace Host.Fluids
             get
             {
                 var description = new StageDescription("Surface", true, "");
-                recorder.Describe(description);
+                recorder.Describe(description, 1);
                 return description.Bytes;
             }
         }
