@@ -10,22 +10,26 @@ namespace Rill.Editor
             new InspectorField("castShadows"),
             new InspectorField("receiveShadows"));
 
+        internal const string UnlitInHighDefinition = "HDRP draws this without the scene's lights and shadows. Choose a light as Sun. This has never been run in HDRP.";
+
         public override bool RequiresConstantRepaint() => false;
+
+        /// <summary>What HDRP does not do with it.</summary>
+        private protected virtual string HighDefinitionNote => UnlitInHighDefinition;
 
         private protected override void DrawMessages()
         {
-            string note = PipelineNote(GraphicsSettings.currentRenderPipeline != null ? GraphicsSettings.currentRenderPipeline.GetType().Name : null);
+            string note = PipelineNote(GraphicsSettings.currentRenderPipeline != null ? GraphicsSettings.currentRenderPipeline.GetType().Name : null, HighDefinitionNote);
             if (note != null)
                 EditorGUILayout.HelpBox(note, MessageType.Info);
         }
 
         /// <param name="pipelineAsset">Name of its type; null for the Built-in pipeline.</param>
-        /// <returns>Null where it draws with the scene's light.</returns>
-        internal static string PipelineNote(string pipelineAsset)
+        /// <param name="highDefinition">The note in HDRP.</param>
+        /// <returns>Null where there is nothing to note.</returns>
+        internal static string PipelineNote(string pipelineAsset, string highDefinition)
         {
-            return pipelineAsset != null && pipelineAsset.StartsWith("HDRenderPipeline", System.StringComparison.Ordinal)
-                ? "HDRP draws this without the scene's lights and shadows. Choose a light as Sun. This has never been run in HDRP."
-                : null;
+            return pipelineAsset != null && pipelineAsset.StartsWith("HDRenderPipeline", System.StringComparison.Ordinal) ? highDefinition : null;
         }
     }
 }

@@ -39,6 +39,10 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
+        internal const string NotInHighDefinition = "HDRP does not draw this surface yet. Add a Particle Renderer to see the fluid.";
+
+        private protected override string HighDefinitionNote => NotInHighDefinition;
+
         private protected override void DrawMessages()
         {
             base.DrawMessages();

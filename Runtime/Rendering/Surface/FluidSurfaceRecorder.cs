@@ -269,6 +269,7 @@ namespace Rill
             block.SetVector(Ids.SurfaceSize, SizeOf(view.Width, view.Height));
             block.SetVector(Ids.PictureBounds, bounds);
             block.SetVector(Ids.SceneSize, camera.sceneSize);
+            block.SetVector(Ids.SceneScale, Vector2.one);
             block.SetTexture(Ids.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceNormals, view.Normals);
             block.SetTexture(Ids.SurfaceThickness, view.Thickness);
@@ -330,6 +331,7 @@ namespace Rill
             public static readonly int SurfaceThickness = Shader.PropertyToID("_SurfaceThickness");
             public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
             public static readonly int SceneSize = Shader.PropertyToID("_SceneSize");
+            public static readonly int SceneScale = Shader.PropertyToID("_SceneScale");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
             public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");

@@ -89,6 +89,30 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator What_stands_behind_is_seen_where_it_stands()
+        {
+            SurfaceLook clear = surface.Look;
+            clear.colorAtDepth = Color.white;
+            surface.Look = clear;
+            camera.transform.rotation = Quaternion.identity;
+            camera.orthographicSize = 2.6f;
+            camera.transform.position = new Vector3(0f, 0f, -3f);
+            GameObject dark = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            dark.transform.position = new Vector3(-1.5f, 0f, 2f);
+            dark.transform.localScale = new Vector3(3f, 10f, 1f);
+            var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
+            dark.GetComponent<MeshRenderer>().sharedMaterial = material;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(4);
+            // The water is a metre wide in a picture of 5.2 m and reaches from half a metre below its middle to 0.1 m above.
+            float left = Mean(target, 28, 30, 27, 31).g, right = Mean(target, 34, 36, 27, 31).g;
+            Object.DestroyImmediate(dark);
+            Object.DestroyImmediate(material);
+            Assert.That(left, Is.LessThan(0.1f));
+            Assert.That(right, Is.GreaterThan(0.9f));
+        }
+
+        [UnityTest]
         public IEnumerator A_camera_that_leaves_out_its_layer_does_not_see_it()
         {
             fluid.gameObject.SetActive(true);
@@ -203,16 +227,18 @@ namespace Rill.Tests
         }
 
         // Of the middle of the picture.
-        static Color Mean(RenderTexture texture)
+        static Color Mean(RenderTexture texture) => Mean(texture, Pixels / 4, 3 * Pixels / 4, Pixels / 4, 3 * Pixels / 4);
+
+        static Color Mean(RenderTexture texture, int left, int right, int bottom, int top)
         {
             AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture);
             request.WaitForCompletion();
             var pixels = request.GetData<float4>();
             float4 sum = 0f;
-            for (int y = Pixels / 4; y < 3 * Pixels / 4; y++)
-                for (int x = Pixels / 4; x < 3 * Pixels / 4; x++)
+            for (int y = bottom; y < top; y++)
+                for (int x = left; x < right; x++)
                     sum += pixels[y * Pixels + x];
-            sum /= Pixels * Pixels / 4;
+            sum /= (right - left) * (top - bottom);
             return new Color(sum.x, sum.y, sum.z, 1f);
         }
     }

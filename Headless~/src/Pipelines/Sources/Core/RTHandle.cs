@@ -3,7 +3,7 @@ using UnityEngine.Experimental.Rendering;
 namespace UnityEngine.Rendering
 {
     /// <summary>A texture of a pipeline's, which may use less than the whole of it.</summary>
-    /// <remarks>Read in SRP Core 14.0.8 and 17.1.0, Runtime/Textures/RTHandle.cs: a handle converts to its texture and to an identifier of all its slices' first.</remarks>
+    /// <remarks>Read in SRP Core 17.1.0, not in 14, Runtime/Textures/RTHandle.cs: a handle converts to its texture and to an identifier of all its slices' first.</remarks>
     public class RTHandle
     {
         internal RenderTexture texture;

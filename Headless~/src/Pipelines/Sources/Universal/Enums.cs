@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.Rendering.Universal
 {
-    /// <summary>Values: URP 14.0.10 and 17.1.0, Runtime/Passes/ScriptableRenderPass.cs.</summary>
+    /// <summary>Values: URP 17.1.0 (14 is taken to have the same), Runtime/Passes/ScriptableRenderPass.cs.</summary>
     public enum RenderPassEvent
     {
         BeforeRendering = 0,

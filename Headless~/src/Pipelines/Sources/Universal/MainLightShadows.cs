@@ -6,7 +6,7 @@ namespace UnityEngine.Rendering.Universal
 {
     /// <summary>
     /// The main light's shadow map with one cascade, from the casters' ShadowCaster passes, with its matrix and keyword.
-    /// Read in URP 14.0.10 and 17.1.0: Runtime/Passes/MainLightShadowCasterPass.cs, Runtime/ShadowUtils.cs.
+    /// Read in URP 17.1.0, not in 14: Runtime/Passes/MainLightShadowCasterPass.cs, Runtime/ShadowUtils.cs.
     /// </summary>
     internal sealed class MainLightShadows : IDisposable
     {

@@ -2,7 +2,7 @@ using UnityEngine.Headless;
 
 namespace UnityEngine.Rendering.Universal
 {
-    /// <summary>What URP tells shaders about light and size (names: Shaders of URP 14.0.10 and 17.1.0, ShaderLibrary/Input.hlsl).</summary>
+    /// <summary>What URP tells shaders about light and size (names: URP 17.1.0, ShaderLibrary/Input.hlsl; of 14 the names alone are known).</summary>
     internal static class UniversalVariables
     {
         static readonly int
