@@ -26,7 +26,7 @@ namespace Rill.Editor
             }
         }
 
-        /// <summary>Names of the markers, in the order of the step.</summary>
+        /// <summary>Names of the markers, in the order of the step, and of drawing what it left.</summary>
         internal static readonly (string marker, string label)[] Stages =
         {
             ("Rill.Drain", "Drains"),
@@ -45,6 +45,12 @@ namespace Rill.Editor
             ("Rill.Vorticity", "Vorticity"),
             ("Rill.Foam", "Foam"),
             ("Rill.Emit", "Emitters"),
+            ("Rill.Surface", "Surface"),
+            ("Rill.Surface.Depth", "Surface: depth"),
+            ("Rill.Surface.Filter", "Surface: filter"),
+            ("Rill.Surface.Normals", "Surface: normals"),
+            ("Rill.Surface.Thickness", "Surface: thickness"),
+            ("Rill.Surface.Blur", "Surface: thickness blur"),
             ("Rill.Statistics", "Statistics"),
         };
 
