@@ -57,6 +57,21 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Both_eyes_see_the_scene_through_the_water()
+        {
+            fluid.GetComponent<ParticleRenderer>().enabled = false;
+            fluid.gameObject.AddComponent<FluidSurface>();
+            camera.clearFlags = CameraClearFlags.SolidColor;
+            camera.backgroundColor = Color.white;
+            PlayerLoop.Frame(FrameTime);
+            DrawFrozenFrame();
+            Color32[][] eyes = { Slice(0), Slice(1) };
+            Assert.That(Unlike(eyes[0], eyes[1]), Is.GreaterThan(100), "two eyes see two pictures");
+            double[] mean = eyes.Select(eye => eye.Average(pixel => (pixel.r + pixel.g + pixel.b) / 3.0)).ToArray();
+            Assert.That(mean[1], Is.EqualTo(mean[0]).Within(0.03 * mean[0]));
+        }
+
+        [Test]
         public void The_screen_shows_the_left_eye_on_the_left()
         {
             DrawFrozenFrame();

@@ -69,10 +69,10 @@ namespace Rill
             views.camera.depthTextureMode |= DepthTextureMode.Depth;
             Prepare(ref buffer.sceneColor, views);
             if (views.eyes == 1)
-                buffer.commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor);
+                buffer.commands.Blit(BuiltinRenderTextureType.CameraTarget, buffer.sceneColor);
             else
                 for (int eye = 0; eye < views.eyes; eye++)
-                    buffer.commands.Blit(BuiltinRenderTextureType.CurrentActive, buffer.sceneColor, eye, eye);
+                    buffer.commands.Blit(BuiltinRenderTextureType.CameraTarget, buffer.sceneColor, eye, eye);
         }
 
         // Gives back those of cameras that are gone.

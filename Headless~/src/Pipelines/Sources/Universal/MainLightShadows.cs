@@ -12,6 +12,7 @@ namespace UnityEngine.Rendering.Universal
     {
         const string Keyword = "_MAIN_LIGHT_SHADOWS";
         const int Texels = 2048;
+        const float AssetBias = 1;      // of depth and of the normal
 
         static readonly Matrix4x4[] matrices = new Matrix4x4[5];
         RTHandle map;
@@ -35,8 +36,9 @@ namespace UnityEngine.Rendering.Universal
         {
             RTHandle.Need(ref map, "_MainLightShadowmapTexture", new RenderTextureDescriptor(Texels, Texels, GraphicsFormat.None, GraphicsFormat.D32_SFloat), FilterMode.Bilinear);
             float texel = width / Texels;
-            // ShadowUtils.GetShadowBias: in texels of the map, away from the light.
-            Shader.SetGlobalVector("_ShadowBias", new Vector4(-light.shadowBias * texel, -light.shadowNormalBias * texel, 0, 0));
+            // ShadowUtils.GetShadowBias: in texels of the map, away from the light. A light without settings of its own has those of the
+            // asset, which begin at 1.
+            Shader.SetGlobalVector("_ShadowBias", new Vector4(-AssetBias * texel, -AssetBias * texel, 0, 0));
             Shader.SetGlobalVector("_LightDirection", -light.transform.forward);
             RenderState.SetTarget(map.rt);
             BuiltinVariables.SetViewProjection(view, projection);

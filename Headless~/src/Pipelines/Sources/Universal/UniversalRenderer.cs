@@ -326,8 +326,12 @@ namespace UnityEngine.Rendering.Universal
 
         void DrawSky()
         {
-            if (!frame.isOverlay && frame.camera.clearFlags == CameraClearFlags.Skybox)
-                Sky.Draw(frame.camera);
+            if (frame.isOverlay || frame.camera.clearFlags != CameraClearFlags.Skybox)
+                return;
+            // The engine draws the sky, in any pipeline, with the variables that its procedural sky reads.
+            BuiltinVariables.SetSun();
+            Sky.Draw(frame.camera);
+            UniversalVariables.SetLighting();
         }
 
         static void DrawTransparent()
