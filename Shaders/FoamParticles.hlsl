@@ -3,6 +3,7 @@
 //
 //   _FoamParticles   in   see Foam.hlsl
 #include "MainLight.hlsl"
+#include "Billboard.hlsl"
 #include "Foam.hlsl"
 
 StructuredBuffer<FoamParticle> _FoamParticles;
@@ -26,7 +27,6 @@ struct FoamVaryings
 
 FoamVaryings FoamVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    static const float2 kCorners[6] = { float2(-1, -1), float2(-1, 1), float2(1, 1), float2(-1, -1), float2(1, 1), float2(1, -1) };
     FoamVaryings result = (FoamVaryings)0;
     bool drawn = SelectView(instance);
     PassViewOn(result);
@@ -38,14 +38,11 @@ FoamVaryings FoamVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
         return result;
 
     float life = saturate(FoamAge(particle) / max(FoamLifetime(particle), 1e-3));
-    float2 corner = kCorners[vertex % 6];
+    float2 corner = QuadCorner(vertex);
     float3 center = mul(_DomainToWorld, float4(DrawnFoamPosition(particle, _FrameLag.y, _DrawnDomainSize.xyz), 1.0)).xyz;
-    float3 toEye = ToEye(center);
-    center += toEye * _FoamLook.y;
+    center += ToEye(center) * _FoamLook.y;
     float size = _FoamLook.x * FoamSize(particle) * (FoamKind(particle) == kSpray ? 0.7 : 1.0);
-    float3 side = normalize(cross(abs(toEye.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), toEye));
-    float3 up = cross(toEye, side);
-    result.world = float4(center + (side * corner.x + up * corner.y) * size, _FoamLook.z * saturate(life / kComes) * saturate((1.0 - life) / (1.0 - kGoes)));
+    result.world = float4(PointOnQuad(center, corner, size), _FoamLook.z * saturate(life / kComes) * saturate((1.0 - life) / (1.0 - kGoes)));
     result.corner = float4(corner, 0.0, 0.0);
     result.clip = WorldToClip(result.world.xyz);
     return result;

@@ -22,6 +22,7 @@
 #include "View.hlsl"
 #endif
 
+#include "Billboard.hlsl"
 #include "DrawnParticles.hlsl"
 
 float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
@@ -76,7 +77,6 @@ float3 ParticleColor(uint i)
 
 ParticleVaryings ParticleVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    static const float2 kCorners[6] = { float2(-1, -1), float2(-1, 1), float2(1, 1), float2(-1, -1), float2(1, 1), float2(1, -1) };
     ParticleVaryings result = (ParticleVaryings)0;
     bool drawn = SelectView(instance);
     PassViewOn(result);
@@ -85,7 +85,6 @@ ParticleVaryings ParticleVertex(uint vertex : SV_VertexID, uint instance : SV_In
         return result;
 
     uint i = vertex / 6;
-    float2 corner = kCorners[vertex % 6];
     float3 center = mul(_DomainToWorld, float4(DrawnPosition(i), 1.0)).xyz;
     result.center = float4(center, 1.0);
 #if defined(RILL_PASS_FORWARD)
@@ -94,17 +93,7 @@ ParticleVaryings ParticleVertex(uint vertex : SV_VertexID, uint instance : SV_In
     result.displacement = float4(center - mul(_LastDomainToWorld, float4(LastDrawnPosition(i), 1.0)).xyz, 0.0);
 #endif
 
-    // The silhouette of a sphere seen in perspective is wider than its radius in the plane of its centre.
-    float3 ray = -ToEye(center);
-    float size = _ParticleRadius;
-    if (!IsOrthographic())
-    {
-        float distanceSquared = EyeDistanceSquared(center);
-        size *= sqrt(distanceSquared / max(distanceSquared - _ParticleRadius * _ParticleRadius, 1e-4 * distanceSquared));
-    }
-    float3 side = normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
-    float3 up = cross(ray, side);
-    result.world = center + (side * corner.x + up * corner.y) * size;
+    result.world = PointOnQuad(center, QuadCorner(vertex), SilhouetteRadius(center, _ParticleRadius));
     result.clip = WorldToClip(result.world);
     return result;
 }

@@ -39,7 +39,6 @@ Texture2D _CameraDepthTexture;
 #define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int3(texel, 0)).r
 #endif
 float4 _SceneSize;          // of the scene's depth: width and height of what is in use, texels
-float4 _SceneScale;         // xy: what of the scene's colour texture is in use
 #endif
 
 float4 _Absorption;         // rgb 1/m
@@ -125,7 +124,7 @@ float3 Refracted(SurfacePoint p, float2 picture, float thickness)
     // What stands in front of the water must not show in it.
     if (clip.w <= 0.0 || any(abs(seen) > 1.0) || SceneDepthAt(seen) < p.z)
         seen = picture;
-    return RILL_SCENE_COLOR((seen * 0.5 + 0.5) * _SceneScale.xy).rgb;
+    return RILL_SCENE_COLOR(seen * 0.5 + 0.5).rgb;
 }
 #endif
 

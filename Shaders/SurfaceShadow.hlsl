@@ -3,6 +3,7 @@
 //
 //   _SurfaceParticles  in  see SurfaceParticle.hlsl
 #include "ShadowBias.hlsl"
+#include "Billboard.hlsl"
 #include "Ellipsoid.hlsl"
 #include "SurfaceParticle.hlsl"
 
@@ -26,7 +27,6 @@ struct ShadowVaryings
 
 ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
 {
-    static const float2 kCorners[6] = { float2(-1, -1), float2(-1, 1), float2(1, 1), float2(-1, -1), float2(1, 1), float2(1, -1) };
     ShadowVaryings result = (ShadowVaryings)0;
     bool drawn = SelectView(instance);
     PassViewOn(result);
@@ -45,18 +45,9 @@ ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     result.b = float4(mul((float3x3)_DomainToWorld, axes[1]), 0.0);
     result.c = float4(mul((float3x3)_DomainToWorld, axes[2]), 0.0);
 
-    // A quad towards the eye that holds the ball around the ellipsoid, whose silhouette perspective makes wider.
+    // A quad that holds the ball around the ellipsoid.
     float squared = max(max(dot(result.a, result.a), dot(result.b, result.b)), dot(result.c, result.c));
-    float size = sqrt(squared);
-    if (!IsOrthographic())
-    {
-        float distanceSquared = EyeDistanceSquared(world);
-        size *= sqrt(distanceSquared / max(distanceSquared - squared, 1e-4 * distanceSquared));
-    }
-    float2 corner = kCorners[vertex % 6];
-    float3 ray = -ToEye(world);
-    float3 side = normalize(cross(abs(ray.y) < 0.99 ? float3(0, 1, 0) : float3(1, 0, 0), ray));
-    result.world = world + (side * corner.x + cross(ray, side) * corner.y) * size;
+    result.world = PointOnQuad(world, QuadCorner(vertex), SilhouetteRadius(world, sqrt(squared)));
     result.clip = WorldToClip(result.world);
     return result;
 }

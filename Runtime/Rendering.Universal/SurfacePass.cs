@@ -35,7 +35,7 @@ namespace Rill.Universal
         }
 
         /// <summary>The camera has been drawn, or has not been culled.</summary>
-        public void Forget()
+        public void Invalidate()
         {
             views = default;
             isReady = false;

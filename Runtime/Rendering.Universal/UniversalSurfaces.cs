@@ -57,7 +57,7 @@ namespace Rill.Universal
             renderer.EnqueuePass(pass);
         }
 
-        static void End(ScriptableRenderContext context, Camera camera) => pass.Forget();
+        static void End(ScriptableRenderContext context, Camera camera) => pass.Invalidate();
 
         /// <summary>As URP chooses it: the scene view has the asset's. No component is added to a camera that has none.</summary>
         public static ScriptableRenderer RendererOf(Camera camera, UniversalAdditionalCameraData data, UniversalRenderPipelineAsset asset)

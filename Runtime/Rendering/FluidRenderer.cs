@@ -17,7 +17,7 @@ namespace Rill
         [Tooltip("Whether the shadow of the main light falls on it.")]
         [SerializeField] bool receiveShadows = true;
 
-        Material material;
+        Material shaderMaterial;
         Matrix4x4 domainToWorld;
         int drawnFrame = -2;
 
@@ -74,7 +74,7 @@ namespace Rill
             // Holds the box at any rotation, and the spheres at its walls.
             properties.SetFloat(Ids.ReceiveShadows, receiveShadows ? 1f : 0f);
             float across = Simulation.DomainSize.magnitude + 4f * Simulation.ParticleSpacing;
-            return new RenderParams(material)
+            return new RenderParams(shaderMaterial)
             {
                 worldBounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(Simulation.DomainSize * (0.5f / Simulation.ParticleSpacing)), Vector3.one * across),
                 matProps = properties,
@@ -93,10 +93,16 @@ namespace Rill
             properties.SetBuffer(Ids.StartPositions, solver.StartPositions);
             properties.SetBuffer(Ids.Velocities, solver.Velocities);
             properties.SetBuffer(Ids.Counters, solver.Counters);
+            properties.SetMatrix(Ids.LastDomainToWorld, LastDomainToWorld);
+            SetFrame(properties);
+        }
+
+        /// <summary>The domain's pose and this frame's time since the newest step.</summary>
+        private protected void SetFrame(MaterialPropertyBlock properties)
+        {
             properties.SetVector(Ids.FrameLag, Simulation.FrameLag);
             properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
             properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
-            properties.SetMatrix(Ids.LastDomainToWorld, LastDomainToWorld);
         }
 
         /// <summary>Takes the place of the pipeline's main light; null to keep it.</summary>
@@ -111,12 +117,12 @@ namespace Rill
         /// <summary>Turns a keyword of this renderer's shader on or off.</summary>
         private protected void SetKeyword(string name, bool isOn)
         {
-            if (isOn == material.IsKeywordEnabled(name))
+            if (isOn == shaderMaterial.IsKeywordEnabled(name))
                 return;
             if (isOn)
-                material.EnableKeyword(name);
+                shaderMaterial.EnableKeyword(name);
             else
-                material.DisableKeyword(name);
+                shaderMaterial.DisableKeyword(name);
         }
 
         /// <summary>A colour as shaders without declared properties need it: in the project's own colour space.</summary>
@@ -135,7 +141,7 @@ namespace Rill
             {
                 if (DeviceGate.ProblemOfDraw(ShaderFile, DeviceLimits.Current) is string tooSmall)
                     throw new InvalidOperationException(tooSmall);
-                material = new Material(StageShader.Load(StageSets.StageAt(Stage, 0)).Shader) { hideFlags = HideFlags.HideAndDontSave };
+                shaderMaterial = new Material(StageShader.Load(StageSets.StageAt(Stage, 0)).Shader) { hideFlags = HideFlags.HideAndDontSave };
                 Begin();
             }
             catch (InvalidOperationException problem)
@@ -148,11 +154,7 @@ namespace Rill
         void OnDisable()
         {
             End();
-            if (Application.isPlaying)
-                Destroy(material);
-            else
-                DestroyImmediate(material);
-            material = null;
+            EngineObject.Destroy(ref shaderMaterial);
             shaders.Release();
         }
 

@@ -92,9 +92,7 @@ namespace Rill
                 return;
             properties ??= new MaterialPropertyBlock();
             properties.SetBuffer(Ids.FoamParticles, foam.Particles);
-            properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
-            properties.SetVector(Ids.FrameLag, Simulation.FrameLag);
-            properties.SetVector(Ids.DrawnDomainSize, Simulation.DomainSize / Simulation.ParticleSpacing);
+            SetFrame(properties);
             float largest = radius > 0f ? radius : AutomaticRadius * (float)foam.Scales.Depth * Simulation.ParticleSpacing;
             properties.SetVector(Ids.FoamLook, new Vector4(largest, 0.5f * Simulation.ParticleSpacing, opacity, 0f));
             properties.SetVector(Ids.FoamColor, ShaderColor(color));
@@ -109,9 +107,6 @@ namespace Rill
         static class Ids
         {
             public static readonly int FoamParticles = Shader.PropertyToID("_FoamParticles");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
             public static readonly int FoamLook = Shader.PropertyToID("_FoamLook");
             public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
             public static readonly int AmbientColor = Shader.PropertyToID("_AmbientColor");

@@ -48,25 +48,27 @@ namespace Rill
             FluidViews views = FluidViews.Of(camera);
             CameraBuffer buffer = Find(camera);
             buffer?.commands.Clear();
-            bool any = false;
+            bool isCopied = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
                 FluidSurface surface = FluidSurface.Active[i];
                 if (!surface.Prepare(views))
                     continue;
                 buffer ??= Add(camera);
-                if (!any)
-                    Begin(buffer, views);
-                any = true;
+                views.camera.depthTextureMode |= DepthTextureMode.Depth;
+                if (surface.Refraction && !isCopied)
+                {
+                    CopyScene(buffer, views);
+                    isCopied = true;
+                }
                 surface.Record(buffer.commands, views);
                 surface.Submit(views, buffer.sceneColor);
             }
         }
 
-        // The opaque scene, before the recorder draws elsewhere.
-        static void Begin(CameraBuffer buffer, in FluidViews views)
+        // The opaque scene, for surfaces that refract. Before the first of them is recorded: that draws elsewhere.
+        static void CopyScene(CameraBuffer buffer, in FluidViews views)
         {
-            views.camera.depthTextureMode |= DepthTextureMode.Depth;
             Prepare(ref buffer.sceneColor, views);
             if (views.eyes == 1)
                 buffer.commands.Blit(BuiltinRenderTextureType.CameraTarget, buffer.sceneColor);
@@ -105,7 +107,7 @@ namespace Rill
             RenderTextureFormat format = views.camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
             if (texture != null && texture.width == views.width && texture.height == views.height && texture.volumeDepth == views.eyes && texture.format == format)
                 return;
-            Release(ref texture);
+            EngineObject.Release(ref texture);
             texture = new RenderTexture(views.width, views.height, 0, format)
             {
                 name = "Rill.Surface.SceneColor", hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Bilinear,
@@ -119,19 +121,7 @@ namespace Rill
             if (buffer.camera != null)
                 buffer.camera.RemoveCommandBuffer(Event, buffer.commands);
             buffer.commands.Dispose();
-            Release(ref buffer.sceneColor);
-        }
-
-        static void Release(ref RenderTexture texture)
-        {
-            if (texture == null)
-                return;
-            texture.Release();
-            if (Application.isPlaying)
-                Object.Destroy(texture);
-            else
-                Object.DestroyImmediate(texture);
-            texture = null;
+            EngineObject.Release(ref buffer.sceneColor);
         }
     }
 }

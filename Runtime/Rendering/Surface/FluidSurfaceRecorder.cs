@@ -27,7 +27,7 @@ namespace Rill
         const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
 
         readonly ComputeShader filter;
-        readonly Material raster;
+        Material raster;
         readonly int filterRows, filterRowsAgain, filterColumns, findNormals, blurThickness;
         readonly List<SurfaceView> views = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
@@ -113,10 +113,7 @@ namespace Rill
             foreach (SurfaceView view in views)
                 view.Dispose();
             views.Clear();
-            if (Application.isPlaying)
-                UnityEngine.Object.Destroy(raster);
-            else
-                UnityEngine.Object.DestroyImmediate(raster);
+            EngineObject.Destroy(ref raster);
         }
 
         /// <summary>What a frame costs for the cameras that have drawn lately, and their textures.</summary>
@@ -269,7 +266,6 @@ namespace Rill
             block.SetVector(Ids.SurfaceSize, SizeOf(view.Width, view.Height));
             block.SetVector(Ids.PictureBounds, bounds);
             block.SetVector(Ids.SceneSize, camera.sceneSize);
-            block.SetVector(Ids.SceneScale, Vector2.one);
             block.SetTexture(Ids.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceNormals, view.Normals);
             block.SetTexture(Ids.SurfaceThickness, view.Thickness);
@@ -331,7 +327,6 @@ namespace Rill
             public static readonly int SurfaceThickness = Shader.PropertyToID("_SurfaceThickness");
             public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
             public static readonly int SceneSize = Shader.PropertyToID("_SceneSize");
-            public static readonly int SceneScale = Shader.PropertyToID("_SceneScale");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
             public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>The shadow of a fluid's surface: its ellipsoids, drawn into shadow maps alone.</summary>
     sealed class SurfaceShadow : IDisposable
     {
-        readonly Material material = new Material(StageShader.Load("SurfaceShadow").Shader) { hideFlags = HideFlags.HideAndDontSave };
+        Material material = new Material(StageShader.Load("SurfaceShadow").Shader) { hideFlags = HideFlags.HideAndDontSave };
 
         public MaterialPropertyBlock Properties { get; } = new MaterialPropertyBlock();
 
@@ -27,13 +27,7 @@ namespace Rill
             Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, fluid.surfaceArguments, 1, StereoInstancing.MonoCommand);
         }
 
-        public void Dispose()
-        {
-            if (Application.isPlaying)
-                UnityEngine.Object.Destroy(material);
-            else
-                UnityEngine.Object.DestroyImmediate(material);
-        }
+        public void Dispose() => EngineObject.Destroy(ref material);
 
         static class Ids
         {

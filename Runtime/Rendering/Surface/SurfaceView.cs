@@ -60,12 +60,12 @@ namespace Rill
 
         public void Dispose()
         {
-            Release(ref Drawn);
-            Release(ref Rows);
-            Release(ref Smoothed);
-            Release(ref Normals);
-            Release(ref DrawnThickness);
-            Release(ref Thickness);
+            EngineObject.Release(ref Drawn);
+            EngineObject.Release(ref Rows);
+            EngineObject.Release(ref Smoothed);
+            EngineObject.Release(ref Normals);
+            EngineObject.Release(ref DrawnThickness);
+            EngineObject.Release(ref Thickness);
             Shown = null;
         }
 
@@ -89,18 +89,6 @@ namespace Rill
             };
             texture.Create();
             return texture;
-        }
-
-        static void Release(ref RenderTexture texture)
-        {
-            if (texture == null)
-                return;
-            texture.Release();
-            if (Application.isPlaying)
-                UnityEngine.Object.Destroy(texture);
-            else
-                UnityEngine.Object.DestroyImmediate(texture);
-            texture = null;
         }
     }
 }

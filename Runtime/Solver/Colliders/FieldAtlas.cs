@@ -32,6 +32,7 @@ namespace Rill
         readonly List<Texture3D> fields = new List<Texture3D>();
         readonly List<uint> versions = new List<uint>();
         readonly List<int> firsts = new List<int>();
+        RenderTexture texture;
         int3 size;
 
         /// <param name="shape">Of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields and deep ones in one would waste most of it.</param>
@@ -47,7 +48,7 @@ namespace Rill
         }
 
         /// <summary>In the units of the fields, R16; null while there is none.</summary>
-        public RenderTexture Texture { get; private set; }
+        public RenderTexture Texture => texture;
 
         /// <summary>Makes the atlas hold the fields of its shape in a set, and only those. Copies only when one came, went or changed.</summary>
         /// <returns>Whether it did.</returns>
@@ -68,7 +69,7 @@ namespace Rill
                 Release();
                 throw new ArgumentException($"the {contents} of the colliders need a texture of {needed.x} x {needed.y} x {needed.z}, more than the {SystemInfo.maxTexture3DSize} a side of this device. Use smaller ones, or fewer that differ.");
             }
-            Texture = Create(name, size);
+            texture = Create(name, size);
             using (var cmd = new CommandBuffer { name = "Rill.FieldAtlas" })
             {
                 for (int i = 0; i < fields.Count; i++)
@@ -145,7 +146,7 @@ namespace Rill
 
         static RenderTexture Create(string name, int3 size)
         {
-            var texture = new RenderTexture(size.x, size.y, GraphicsFormat.R16_SFloat, GraphicsFormat.None)
+            var created = new RenderTexture(size.x, size.y, GraphicsFormat.R16_SFloat, GraphicsFormat.None)
             {
                 name = name,
                 dimension = TextureDimension.Tex3D,
@@ -155,8 +156,8 @@ namespace Rill
                 wrapMode = TextureWrapMode.Clamp,
                 hideFlags = HideFlags.HideAndDontSave,
             };
-            texture.Create();
-            return texture;
+            created.Create();
+            return created;
         }
 
         void Release()
@@ -165,14 +166,7 @@ namespace Rill
             versions.Clear();
             firsts.Clear();
             size = 0;
-            if (Texture == null)
-                return;
-            Texture.Release();
-            if (Application.isPlaying)
-                UnityEngine.Object.Destroy(Texture);
-            else
-                UnityEngine.Object.DestroyImmediate(Texture);
-            Texture = null;
+            EngineObject.Release(ref texture);
         }
 
         static class Ids

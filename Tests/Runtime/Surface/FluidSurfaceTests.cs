@@ -159,6 +159,15 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator The_scene_is_copied_only_where_water_refracts([Values(true, false)] bool refracts)
+        {
+            surface.Refraction = refracts;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(3);
+            Assert.That(Resources.FindObjectsOfTypeAll<RenderTexture>(), refracts ? Has.Some.Property("name").EqualTo("Rill.Surface.SceneColor") : Has.None.Property("name").EqualTo("Rill.Surface.SceneColor"));
+        }
+
+        [UnityTest]
         public IEnumerator Off_it_leaves_nothing_behind()
         {
             fluid.gameObject.SetActive(true);

@@ -1,0 +1,29 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Ends what the package has made of Unity's own objects: at once where nothing plays, at the end of the frame in play mode, as Unity wants it.</summary>
+    static class EngineObject
+    {
+        /// <summary>Destroys it and nulls the reference; nothing where it is null.</summary>
+        public static void Destroy<T>(ref T made) where T : Object
+        {
+            if (made == null)
+                return;
+            if (Application.isPlaying)
+                Object.Destroy(made);
+            else
+                Object.DestroyImmediate(made);
+            made = null;
+        }
+
+        /// <summary>As <see cref="Destroy{T}"/>; its memory on the GPU is free at once.</summary>
+        public static void Release(ref RenderTexture texture)
+        {
+            if (texture == null)
+                return;
+            texture.Release();
+            Destroy(ref texture);
+        }
+    }
+}
