@@ -118,8 +118,7 @@ float SceneDepthAt(float2 picture)
 float3 Refracted(SurfacePoint p, float2 picture, float thickness)
 {
     float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
-    float reach = min(thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
-    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * reach, 1.0));
+    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * thickness, 1.0));
     float2 seen = clip.xy / max(clip.w, 1e-6);
     // What stands in front of the water must not show in it.
     if (clip.w <= 0.0 || any(abs(seen) > 1.0) || SceneDepthAt(seen) < p.z)
@@ -160,6 +159,10 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     p.normal = normalize(p.normal + toEye * max(0.05 - facing, 0.0));       // none of those that are seen looks away
     facing = saturate(dot(p.normal, toEye));
     float thickness = max(_SurfaceThickness.SampleLevel(rill_linear_clamp_sampler, float3(picture * 0.5 + 0.5, eyeIndex), 0), 0.0);
+#ifdef RILL_REFRACTION
+    // The textures of thickness are coarse: what stands in the water keeps its edges by its own depth.
+    thickness = min(thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
+#endif
 
     MainLight light = GetMainLight();
     float3 lightColor = light.color * MainLightShadow(light, p.world, clip);

@@ -1,5 +1,5 @@
-// What FluidSurfaceRecorder draws into the textures of the water's surface, by pass number, see SurfaceRaster.hlsl. No pipeline
-// draws with it.
+// What FluidSurfaceRecorder draws into the textures of the water's surface, by pass number, see SurfaceRaster.hlsl and
+// SceneDistance.hlsl. No pipeline draws with it.
 Shader "Hidden/Rill/SurfaceRaster"
 {
     SubShader
@@ -16,25 +16,22 @@ Shader "Hidden/Rill/SurfaceRaster"
             #pragma target 5.0
             #pragma vertex RasterVertex
             #pragma fragment DepthFragment
-            #define RILL_PASS_DEPTH
             #include "SurfaceRaster.hlsl"
             ENDHLSL
         }
         Pass
         {
-            Name "SurfaceThickness"
+            Name "SceneDistance"
             Cull Off
             ZWrite Off
             ZTest Always
-            Blend One One
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex RasterVertex
-            #pragma fragment ThicknessFragment
+            #pragma vertex SceneVertex
+            #pragma fragment SceneFragment
             #pragma multi_compile_local_fragment _ RILL_SCENE_ARRAY
-            #define RILL_PASS_THICKNESS
-            #include "SurfaceRaster.hlsl"
+            #include "SceneDistance.hlsl"
             ENDHLSL
         }
     }

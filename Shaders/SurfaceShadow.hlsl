@@ -1,17 +1,11 @@
 // The ellipsoids of the water's surface in a shadow map, in a pattern with holes: water lets light through. The SubShader around it
 // says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
-//   _SurfaceParticles  in  see SurfaceParticle.hlsl
+//   the buffers of DrawnSurface.hlsl
 #include "ShadowBias.hlsl"
 #include "Billboard.hlsl"
-#include "Ellipsoid.hlsl"
-#include "SurfaceParticle.hlsl"
+#include "DrawnSurface.hlsl"
 
-StructuredBuffer<SurfaceParticle> _SurfaceParticles;
-
-float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
-float4 _FrameLag;               // x: time of this frame since the newest state, substeps
-float4 _DrawnDomainSize;        // xyz, d
 float _ShadowOpacity;           // 0 to 1
 
 struct ShadowVaryings
@@ -34,20 +28,15 @@ ShadowVaryings ShadowVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     if (!drawn)
         return result;
 
-    float3 center, chord;
-    float3x3 axes;
-    uint index;
-    UnpackSurface(_SurfaceParticles[vertex / 6], center, axes, index, chord);
-    center = clamp(center + chord * _FrameLag.x, min(center, 0.0), max(center, _DrawnDomainSize.xyz));
-    float3 world = mul(_DomainToWorld, float4(center, 1.0)).xyz;
-    result.center = float4(world, 1.0);
-    result.a = float4(mul((float3x3)_DomainToWorld, axes[0]), 0.0);
-    result.b = float4(mul((float3x3)_DomainToWorld, axes[1]), 0.0);
-    result.c = float4(mul((float3x3)_DomainToWorld, axes[2]), 0.0);
+    Ellipsoid e = DrawnEllipsoid(vertex / 6);
+    result.center = float4(e.center, 1.0);
+    result.a = float4(e.a, 0.0);
+    result.b = float4(e.b, 0.0);
+    result.c = float4(e.c, 0.0);
 
     // A quad that holds the ball around the ellipsoid.
-    float squared = max(max(dot(result.a, result.a), dot(result.b, result.b)), dot(result.c, result.c));
-    result.world = PointOnQuad(world, QuadCorner(vertex), SilhouetteRadius(world, sqrt(squared)));
+    float squared = max(max(dot(e.a, e.a), dot(e.b, e.b)), dot(e.c, e.c));
+    result.world = PointOnQuad(e.center, QuadCorner(vertex), SilhouetteRadius(e.center, sqrt(squared)));
     result.clip = WorldToClip(result.world);
     return result;
 }

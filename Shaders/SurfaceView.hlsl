@@ -6,6 +6,8 @@
 #ifndef RILL_SURFACE_VIEW_INCLUDED
 #define RILL_SURFACE_VIEW_INCLUDED
 
+#include "Platform.hlsl"
+
 float4x4 _SurfaceWorldToClip[2];    // of each eye; y up, z is 1 at the near plane
 float4 _SurfaceRays[12];            // of each eye: origin, its change along x and y of the picture, direction, its change along x and y
 float4 _SurfaceDepths[2];           // of each eye: device depth = x + y / z with perspective, x + y z without; z, m, along the view. z: 1 without
@@ -44,7 +46,7 @@ float FromSurfaceDepth(float depth, uint eye)
 // Between the device's depth and that of the surface's textures; its own inverse.
 float FlipDepth(float depth)
 {
-#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)
+#if RILL_OPENGL
     return 1.0 - depth;
 #else
     return depth;
@@ -54,7 +56,7 @@ float FlipDepth(float depth)
 // What SV_Position takes for a point of the picture at a depth of the surface's textures, in a render texture.
 float4 SurfacePosition(float2 picture, float depth)
 {
-#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)
+#if RILL_OPENGL
     return float4(picture, 1.0 - 2.0 * depth, 1.0);
 #else
     return float4(picture.x, -picture.y, depth, 1.0);

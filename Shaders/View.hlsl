@@ -1,5 +1,5 @@
 // The view that a pass draws for, in every render pipeline: from world to clip space, where the eye is, which of two eyes.
-// Includes nothing, so that it compiles where no pipeline is: a SubShader defines one of
+// Includes nothing of Unity's, so that it compiles where no pipeline is: a SubShader defines one of
 //   RILL_BUILT_IN
 //   RILL_UNIVERSAL
 //   RILL_HIGH_DEFINITION    14 or 17, the pipeline's major version, which decides how its constant buffers begin
@@ -8,11 +8,7 @@
 #ifndef RILL_VIEW_INCLUDED
 #define RILL_VIEW_INCLUDED
 
-#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)
-#define RILL_OPENGL 1       // clip space is -1 to 1 in z, 1 is far, and textures begin at the bottom
-#else
-#define RILL_OPENGL 0       // 1 is near, and textures begin at the top
-#endif
+#include "Platform.hlsl"
 
 // Two eyes in one pass. Unity adds the keywords to every shader and turns one of them on while it draws such a pass.
 #if defined(STEREO_INSTANCING_ON)

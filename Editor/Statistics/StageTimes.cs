@@ -49,6 +49,7 @@ namespace Rill.Editor
             ("Rill.Surface.Depth", "Surface: depth"),
             ("Rill.Surface.Filter", "Surface: filter"),
             ("Rill.Surface.Normals", "Surface: normals"),
+            ("Rill.Surface.Scene", "Surface: distance of the scene"),
             ("Rill.Surface.Thickness", "Surface: thickness"),
             ("Rill.Surface.Blur", "Surface: thickness blur"),
             ("Rill.Statistics", "Statistics"),

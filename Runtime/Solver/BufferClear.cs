@@ -28,7 +28,9 @@ namespace Rill
             }
         }
 
-        void Record(CommandBuffer cmd, GraphicsBuffer buffer)
+        /// <summary>Records the clearing of a buffer with elements of 4, 16 or 24 bytes.</summary>
+        /// <exception cref="ArgumentException">The elements are of another size.</exception>
+        public void Record(CommandBuffer cmd, GraphicsBuffer buffer)
         {
             int kernel = KernelFor(buffer.stride, out int property);
             int groups = (int)(((long)buffer.count + Group - 1) / Group);

@@ -16,35 +16,30 @@ namespace Rill
         static readonly ProfilerMarker DepthMarker = GpuMarker.Create("Rill.Surface.Depth");
         static readonly ProfilerMarker FilterMarker = GpuMarker.Create("Rill.Surface.Filter");
         static readonly ProfilerMarker NormalsMarker = GpuMarker.Create("Rill.Surface.Normals");
-        static readonly ProfilerMarker ThicknessMarker = GpuMarker.Create("Rill.Surface.Thickness");
-        static readonly ProfilerMarker BlurMarker = GpuMarker.Create("Rill.Surface.Blur");
 
         const string FilterFile = "SurfaceFilter";
-        const int DepthPass = 0, ThicknessPass = 1;
+        const int DepthPass = 0;                // of SurfaceRaster.shader
         const int MaxFilterRadius = 32;         // texels, kMaxRadius in SurfaceFilter.compute
-        const float ThicknessBlur = 2f;         // two standard deviations, d
         const int FramesKept = 3;               // for which a camera may stay away
-        const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
 
         readonly ComputeShader filter;
         Material raster;
-        readonly int filterRows, filterRowsAgain, filterColumns, findNormals, blurThickness;
+        readonly SurfaceThickness thickness;
+        readonly int filterRows, filterRowsAgain, filterColumns, findNormals;
         readonly List<SurfaceView> views = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         readonly SurfaceConstants constants = new SurfaceConstants();
-        readonly LocalKeyword sceneArray;
 
         public FluidSurfaceRecorder()
         {
             StageShader stage = StageShader.Load("SurfaceViews");
             filter = StageShader.LoadCompute("SurfaceViews");
             raster = new Material(stage.Shader) { hideFlags = HideFlags.HideAndDontSave };
-            sceneArray = new LocalKeyword(stage.Shader, SceneArrayKeyword);
+            thickness = new SurfaceThickness(stage.Shader);
             filterRows = filter.FindKernel("FilterRows");
             filterRowsAgain = filter.FindKernel("FilterRowsAgain");
             filterColumns = filter.FindKernel("FilterColumns");
             findNormals = filter.FindKernel("FindNormals");
-            blurThickness = filter.FindKernel("BlurThickness");
         }
 
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
@@ -74,16 +69,18 @@ namespace Rill
         public bool Prepare(in FluidViews camera, in SurfaceFrame fluid)
         {
             constants.Set(camera);
-            Vector4 bounds = BoundsOnPicture(camera, fluid, constants, out float nearest);
-            if (bounds.x >= bounds.z || bounds.y >= bounds.w)
+            BoxOnPicture box = BoxOnPicture.Of(camera, fluid, constants);
+            if (!box.IsSeen)
                 return false;
             SurfaceView view = ViewOf(camera.camera);
             view.Constants.Set(camera);
-            view.Bounds = bounds;
+            view.Bounds = box.Bounds;
             view.IsPrepared = true;
-            float scale = ScaleOf(camera, fluid, nearest);
-            view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes);
-            SetShading(view, bounds, camera);
+            float pixels = SurfaceConstants.PixelsPerMetre(camera.projection, camera.height);
+            float scale = ScaleOf(fluid, pixels / box.NearestDepth);
+            int divisor = SurfaceThickness.DivisorFor(scale * fluid.spacing * pixels / box.MiddleDepth);
+            view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor);
+            SetShading(view, camera);
             return true;
         }
 
@@ -102,10 +99,10 @@ namespace Rill
             if (!isShown)
             {
                 RecordDepth(cmd, camera, fluid, view);
-                RecordFilter(cmd, camera, fluid, view, view.Bounds);
+                RecordFilter(cmd, camera, fluid, view);
                 view.Shown = state;
             }
-            RecordThickness(cmd, camera, fluid, view);      // the scene in it may have moved
+            thickness.Record(cmd, raster, camera, fluid, view);      // the scene in it may have moved
         }
 
         public void Dispose()
@@ -130,8 +127,8 @@ namespace Rill
                     stage.Kernel(FilterFile, "FilterRowsAgain", eyes * (filterPasses - 1));
                 stage.Kernel(FilterFile, "FilterColumns", eyes * filterPasses);
                 stage.Kernel(FilterFile, "FindNormals", eyes);
-                stage.Kernel(FilterFile, "BlurThickness", eyes);
-                stage.Draw("SurfaceRaster", 2 * eyes);
+                stage.Draw("SurfaceRaster", eyes);
+                thickness.Describe(stage, eyes);
                 view.Describe(stage);
             }
         }
@@ -139,10 +136,10 @@ namespace Rill
         void RecordDepth(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
             cmd.BeginSample(DepthMarker);
-            properties.SetVector(Ids.SurfaceSize, SizeOf(view.Width, view.Height));
+            properties.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
             for (int eye = 0; eye < camera.eyes; eye++)
             {
-                properties.SetInt(Ids.SurfaceEye, eye);
+                properties.SetInt(SurfaceIds.SurfaceEye, eye);
                 cmd.SetRenderTarget(view.Drawn, 0, CubemapFace.Unknown, eye);
                 cmd.ClearRenderTarget(true, false, Color.clear);
                 cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, DepthPass, MeshTopology.Triangles, fluid.surfaceArguments, 0, properties);
@@ -150,38 +147,10 @@ namespace Rill
             cmd.EndSample(DepthMarker);
         }
 
-        void RecordThickness(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
-        {
-            cmd.BeginSample(ThicknessMarker);
-            cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
-            properties.SetVector(Ids.SurfaceSize, SizeOf(view.Thickness.width, view.Thickness.height));
-            properties.SetVector(Ids.SceneSize, camera.sceneSize);
-            for (int eye = 0; eye < camera.eyes; eye++)
-            {
-                properties.SetInt(Ids.SurfaceEye, eye);
-                cmd.SetRenderTarget(view.DrawnThickness, 0, CubemapFace.Unknown, eye);
-                cmd.ClearRenderTarget(false, true, Color.clear);
-                cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, ThicknessPass, MeshTopology.Triangles, fluid.particleArguments, 0, properties);
-            }
-            cmd.EndSample(ThicknessMarker);
-
-            cmd.BeginSample(BlurMarker);
-            SetFilter(cmd, view);
-            cmd.SetComputeVectorParam(filter, Ids.ThicknessSize, SizeOf(view.Thickness.width, view.Thickness.height));
-            for (int eye = 0; eye < camera.eyes; eye++)
-            {
-                SetFilterEye(cmd, camera, fluid, view, eye);
-                cmd.SetComputeTextureParam(filter, blurThickness, Ids.Depth, view.Smoothed);
-                cmd.SetComputeTextureParam(filter, blurThickness, Ids.Drawn, view.DrawnThickness);
-                cmd.SetComputeTextureParam(filter, blurThickness, Ids.Thickness, view.Thickness);
-                Dispatch(cmd, blurThickness, view.Thickness.width, view.Thickness.height);
-            }
-            cmd.EndSample(BlurMarker);
-        }
-
-        void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, Vector4 bounds)
+        void RecordFilter(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
             // Texels that the fluid's box covers: the rest was drawn empty.
+            Vector4 bounds = view.Bounds;
             int width = view.Width, height = view.Height;
             int left = Mathf.Clamp((int)((bounds.x * 0.5f + 0.5f) * width), 0, width - 1), right = Mathf.Clamp((int)((bounds.z * 0.5f + 0.5f) * width) + 1, left + 1, width);
             int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1), top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
@@ -195,147 +164,85 @@ namespace Rill
                 {
                     int rows = i == 0 ? filterRows : filterRowsAgain;
                     if (i == 0)
-                        cmd.SetComputeTextureParam(filter, rows, Ids.Depth, view.Drawn, 0, RenderTextureSubElement.Depth);
+                        cmd.SetComputeTextureParam(filter, rows, SurfaceIds.Depth, view.Drawn, 0, RenderTextureSubElement.Depth);
                     else
-                        cmd.SetComputeTextureParam(filter, rows, Ids.Depth, view.Smoothed);
+                        cmd.SetComputeTextureParam(filter, rows, SurfaceIds.Depth, view.Smoothed);
                     cmd.SetComputeTextureParam(filter, rows, Ids.Filtered, view.Rows);
-                    Dispatch(cmd, rows, right - left, top - bottom);
-                    cmd.SetComputeTextureParam(filter, filterColumns, Ids.Depth, view.Rows);
+                    SurfaceIds.Dispatch(cmd, filter, rows, right - left, top - bottom);
+                    cmd.SetComputeTextureParam(filter, filterColumns, SurfaceIds.Depth, view.Rows);
                     cmd.SetComputeTextureParam(filter, filterColumns, Ids.Filtered, view.Smoothed);
-                    Dispatch(cmd, filterColumns, right - left, top - bottom);
+                    SurfaceIds.Dispatch(cmd, filter, filterColumns, right - left, top - bottom);
                 }
                 cmd.EndSample(FilterMarker);
 
                 cmd.BeginSample(NormalsMarker);
-                cmd.SetComputeTextureParam(filter, findNormals, Ids.Depth, view.Smoothed);
+                cmd.SetComputeTextureParam(filter, findNormals, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeTextureParam(filter, findNormals, Ids.Normals, view.Normals);
-                Dispatch(cmd, findNormals, right - left, top - bottom);
+                SurfaceIds.Dispatch(cmd, filter, findNormals, right - left, top - bottom);
                 cmd.EndSample(NormalsMarker);
             }
         }
 
         void SetFilter(CommandBuffer cmd, SurfaceView view)
         {
-            cmd.SetComputeMatrixArrayParam(filter, Ids.WorldToClip, view.Constants.WorldToClip);
-            cmd.SetComputeVectorArrayParam(filter, Ids.Rays, view.Constants.Rays);
-            cmd.SetComputeVectorArrayParam(filter, Ids.Depths, view.Constants.Depths);
-            cmd.SetComputeVectorParam(filter, Ids.SurfaceSize, SizeOf(view.Width, view.Height));
-            cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(0f, 0f, view.Width, view.Height));
+            view.Constants.SetOn(cmd, filter);
+            cmd.SetComputeVectorParam(filter, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
         }
 
         void SetFilterEye(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int eye)
         {
-            cmd.SetComputeIntParam(filter, Ids.SurfaceEye, eye);
+            cmd.SetComputeIntParam(filter, SurfaceIds.SurfaceEye, eye);
             float texels = SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Height);
-            cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, ThicknessBlur * fluid.spacing * 0.5f * texels, 0f));
-        }
-
-        // A thread for each texel.
-        void Dispatch(CommandBuffer cmd, int kernel, int width, int height)
-        {
-            filter.GetKernelThreadGroupSizes(kernel, out uint x, out uint y, out _);
-            cmd.DispatchCompute(filter, kernel, (width + (int)x - 1) / (int)x, (height + (int)y - 1) / (int)y, 1);
+            cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, 0f, 0f));
         }
 
         static void Set(MaterialPropertyBlock block, in SurfaceFrame fluid, SurfaceConstants constants)
         {
-            Set(block, constants);
+            constants.SetOn(block);
             block.SetMatrix(Ids.DomainToWorld, fluid.domainToWorld);
-            block.SetFloat(Ids.ParticleSpacing, fluid.spacing);
             block.SetVector(Ids.FrameLag, fluid.lag);
             block.SetVector(Ids.DrawnDomainSize, fluid.domainSize);
             block.SetBuffer(Ids.SurfaceParticles, fluid.surfaceParticles);
-            block.SetBuffer(Ids.Positions, fluid.positions);
-            block.SetBuffer(Ids.StartPositions, fluid.startPositions);
-            block.SetBuffer(Ids.Velocities, fluid.velocities);
-            block.SetBuffer(Ids.Counters, fluid.counters);
-        }
-
-        static void Set(MaterialPropertyBlock block, SurfaceConstants constants)
-        {
-            block.SetMatrixArray(Ids.WorldToClip, constants.WorldToClip);
-            block.SetVectorArray(Ids.Rays, constants.Rays);
-            block.SetVectorArray(Ids.Depths, constants.Depths);
         }
 
         // What Surface.hlsl reads of this camera.
-        static void SetShading(SurfaceView view, Vector4 bounds, in FluidViews camera)
+        static void SetShading(SurfaceView view, in FluidViews camera)
         {
             MaterialPropertyBlock block = view.Shading;
-            Set(block, view.Constants);
-            block.SetVector(Ids.SurfaceSize, SizeOf(view.Width, view.Height));
-            block.SetVector(Ids.PictureBounds, bounds);
-            block.SetVector(Ids.SceneSize, camera.sceneSize);
+            view.Constants.SetOn(block);
+            block.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
+            block.SetVector(Ids.PictureBounds, view.Bounds);
+            block.SetVector(SurfaceIds.SceneSize, camera.sceneSize);
             block.SetTexture(Ids.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceNormals, view.Normals);
             block.SetTexture(Ids.SurfaceThickness, view.Thickness);
         }
 
-        // Lowest and highest x and y of the box's corners on the picture, of all eyes; everything where a corner is not in front.
-        static Vector4 BoundsOnPicture(in FluidViews camera, in SurfaceFrame fluid, SurfaceConstants constants, out float nearest)
-        {
-            var bounds = new Vector4(1f, 1f, -1f, -1f);
-            nearest = float.MaxValue;
-            bool isWhole = false, isSeen = false;
-            for (int i = 0; i < 8 * camera.eyes; i++)
-            {
-                var corner = new Vector4((i & 1) != 0 ? fluid.domainSize.x + 1f : -1f, (i & 2) != 0 ? fluid.domainSize.y + 1f : -1f, (i & 4) != 0 ? fluid.domainSize.z + 1f : -1f, 1f);
-                Vector4 clip = constants.WorldToClip[i / 8] * (fluid.domainToWorld * corner);
-                nearest = Mathf.Min(nearest, clip.w);
-                isWhole |= clip.w <= 1e-4f;
-                isSeen |= clip.w > 0f;
-                Vector2 at = new Vector2(clip.x, clip.y) / Mathf.Max(clip.w, 1e-4f);
-                bounds = new Vector4(Mathf.Min(bounds.x, at.x), Mathf.Min(bounds.y, at.y), Mathf.Max(bounds.z, at.x), Mathf.Max(bounds.w, at.y));
-            }
-            if (isWhole)
-                return isSeen ? new Vector4(-1f, -1f, 1f, 1f) : Vector4.zero;
-            return new Vector4(Mathf.Clamp(bounds.x, -1f, 1f), Mathf.Clamp(bounds.y, -1f, 1f), Mathf.Clamp(bounds.z, -1f, 1f), Mathf.Clamp(bounds.w, -1f, 1f));
-        }
-
         // Where the filter would be wider than its kernel holds, the textures get smaller: a close-up costs no more than a wide view.
-        static float ScaleOf(in FluidViews camera, in SurfaceFrame fluid, float nearest)
+        static float ScaleOf(in SurfaceFrame fluid, float pixelsPerMetre)
         {
             float scale = fluid.scale;
-            bool isOrthographic = camera.projection.m32 == 0f;
-            float radius = fluid.filterRadius * SurfaceConstants.PixelsPerMetre(camera.projection, camera.height) / (isOrthographic ? 1f : Mathf.Max(nearest, 4f * fluid.spacing));
-            while (scale > 0.25f && radius * scale > 1.5f * MaxFilterRadius)
+            while (scale > 0.25f && fluid.filterRadius * pixelsPerMetre * scale > 1.5f * MaxFilterRadius)
                 scale *= 0.5f;
             return scale;
         }
 
         static int Scaled(int pixels, float scale) => Math.Max((int)(pixels * scale), 1);
 
-        static Vector4 SizeOf(int width, int height) => new Vector4(width, height, 1f / width, 1f / height);
-
         static class Ids
         {
-            public static readonly int WorldToClip = Shader.PropertyToID("_SurfaceWorldToClip");
-            public static readonly int Rays = Shader.PropertyToID("_SurfaceRays");
-            public static readonly int Depths = Shader.PropertyToID("_SurfaceDepths");
-            public static readonly int SurfaceSize = Shader.PropertyToID("_SurfaceSize");
-            public static readonly int SurfaceEye = Shader.PropertyToID("_SurfaceEye");
             public static readonly int FilterBounds = Shader.PropertyToID("_FilterBounds");
             public static readonly int FilterRadius = Shader.PropertyToID("_FilterRadius");
-            public static readonly int Depth = Shader.PropertyToID("_Depth");
             public static readonly int Filtered = Shader.PropertyToID("_Filtered");
-            public static readonly int Drawn = Shader.PropertyToID("_Drawn");
-            public static readonly int Thickness = Shader.PropertyToID("_Thickness");
-            public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
             public static readonly int Normals = Shader.PropertyToID("_Normals");
             public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
             public static readonly int SurfaceNormals = Shader.PropertyToID("_SurfaceNormals");
             public static readonly int SurfaceThickness = Shader.PropertyToID("_SurfaceThickness");
             public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
-            public static readonly int SceneSize = Shader.PropertyToID("_SceneSize");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
             public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
             public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
             public static readonly int SurfaceParticles = Shader.PropertyToID("_SurfaceParticles");
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
         }
     }
 }

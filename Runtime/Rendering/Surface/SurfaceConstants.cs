@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -15,6 +16,20 @@ namespace Rill
         {
             for (int eye = 0; eye < 2; eye++)
                 Set(eye, views.ViewOf(eye < views.eyes ? eye : 0), views.ProjectionOf(eye < views.eyes ? eye : 0));
+        }
+
+        public void SetOn(MaterialPropertyBlock block)
+        {
+            block.SetMatrixArray(SurfaceIds.WorldToClip, WorldToClip);
+            block.SetVectorArray(SurfaceIds.Rays, Rays);
+            block.SetVectorArray(SurfaceIds.Depths, Depths);
+        }
+
+        public void SetOn(CommandBuffer cmd, ComputeShader shader)
+        {
+            cmd.SetComputeMatrixArrayParam(shader, SurfaceIds.WorldToClip, WorldToClip);
+            cmd.SetComputeVectorArrayParam(shader, SurfaceIds.Rays, Rays);
+            cmd.SetComputeVectorArrayParam(shader, SurfaceIds.Depths, Depths);
         }
 
         void Set(int eye, Matrix4x4 view, Matrix4x4 projection)

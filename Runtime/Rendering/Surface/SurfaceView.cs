@@ -22,8 +22,14 @@ namespace Rill
         /// <summary>xyz unit normal, world; w variance.</summary>
         public RenderTexture Normals;
 
-        /// <summary>Water in front of the scene, m; half the size. As it was drawn, and smoothed.</summary>
-        public RenderTexture DrawnThickness, Thickness;
+        /// <summary>Distance of the scene along the view, m; of the size of <see cref="Thickness"/>.</summary>
+        public RenderTexture SceneDistance;
+
+        /// <summary>Water in front of the scene along the ray, m.</summary>
+        public RenderTexture Thickness;
+
+        /// <summary>uint, of each texel of <see cref="Thickness"/>, slice after slice; see SurfaceThickness.compute.</summary>
+        public GraphicsBuffer Amounts;
 
         public SurfaceView(Camera camera) => Camera = camera;
 
@@ -45,35 +51,66 @@ namespace Rill
         public int Height => Smoothed.height;
 
         /// <summary>Makes the textures where they are missing or of another size.</summary>
-        public void Prepare(int width, int height, int eyes)
+        /// <param name="thicknessDivisor">Width of the others over that of the textures of thickness.</param>
+        public void Prepare(int width, int height, int eyes, int thicknessDivisor)
         {
-            if (Smoothed != null && Smoothed.width == width && Smoothed.height == height && Smoothed.volumeDepth == eyes)
+            PrepareSurface(width, height, eyes);
+            PrepareThickness((width + thicknessDivisor - 1) / thicknessDivisor, (height + thicknessDivisor - 1) / thicknessDivisor, eyes);
+        }
+
+        void PrepareSurface(int width, int height, int eyes)
+        {
+            if (Holds(Smoothed, width, height, eyes))
                 return;
-            Dispose();
+            ReleaseSurface();
             Drawn = Make("Rill.Surface.Drawn", width, height, eyes, GraphicsFormat.None, false);
             Rows = Make("Rill.Surface.Rows", width, height, eyes, GraphicsFormat.R32_SFloat, true);
             Smoothed = Make("Rill.Surface.Depth", width, height, eyes, GraphicsFormat.R32_SFloat, true);
             Normals = Make("Rill.Surface.Normals", width, height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
-            DrawnThickness = Make("Rill.Surface.DrawnThickness", (width + 1) / 2, (height + 1) / 2, eyes, GraphicsFormat.R16G16_SFloat, false);
-            Thickness = Make("Rill.Surface.Thickness", (width + 1) / 2, (height + 1) / 2, eyes, GraphicsFormat.R32_SFloat, true);
+        }
+
+        void PrepareThickness(int width, int height, int eyes)
+        {
+            if (Holds(Thickness, width, height, eyes))
+                return;
+            ReleaseThickness();
+            SceneDistance = Make("Rill.Surface.SceneDistance", width, height, eyes, GraphicsFormat.R32_SFloat, false);
+            Thickness = Make("Rill.Surface.Thickness", width, height, eyes, GraphicsFormat.R32_SFloat, true);
+            Amounts = GpuBuffer.Structured<uint>("Rill.Surface.Amounts", (long)width * height * eyes);
         }
 
         public void Dispose()
+        {
+            ReleaseSurface();
+            ReleaseThickness();
+        }
+
+        void ReleaseSurface()
         {
             EngineObject.Release(ref Drawn);
             EngineObject.Release(ref Rows);
             EngineObject.Release(ref Smoothed);
             EngineObject.Release(ref Normals);
-            EngineObject.Release(ref DrawnThickness);
-            EngineObject.Release(ref Thickness);
             Shown = null;
         }
 
+        void ReleaseThickness()
+        {
+            EngineObject.Release(ref SceneDistance);
+            EngineObject.Release(ref Thickness);
+            GpuBuffer.Release(ref Amounts);
+        }
+
+        static bool Holds(RenderTexture texture, int width, int height, int eyes) =>
+            texture != null && texture.width == width && texture.height == height && texture.volumeDepth == eyes;
+
         public void Describe(StageDescription stage)
         {
-            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, DrawnThickness, Thickness })
+            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, SceneDistance, Thickness })
                 if (texture != null)
                     stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
+            if (Amounts != null)
+                stage.Buffer("Rill.Surface.Amounts", Amounts);
         }
 
         static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;

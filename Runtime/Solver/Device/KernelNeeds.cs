@@ -45,6 +45,7 @@ namespace Rill
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
                 case "SurfaceFilter":
+                case "SurfaceThickness":
                 case "SurfaceParticles": return DeviceFeature.Surface;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;
@@ -57,12 +58,14 @@ namespace Rill
             switch (word)
             {
                 case "":
+                case "ADD":
                 case "ADD_NEW":
                 case "APPLY":
                 case "ARTIFICIAL_PRESSURE":
-                case "AVERAGE":
                 case "AT_REST":
+                case "AVERAGE":
                 case "BINS":
+                case "BLUR":
                 case "COLUMNS":
                 case "COMPACT":
                 case "CONFINE":
@@ -73,6 +76,7 @@ namespace Rill
                 case "FIELDS":
                 case "LAST":
                 case "MOVE":
+                case "NARROW":
                 case "NORMALS":
                 case "PASS":
                 case "PATHS":
@@ -81,13 +85,11 @@ namespace Rill
                 case "RILL_BUILD_LIST":
                 case "RILL_RAW":
                 case "ROWS":
-                case "NARROW":
                 case "SHAPE":
                 case "SMALL":
                 case "SMOOTH":
                 case "SPAWN":
-                case "STORE_DRAWN":
-                case "THICKNESS": return DeviceFeature.None;
+                case "STORE_DRAWN": return DeviceFeature.None;
                 case "BESIDE":
                 case "CARRIES":
                 case "SOLIDS": return DeviceFeature.Colliders;

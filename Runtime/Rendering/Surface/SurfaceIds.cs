@@ -1,0 +1,27 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What the passes of the surface on the screen share: properties of SurfaceView.hlsl and of the scene, a thread for each texel.</summary>
+    static class SurfaceIds
+    {
+        public static readonly int WorldToClip = Shader.PropertyToID("_SurfaceWorldToClip");
+        public static readonly int Rays = Shader.PropertyToID("_SurfaceRays");
+        public static readonly int Depths = Shader.PropertyToID("_SurfaceDepths");
+        public static readonly int SurfaceSize = Shader.PropertyToID("_SurfaceSize");
+        public static readonly int SurfaceEye = Shader.PropertyToID("_SurfaceEye");
+        public static readonly int SceneSize = Shader.PropertyToID("_SceneSize");
+        public static readonly int Depth = Shader.PropertyToID("_Depth");
+
+        /// <summary>Width and height, texels, and one over them.</summary>
+        public static Vector4 SizeOf(RenderTexture texture) => new Vector4(texture.width, texture.height, 1f / texture.width, 1f / texture.height);
+
+        /// <summary>A thread for each texel.</summary>
+        public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int width, int height)
+        {
+            shader.GetKernelThreadGroupSizes(kernel, out uint x, out uint y, out _);
+            cmd.DispatchCompute(shader, kernel, (width + (int)x - 1) / (int)x, (height + (int)y - 1) / (int)y, 1);
+        }
+    }
+}

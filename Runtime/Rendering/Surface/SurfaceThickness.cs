@@ -1,0 +1,130 @@
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Adds up for each ray of a camera how much water it goes through in front of the scene, as SurfaceThickness.compute says.</summary>
+    sealed class SurfaceThickness
+    {
+        static readonly ProfilerMarker SceneMarker = GpuMarker.Create("Rill.Surface.Scene");
+        static readonly ProfilerMarker ThicknessMarker = GpuMarker.Create("Rill.Surface.Thickness");
+        static readonly ProfilerMarker BlurMarker = GpuMarker.Create("Rill.Surface.Blur");
+
+        const string SceneArrayKeyword = "RILL_SCENE_ARRAY";
+        const int ScenePass = 1;                            // of SurfaceRaster.shader
+        const int MinDivisor = 2, MaxDivisor = 8;
+        const float BlurRadius = 2f;                        // two standard deviations, d
+
+        readonly ComputeShader shader = StageShader.LoadCompute("SurfaceThickness");
+        readonly BufferClear clear = new BufferClear();
+        readonly int addParticles, blurThickness;
+        readonly LocalKeyword sceneArray;
+        readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
+
+        /// <param name="raster">Shader of the material that <see cref="Record"/> gets.</param>
+        public SurfaceThickness(Shader raster)
+        {
+            addParticles = shader.FindKernel("AddParticles");
+            blurThickness = shader.FindKernel("BlurThickness");
+            sceneArray = new LocalKeyword(raster, SceneArrayKeyword);
+        }
+
+        /// <summary>How many times smaller the textures of thickness are: their texels are about as wide as a particle, since the sums are blurred over two.</summary>
+        /// <param name="pixelsPerSpacing">Of a particle in the middle of the fluid, pixels.</param>
+        public static int DivisorFor(float pixelsPerSpacing)
+        {
+            int divisor = MinDivisor;
+            while (divisor < MaxDivisor && 2 * divisor <= pixelsPerSpacing)
+                divisor *= 2;
+            return divisor;
+        }
+
+        /// <summary>Fills <see cref="SurfaceView.Thickness"/> of each eye.</summary>
+        /// <param name="raster">Of SurfaceRaster.shader.</param>
+        public void Record(CommandBuffer cmd, Material raster, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
+        {
+            RecordScene(cmd, raster, camera, view);
+
+            cmd.BeginSample(ThicknessMarker);
+            clear.Record(cmd, view.Amounts);
+            Set(cmd, fluid, view);
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
+                cmd.SetComputeTextureParam(shader, addParticles, Ids.SceneDistance, view.SceneDistance);
+                cmd.SetComputeBufferParam(shader, addParticles, Ids.Amounts, view.Amounts);
+                cmd.SetComputeBufferParam(shader, addParticles, Ids.Positions, fluid.positions);
+                cmd.SetComputeBufferParam(shader, addParticles, Ids.StartPositions, fluid.startPositions);
+                cmd.SetComputeBufferParam(shader, addParticles, Ids.Velocities, fluid.velocities);
+                cmd.SetComputeBufferParam(shader, addParticles, Ids.Counters, fluid.counters);
+                cmd.DispatchCompute(shader, addParticles, fluid.particleArguments, GpuBuffer.DispatchArgumentsAt);
+            }
+            cmd.EndSample(ThicknessMarker);
+
+            cmd.BeginSample(BlurMarker);
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
+                cmd.SetComputeFloatParam(shader, Ids.BlurRadius, BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Thickness.height));
+                cmd.SetComputeBufferParam(shader, blurThickness, Ids.Amounts, view.Amounts);
+                cmd.SetComputeTextureParam(shader, blurThickness, SurfaceIds.Depth, view.Smoothed);
+                cmd.SetComputeTextureParam(shader, blurThickness, Ids.Thickness, view.Thickness);
+                SurfaceIds.Dispatch(cmd, shader, blurThickness, view.Thickness.width, view.Thickness.height);
+            }
+            cmd.EndSample(BlurMarker);
+        }
+
+        public void Describe(StageDescription stage, int eyes)
+        {
+            stage.Draw("SurfaceRaster", eyes);
+            stage.Kernel("Clear", "ClearWords", 1);
+            stage.Kernel("SurfaceThickness", "AddParticles", eyes);
+            stage.Kernel("SurfaceThickness", "BlurThickness", eyes);
+        }
+
+        void RecordScene(CommandBuffer cmd, Material raster, in FluidViews camera, SurfaceView view)
+        {
+            cmd.BeginSample(SceneMarker);
+            cmd.SetKeyword(raster, sceneArray, camera.sceneIsArray);
+            view.Constants.SetOn(properties);
+            properties.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Thickness));
+            properties.SetVector(SurfaceIds.SceneSize, camera.sceneSize);
+            for (int eye = 0; eye < camera.eyes; eye++)
+            {
+                properties.SetInt(SurfaceIds.SurfaceEye, eye);
+                cmd.SetRenderTarget(view.SceneDistance, 0, CubemapFace.Unknown, eye);
+                cmd.DrawProcedural(Matrix4x4.identity, raster, ScenePass, MeshTopology.Triangles, 3, 1, properties);
+            }
+            cmd.EndSample(SceneMarker);
+        }
+
+        void Set(CommandBuffer cmd, in SurfaceFrame fluid, SurfaceView view)
+        {
+            view.Constants.SetOn(cmd, shader);
+            cmd.SetComputeVectorParam(shader, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
+            cmd.SetComputeVectorParam(shader, Ids.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
+            cmd.SetComputeFloatParam(shader, Ids.ParticleSpacing, fluid.spacing);
+            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, fluid.domainToWorld);
+            cmd.SetComputeVectorParam(shader, Ids.FrameLag, fluid.lag);
+            cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, fluid.domainSize);
+        }
+
+        static class Ids
+        {
+            public static readonly int SceneDistance = Shader.PropertyToID("_SceneDistance");
+            public static readonly int Amounts = Shader.PropertyToID("_Amounts");
+            public static readonly int Thickness = Shader.PropertyToID("_Thickness");
+            public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
+            public static readonly int BlurRadius = Shader.PropertyToID("_BlurRadius");
+            public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
+            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+        }
+    }
+}

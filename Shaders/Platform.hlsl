@@ -1,0 +1,11 @@
+// What differs between graphics APIs.
+#ifndef RILL_PLATFORM_INCLUDED
+#define RILL_PLATFORM_INCLUDED
+
+#if defined(SHADER_API_GLCORE) || defined(SHADER_API_GLES3)
+#define RILL_OPENGL 1       // clip space is -1 to 1 in z, 1 is far, and textures begin at the bottom
+#else
+#define RILL_OPENGL 0       // 1 is near, and textures begin at the top
+#endif
+
+#endif

@@ -1,0 +1,48 @@
+// The scene's depth for the passes that compute: kernels cannot name what a pipeline binds for draws. One triangle over the picture,
+// into a texture that may be smaller than the scene's.
+//
+//   _CameraDepthTexture  in   the pipeline's
+//   target               out  distance along the view, m: the farthest of the samples in a texel, so that what stands in front of
+//                             the water leaves no seam in it
+#include "SurfaceView.hlsl"
+
+#ifdef RILL_SCENE_ARRAY
+Texture2DArray _CameraDepthTexture;
+#else
+Texture2D _CameraDepthTexture;
+#endif
+float4 _SceneSize;          // width and height of what is in use, texels
+
+static const int kSamples = 4;      // along x and y
+
+struct SceneVaryings
+{
+    float4 clip : SV_Position;
+    float2 picture : TEXCOORD0;
+};
+
+SceneVaryings SceneVertex(uint vertex : SV_VertexID)
+{
+    SceneVaryings result;
+    result.picture = float2(vertex == 1 ? 3.0 : -1.0, vertex == 2 ? 3.0 : -1.0);
+    result.clip = SurfacePosition(result.picture, 0.5);
+    return result;
+}
+
+float SceneFragment(SceneVaryings input) : SV_Target
+{
+    float farthest = 0.0;
+    for (int i = 0; i < kSamples * kSamples; i++)
+    {
+        float2 offset = (float2(i % kSamples, i / kSamples) + 0.5) / kSamples * 2.0 - 1.0;
+        float2 picture = input.picture + offset * _SurfaceSize.zw;
+        int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SceneSize.xy, 0.0, _SceneSize.xy - 1.0));
+#ifdef RILL_SCENE_ARRAY
+        float depth = _CameraDepthTexture.Load(int4(texel, _SurfaceEye, 0)).r;
+#else
+        float depth = _CameraDepthTexture.Load(int3(texel, 0)).r;
+#endif
+        farthest = max(farthest, FromSurfaceDepth(FlipDepth(depth), _SurfaceEye));
+    }
+    return farthest;
+}
