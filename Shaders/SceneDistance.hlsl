@@ -13,7 +13,7 @@ Texture2D _CameraDepthTexture;
 #endif
 float4 _SceneSize;          // width and height of what is in use, texels
 
-static const int kSamples = 4;      // along x and y
+static const uint kSamples = 4;      // along x and y
 
 struct SceneVaryings
 {
@@ -32,7 +32,7 @@ SceneVaryings SceneVertex(uint vertex : SV_VertexID)
 float SceneFragment(SceneVaryings input) : SV_Target
 {
     float farthest = 0.0;
-    for (int i = 0; i < kSamples * kSamples; i++)
+    for (uint i = 0; i < kSamples * kSamples; i++)
     {
         float2 offset = (float2(i % kSamples, i / kSamples) + 0.5) / kSamples * 2.0 - 1.0;
         float2 picture = input.picture + offset * _SurfaceSize.zw;

@@ -43,7 +43,7 @@ float4 _SceneSize;          // of the scene's depth: width and height of what is
 
 float4 _Absorption;         // rgb 1/m
 float4 _Scattering;         // rgb colour, linear; w 1/m
-float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness
+float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
 float4 _PictureBounds;      // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
 
 struct SurfaceVaryings
@@ -165,7 +165,7 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
 #endif
 
     MainLight light = GetMainLight();
-    float3 lightColor = light.color * MainLightShadow(light, p.world, clip);
+    float3 lightColor = light.color * MainLightShadow(light, p.world + light.direction * _SurfaceOptics.w, clip);
     float3 around = Environment(p.normal, 1.0);
     float reflectance = Fresnel(facing, p.roughness);
     float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye, light.direction, p.roughness);

@@ -73,6 +73,7 @@ Shader "Rill/Surface"
             #pragma target 5.0
             #pragma vertex SurfaceVertex
             #pragma fragment SurfaceFragment
+            #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2

@@ -110,6 +110,30 @@ namespace Host.Tests
         }
 
         [Test]
+        public void The_shadow_of_the_main_light_falls_on_the_water([Values("14", "17")] string version)
+        {
+            Build(version);
+            simulation.GetComponent<FluidSurface>().Preset = SurfacePreset.Milk;
+            UnityEngine.Object.FindObjectOfType<Light>().shadows = LightShadows.Hard;
+            Play(2);
+            simulation.Paused = true;
+            Play(1);
+            Vector4[] inTheSun = Pixels();
+            GameObject roof = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            roof.transform.position = new Vector3(0, 4, 0);
+            roof.transform.localScale = new Vector3(8, 0.1f, 8);
+            roof.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", Player.PipelineTag);
+            Play(1);
+            Vector4[] inTheShade = Pixels();
+            simulation.GetComponent<FluidSurface>().ReceiveShadows = false;
+            Play(1);
+            Vector4[] receivesNone = Pixels();
+            int milk = Width * (Height / 2 - 2) + Width / 2;
+            Assert.That(inTheShade[milk].y, Is.LessThan(0.8f * inTheSun[milk].y));
+            Assert.That(receivesNone[milk].y, Is.EqualTo(inTheSun[milk].y).Within(0.02f));
+        }
+
+        [Test]
         public void A_camera_that_is_not_culled_disturbs_no_later_frame([Values("14", "17")] string version)
         {
             Build(version);

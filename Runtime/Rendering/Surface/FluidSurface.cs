@@ -13,6 +13,7 @@ namespace Rill
     [DisallowMultipleComponent]
     public sealed class FluidSurface : FluidRenderer
     {
+        const float ShadowOffset = 3f;      // d
         const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
 
         [Tooltip("A look that goes by a name. Custom keeps the values below.")]
@@ -183,7 +184,7 @@ namespace Rill
             Vector4 scattering = ShaderColor(look.scattering);
             scattering.w = look.ScatteringRate;
             properties.SetVector(Ids.Scattering, scattering);
-            properties.SetVector(Ids.SurfaceOptics, new Vector4(look.refractionIndex, look.Reflectance, look.roughness, 0f));
+            properties.SetVector(Ids.SurfaceOptics, new Vector4(look.refractionIndex, look.Reflectance, look.roughness, ShadowOffset * Simulation.ParticleSpacing));
             properties.SetFloat(Ids.ReflectionStrength, reflectionStrength);
             if (reflection != null)
                 properties.SetTexture(Ids.ReflectionCube, reflection);

@@ -247,7 +247,7 @@ namespace Rill
             new KernelNeed("Solid", "Vertex", "", 0, 0, 0, 0, 0),
             new KernelNeed("Solid", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("Surface", "Vertex", "", 0, 0, 0, 0, 0),
-            new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 6),
+            new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 7),
             new KernelNeed("SurfaceRaster", "Vertex", "", 0, 0, 1, 0, 0),
             new KernelNeed("SurfaceRaster", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("SurfaceShadow", "Vertex", "", 0, 0, 1, 0, 0),
