@@ -108,22 +108,43 @@ SurfacePoint PointOn(float2 picture)
 }
 
 #ifdef RILL_REFRACTION
+static const int kRefractionSteps = 5;      // that halve how much of the bend is known to be hidden
+
 float SceneDepthAt(float2 picture)
 {
     int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SceneSize.xy, 0.0, _SceneSize.xy - 1.0));
     return FromSurfaceDepth(FlipDepth(RILL_SCENE_DEPTH(texel)), eyeIndex);
 }
 
-// The scene behind, along the refracted ray for as long as there is water.
+// Whether the scene that a filtered sample takes in lies behind the water: what stands in front must not show in it.
+bool IsBehind(float2 picture, float z)
+{
+    float2 texel = 1.0 / _SceneSize.xy;      // half of one, on the picture
+    float nearest = min(min(SceneDepthAt(picture - texel), SceneDepthAt(picture + texel)),
+        min(SceneDepthAt(picture + float2(texel.x, -texel.y)), SceneDepthAt(picture + float2(-texel.x, texel.y))));
+    return all(abs(picture) <= 1.0) && nearest >= z;
+}
+
+// The scene behind, along the refracted ray for as long as there is water. Where something in front hides that, as far along as
+// the scene is seen.
 float3 Refracted(SurfacePoint p, float2 picture, float thickness)
 {
     float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
     float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * thickness, 1.0));
-    float2 seen = clip.xy / max(clip.w, 1e-6);
-    // What stands in front of the water must not show in it.
-    if (clip.w <= 0.0 || any(abs(seen) > 1.0) || SceneDepthAt(seen) < p.z)
-        seen = picture;
-    return RILL_SCENE_COLOR(seen * 0.5 + 0.5).rgb;
+    float2 shift = clip.w > 0.0 ? clip.xy / max(clip.w, 1e-6) - picture : 0.0;
+    if (!IsBehind(picture + shift, p.z))
+    {
+        float seen = 0.0, hidden = 1.0;
+        for (int i = 0; i < kRefractionSteps; i++)
+        {
+            float middle = 0.5 * (seen + hidden);
+            bool isSeen = IsBehind(picture + shift * middle, p.z);
+            seen = isSeen ? middle : seen;
+            hidden = isSeen ? hidden : middle;
+        }
+        shift *= seen;
+    }
+    return RILL_SCENE_COLOR((picture + shift) * 0.5 + 0.5).rgb;
 }
 #endif
 
