@@ -11,7 +11,10 @@ namespace Rill
         int framesWithoutSurface;
         PbfSolver tooLarge;         // whose surface this device cannot hold
 
-        /// <summary>Set every frame by what draws the surface, which then is there from the next frame on: <see cref="PbfSolver.Surface"/>.</summary>
+        /// <summary>Before the steps of a frame: what draws the surface sets <see cref="NeedsSurface"/> where it does in this frame.</summary>
+        internal event Action AskForSurface;
+
+        /// <summary>Whether this frame ends with the surface of its state: <see cref="PbfSolver.Surface"/>. False again after the frame.</summary>
         internal bool NeedsSurface { get; set; }
 
         /// <summary>Records the surface where it is asked for and not that of the current state.</summary>

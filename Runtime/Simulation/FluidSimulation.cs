@@ -279,6 +279,7 @@ namespace Rill
             }
             if (pbf == null)
                 return;
+            AskForSurface?.Invoke();
             TakeSteps(frameTime);
             FinishSurface();
         }

@@ -23,16 +23,20 @@ namespace Rill
         public bool IsSeen => Bounds.x < Bounds.z && Bounds.y < Bounds.w;
 
         /// <param name="constants">Of the camera.</param>
-        public static BoxOnPicture Of(in FluidViews camera, in SurfaceFrame fluid, SurfaceConstants constants)
+        /// <param name="sweep">World, m: the box is taken on all its way along this vector.</param>
+        public static BoxOnPicture Of(in FluidViews camera, in SurfaceFrame fluid, SurfaceConstants constants, Vector3 sweep = default)
         {
             var bounds = new Vector4(1f, 1f, -1f, -1f);
             float nearest = float.MaxValue, sum = 0f;
             bool isWhole = false, isInFront = false;
-            int corners = 8 * camera.eyes;
+            int corners = 16 * camera.eyes;      // of the box at both ends of the sweep
             for (int i = 0; i < corners; i++)
             {
                 var corner = new Vector4((i & 1) != 0 ? fluid.domainSize.x + 1f : -1f, (i & 2) != 0 ? fluid.domainSize.y + 1f : -1f, (i & 4) != 0 ? fluid.domainSize.z + 1f : -1f, 1f);
-                Vector4 clip = constants.WorldToClip[i / 8] * (fluid.domainToWorld * corner);
+                Vector4 world = fluid.domainToWorld * corner;
+                if ((i & 8) != 0)
+                    world += (Vector4)sweep;
+                Vector4 clip = constants.WorldToClip[i / 16] * world;
                 nearest = Mathf.Min(nearest, clip.w);
                 sum += clip.w;
                 isWhole |= clip.w <= 1e-4f;

@@ -52,6 +52,7 @@ namespace Rill
 
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
+        readonly SurfaceWatch watch = new SurfaceWatch();
         SurfaceFrame frame;
         bool hasFrame;
 
@@ -99,7 +100,10 @@ namespace Rill
         {
             if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
                 return false;
-            return recorder.Prepare(camera, frame);
+            if (!recorder.Prepare(camera, frame))
+                return false;
+            watch.See();
+            return true;
         }
 
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
@@ -128,6 +132,7 @@ namespace Rill
             recorder = new FluidSurfaceRecorder();
             shadow = new SurfaceShadow();
             active.Add(this);
+            Simulation.AskForSurface += Ask;
             BuiltInSurfaces.Begin();
         }
 
@@ -135,6 +140,8 @@ namespace Rill
         {
             hasFrame = false;
             active.Remove(this);
+            if (Simulation != null)
+                Simulation.AskForSurface -= Ask;
             BuiltInSurfaces.End();
             shadow?.Dispose();
             shadow = null;
@@ -142,9 +149,18 @@ namespace Rill
             recorder = null;
         }
 
+        // The surface is found where a camera can see it or its shadow.
+        void Ask()
+        {
+            bool casts = CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
+            Light light = sun != null ? sun : RenderSettings.sun;
+            // Of a light that is not known, the shadow may fall anywhere.
+            if (casts && light == null || watch.IsSeen(gameObject.layer, SurfaceFrame.BoxOf(Simulation), casts ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
+                Simulation.NeedsSurface = true;
+        }
+
         private protected override void Draw()
         {
-            Simulation.NeedsSurface = true;
             PbfSolver solver = Simulation.Solver;
             hasFrame = solver.Surface != null;
             if (!hasFrame)

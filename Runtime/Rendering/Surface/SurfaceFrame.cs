@@ -36,6 +36,12 @@ namespace Rill
         /// <summary>The buffers of DrawnParticles.hlsl and the arguments of a draw of all particles.</summary>
         public GraphicsBuffer positions, startPositions, velocities, counters, particleArguments;
 
+        /// <summary>The fluid's box alone, before there is a surface.</summary>
+        public static SurfaceFrame BoxOf(FluidSimulation fluid) => new SurfaceFrame
+        {
+            domainToWorld = fluid.DomainToWorld, domainSize = fluid.DomainSize / fluid.ParticleSpacing, spacing = fluid.ParticleSpacing,
+        };
+
         /// <param name="smoothing">Two standard deviations of the filter on the picture, d.</param>
         public static SurfaceFrame Of(PbfSolver solver, Matrix4x4 domainToWorld, Vector4 lag, float smoothing, SurfaceQuality quality)
         {

@@ -168,6 +168,55 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Out_of_sight_its_surface_is_not_found_and_comes_back_at_once([Values(false, true)] bool castsShadows)
+        {
+            surface.CastShadows = castsShadows ? ShadowCastingMode.On : ShadowCastingMode.Off;
+            Light sun = Sun(new Vector3(-0.5f, -1f, 0f));
+            fluid.gameObject.SetActive(true);
+            yield return Frames(3);
+            Vector3 above = camera.transform.position;
+            camera.transform.position = above + 20f * Vector3.right;
+            yield return Frames(2);
+            int version = fluid.Solver.SurfaceVersion;
+            yield return Frames(3);
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version), "though the water moves");
+            camera.transform.position = above;
+            yield return Frames(1);
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 1));
+            Assert.That(Mean(target).g, Is.LessThan(0.6f), "in the first frame that shows it");
+            Object.Destroy(sun.gameObject);
+        }
+
+        [UnityTest]
+        public IEnumerator A_shadow_that_is_seen_keeps_the_surface_of_water_that_is_not()
+        {
+            surface.CastShadows = ShadowCastingMode.On;
+            Light sun = Sun(Vector3.right);
+            camera.transform.position += 5f * Vector3.right;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(3);
+            int version = fluid.Solver.SurfaceVersion;
+            yield return Frames(3);
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 3));
+            sun.transform.rotation = Quaternion.LookRotation(Vector3.left);
+            yield return Frames(1);
+            version = fluid.Solver.SurfaceVersion;
+            yield return Frames(3);
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version), "it falls the other way");
+            Object.Destroy(sun.gameObject);
+        }
+
+        // That a surface knows: another light's shadow may fall anywhere.
+        Light Sun(Vector3 direction)
+        {
+            var sun = new GameObject("Sun").AddComponent<Light>();
+            sun.type = LightType.Directional;
+            sun.transform.rotation = Quaternion.LookRotation(direction);
+            surface.Sun = sun;
+            return sun;
+        }
+
+        [UnityTest]
         public IEnumerator Off_it_leaves_nothing_behind()
         {
             fluid.gameObject.SetActive(true);
