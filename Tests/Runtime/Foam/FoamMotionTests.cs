@@ -99,6 +99,30 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Foam_above_and_below_the_surface_of_still_water_comes_to_it()
+        {
+            using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f)))
+            {
+                stage.Plant((new float3(12f, 11.4f, 12f), float3.zero, FoamKinds.Foam, 100f), (new float3(8f, 12.5f, 8f), float3.zero, FoamKinds.Foam, 100f));
+                Assert.That(stage.Step(2).Read().Select(f => math.abs(FoamStage.Position(f).y - 12f)), Is.All.GreaterThan(0.2f), "not at once");
+                Assert.That(stage.Step(40).Read().Select(f => math.abs(FoamStage.Position(f).y - 12f)), Is.All.LessThan(0.1f));
+            }
+        }
+
+        [Test]
+        public void Foam_that_is_not_finite_goes()
+        {
+            using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f), Gravity))
+            {
+                float3 air = new float3(12f, 25f, 12f), water = new float3(12f, 5f, 12f);
+                stage.Plant((air, new float3(float.NaN, 0f, 0f), FoamKinds.Spray, 9f), (air, new float3(0f, float.PositiveInfinity, 0f), FoamKinds.Spray, 9f),
+                    (water, new float3(0f, 0f, float.NaN), FoamKinds.Bubbles, 9f), (air, float3.zero, FoamKinds.Spray, 9f));
+                FoamParticle left = stage.Step().Read().Single();
+                Assert.That(FoamStage.Velocity(left).y, Is.EqualTo(Gravity.y * Step).Within(1e-4f), "the one that is finite");
+            }
+        }
+
+        [Test]
         public void Foam_rides_on_water_that_rises_and_falls()
         {
             using (var fluid = new TestFluid(new float3(0.8f, 1f, 0.8f), 0.05f, 5000))

@@ -52,8 +52,9 @@ namespace Rill.Tests
                     sure += !twin.IsUncertain(i) && low == high ? 1 : 0;
                     for (int k = 0; k < number; k++, at++)
                     {
-                        double3 place = Reference.FoamSpawn.Position(stage.Points[i], stage.Velocities[i], Step, stage.Stages.Layout.DomainSize, hash, k);
+                        double3 place = Reference.FoamSpawn.Position(stage.Points[i], stage.Velocities[i], Step, stage.Stages.Layout.DomainSize, hash, k, out double3 velocity);
                         Assert.That(math.distance(FoamStage.Position(foam[at]), place), Is.LessThan(2e-3), $"foam particle {at}, number {k} of particle {i}");
+                        Assert.That(math.distance(FoamStage.Velocity(foam[at]), velocity), Is.LessThan(2e-3), $"velocity of foam particle {at}");
                     }
                     spawned += number;
                 }
