@@ -18,6 +18,13 @@ static const uint kSpray = 1;
 static const uint kFoam = 2;
 static const uint kBubble = 3;
 
+static const uint kFoamAlive = 0;       // of the counters; then those of each kind
+static const uint kFoamSpawned = 4;
+static const uint kFoamRefused = 5;
+
+static const float kFoamComes = 0.05;   // of its life, in which it appears
+static const float kFoamGoes = 0.6;     // from which it fades
+
 static const float kLifetimeUnit = 1.0 / 64.0;      // s
 static const uint kMaxLifetime = 16383;             // units
 
@@ -71,6 +78,19 @@ float3 DrawnFoamPosition(FoamParticle particle, float seconds, float3 domainSize
 {
     float3 position = FoamPosition(particle);
     return clamp(position + FoamVelocity(particle) * seconds, min(position, 0.0), max(position, domainSize));
+}
+
+// Of a particle where the largest has this radius.
+float DrawnFoamRadius(FoamParticle particle, float largest)
+{
+    return largest * FoamSize(particle) * (FoamKind(particle) == kSpray ? 0.7 : 1.0);
+}
+
+// At its middle, where it is that of a particle in the middle of its life.
+float DrawnFoamOpacity(FoamParticle particle, float opacity)
+{
+    float life = saturate(FoamAge(particle) / max(FoamLifetime(particle), 1e-3));
+    return opacity * saturate(life / kFoamComes) * saturate((1.0 - life) / (1.0 - kFoamGoes));
 }
 
 FoamParticle PackFoam(float3 position, float3 velocity, uint kind, float age, uint rest)

@@ -14,9 +14,6 @@ float4 _FoamLook;               // x largest radius, m; y how much nearer to the
 float4 _FoamColor;              // linear
 float4 _AmbientColor;           // linear
 
-static const float kComes = 0.05;       // of its life, in which it appears
-static const float kGoes = 0.6;         // from which it fades
-
 struct FoamVaryings
 {
     float4 clip : SV_Position;
@@ -37,12 +34,10 @@ FoamVaryings FoamVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID
     if (FoamKind(particle) == kNoFoam)
         return result;
 
-    float life = saturate(FoamAge(particle) / max(FoamLifetime(particle), 1e-3));
     float2 corner = QuadCorner(vertex);
     float3 center = mul(_DomainToWorld, float4(DrawnFoamPosition(particle, _FrameLag.y, _DrawnDomainSize.xyz), 1.0)).xyz;
     center += ToEye(center) * _FoamLook.y;
-    float size = _FoamLook.x * FoamSize(particle) * (FoamKind(particle) == kSpray ? 0.7 : 1.0);
-    result.world = float4(PointOnQuad(center, corner, size), _FoamLook.z * saturate(life / kComes) * saturate((1.0 - life) / (1.0 - kGoes)));
+    result.world = float4(PointOnQuad(center, corner, DrawnFoamRadius(particle, _FoamLook.x)), DrawnFoamOpacity(particle, _FoamLook.z));
     result.corner = float4(corner, 0.0, 0.0);
     result.clip = WorldToClip(result.world.xyz);
     return result;

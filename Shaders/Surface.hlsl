@@ -4,11 +4,15 @@
 //   _SurfaceDepth       in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
 //   _SurfaceNormals     in  xyz unit normal, world; w variance of the normals around
 //   _SurfaceThickness   in  water along the ray in front of the scene, m
+//   _SurfaceFoam        in  see FoamLayer.hlsl; where RILL_FOAM is on
 //   the scene's colour and depth as the pipeline gives them; where RILL_REFRACTION is on
 #include "MainLight.hlsl"
 #include "SurfaceView.hlsl"
 #include "Environment.hlsl"
 #include "Fog.hlsl"
+#ifdef RILL_FOAM
+#include "FoamLayer.hlsl"
+#endif
 
 Texture2DArray<float> _SurfaceDepth;
 Texture2DArray<float4> _SurfaceNormals;
@@ -167,10 +171,36 @@ float Highlight(float3 normal, float3 toEye, float3 toLight, float roughness)
     return min(squared / (spread * spread) * visibility * Fresnel(dot(toLight, halfway), 0.0) * nl, 64.0);
 }
 
+#ifdef RILL_FOAM
+bool IsWater(float2 picture)
+{
+    return _SurfaceDepth.Load(int4(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0), eyeIndex, 0)) > 0.0;
+}
+
+// What flies where there is no water behind it.
+float4 Spray(FoamLayer foam, float2 picture, out float depth)
+{
+    if (foam.front < 0.01)
+        discard;
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    float3 world = ray.origin + ray.direction * foam.z;
+    float4 clip = WorldToClip(world);
+    depth = DeviceDepth(clip);
+    MainLight light = GetMainLight();
+    float3 lit = LitFoam(Environment(float3(0.0, 1.0, 0.0), 1.0), light.color * MainLightShadow(light, world, clip), light.direction.y);
+    return float4(ApplyFog(lit * foam.front, foam.front, foam.z), foam.front);
+}
+#endif
+
 float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
 {
     RestoreView(input);
     float2 picture = input.picture.xy;
+#ifdef RILL_FOAM
+    FoamLayer foam = FoamLayerAt(picture, eyeIndex, rill_linear_clamp_sampler);
+    if (!IsWater(picture))
+        return Spray(foam, picture, depth);
+#endif
     SurfacePoint p = PointOn(picture);
     float4 clip = WorldToClip(p.world);
     depth = DeviceDepth(clip);
@@ -194,12 +224,23 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float3 through = exp(-(_Absorption.rgb + _Scattering.w) * thickness);
     float3 lit = (around + lightColor * (0.5 * saturate(dot(p.normal, light.direction)) + 0.25)) * _Scattering.rgb;
     float3 scattered = lit * (1.0 - exp(-_Scattering.w * thickness));
+#ifdef RILL_FOAM
+    // Under water it hides what is behind it, and is seen through what is in front of it.
+    float3 foamLight = LitFoam(around, lightColor, dot(p.normal, light.direction));
+    float3 under = foamLight * exp(-(_Absorption.rgb + _Scattering.w) * foam.below) + lit * (1.0 - exp(-_Scattering.w * foam.below));
+    scattered = lerp(scattered, under, foam.under);
+    through *= 1.0 - foam.under;
+#endif
 #ifdef RILL_REFRACTION
     float3 color = (Refracted(p, picture, thickness) * through + scattered) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
     float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);
     float3 color = scattered * (1.0 - reflectance) + mirrored;
+#endif
+#ifdef RILL_FOAM
+    color = lerp(color, foamLight, foam.front);
+    coverage = lerp(coverage, 1.0, foam.front);
 #endif
     return float4(ApplyFog(color, coverage, p.z), coverage);
 }

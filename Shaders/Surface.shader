@@ -23,6 +23,7 @@ Shader "Rill/Surface"
             #pragma fragment SurfaceFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #include "Surface.hlsl"
             ENDHLSL
         }
@@ -49,6 +50,7 @@ Shader "Rill/Surface"
             #pragma fragment SurfaceFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #include "Surface.hlsl"
             ENDHLSL
         }
@@ -76,6 +78,7 @@ Shader "Rill/Surface"
             #pragma multi_compile_fragment _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE _MAIN_LIGHT_SHADOWS_SCREEN
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
             #include "Surface.hlsl"
             ENDHLSL
@@ -102,6 +105,7 @@ Shader "Rill/Surface"
             #pragma fragment SurfaceFragment
             #pragma multi_compile_local_fragment _ RILL_REFRACTION
             #pragma multi_compile_local_fragment _ RILL_OWN_REFLECTION
+            #pragma multi_compile_local_fragment _ RILL_FOAM
             #pragma multi_compile _ FOG_LINEAR FOG_EXP FOG_EXP2
             #include "Surface.hlsl"
             ENDHLSL

@@ -52,6 +52,7 @@ namespace Rill.Editor
             ("Rill.Surface.Scene", "Surface: distance of the scene"),
             ("Rill.Surface.Thickness", "Surface: thickness"),
             ("Rill.Surface.Blur", "Surface: thickness blur"),
+            ("Rill.Surface.Foam", "Surface: foam"),
             ("Rill.Statistics", "Statistics"),
         };
 

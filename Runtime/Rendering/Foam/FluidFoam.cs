@@ -65,6 +65,25 @@ namespace Rill
             return foam != null && foam.TryGetStatistics(out statistics);
         }
 
+        bool IsDrawnBySurface => TryGetComponent(out FluidSurface surface) && surface.DrawsFoam;
+
+        /// <summary>What there is to draw in this frame.</summary>
+        internal FoamFrame Frame
+        {
+            get
+            {
+                Foam foam = isActiveAndEnabled && Simulation.IsRunning ? Simulation.Solver.Foam : null;
+                if (foam == null)
+                    return default;
+                float largest = radius > 0f ? radius : AutomaticRadius * (float)foam.Scales.Depth * Simulation.ParticleSpacing;
+                return new FoamFrame
+                {
+                    particles = foam.Particles, counters = foam.Counters, arguments = foam.Arguments,
+                    look = new Vector4(largest, 0.5f * Simulation.ParticleSpacing, opacity, 0f), color = ShaderColor(color),
+                };
+            }
+        }
+
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
@@ -87,22 +106,25 @@ namespace Rill
         private protected override void Draw()
         {
             Simulation.NeedsFoam = settings;
-            Foam foam = Simulation.Solver.Foam;
-            if (foam == null)
+            FoamFrame foam = Frame;
+            if (foam.particles == null || IsDrawnBySurface)
                 return;
             properties ??= new MaterialPropertyBlock();
-            properties.SetBuffer(Ids.FoamParticles, foam.Particles);
+            properties.SetBuffer(Ids.FoamParticles, foam.particles);
             SetFrame(properties);
-            float largest = radius > 0f ? radius : AutomaticRadius * (float)foam.Scales.Depth * Simulation.ParticleSpacing;
-            properties.SetVector(Ids.FoamLook, new Vector4(largest, 0.5f * Simulation.ParticleSpacing, opacity, 0f));
-            properties.SetVector(Ids.FoamColor, ShaderColor(color));
+            properties.SetVector(Ids.FoamLook, foam.look);
+            properties.SetVector(Ids.FoamColor, foam.color);
             properties.SetVector(Ids.AmbientColor, ShaderColor(ambient));
             SetSun(properties, sun);
             int command = StereoInstancing.IsActive ? StereoInstancing.StereoCommand : StereoInstancing.MonoCommand;
-            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, foam.Arguments, 1, command);
+            Graphics.RenderPrimitivesIndirect(Parameters(properties), MeshTopology.Triangles, foam.arguments, 1, command);
         }
 
-        private protected override void DescribeDraws(StageDescription description) => description.Draw(ShaderFile, 1);
+        private protected override void DescribeDraws(StageDescription description)
+        {
+            if (!IsDrawnBySurface)
+                description.Draw(ShaderFile, 1);
+        }
 
         static class Ids
         {

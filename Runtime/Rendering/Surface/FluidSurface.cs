@@ -14,7 +14,7 @@ namespace Rill
     public sealed class FluidSurface : FluidRenderer
     {
         const float ShadowOffset = 3f;      // d
-        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION";
+        const string RefractionKeyword = "RILL_REFRACTION", ReflectionKeyword = "RILL_OWN_REFLECTION", FoamKeyword = "RILL_FOAM";
 
         [Tooltip("A look that goes by a name. Custom keeps the values below.")]
         [SerializeField] SurfacePreset preset = SurfacePreset.Water;
@@ -91,6 +91,9 @@ namespace Rill
         /// <summary>A material of your own; null for the package's.</summary>
         public Material Material { get => material; set => material = value; }
 
+        /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own knows nothing of foam.</summary>
+        internal bool DrawsFoam => isActiveAndEnabled && material == null;
+
         private protected override StageSet Stage => StageSet.Surface;
         private protected override string ShaderFile => "Surface";
 
@@ -166,10 +169,13 @@ namespace Rill
             if (!hasFrame)
                 return;
             frame = SurfaceFrame.Of(solver, Simulation.DomainToWorld, Simulation.FrameLag, smoothing, quality);
+            if (DrawsFoam && TryGetComponent(out FluidFoam foam))
+                frame.foam = foam.Frame;
             if (CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f)
                 shadow.Draw(Parameters(shadow.Properties), frame, shadowOpacity);
             SetKeyword(RefractionKeyword, refraction);
             SetKeyword(ReflectionKeyword, reflection != null);
+            SetKeyword(FoamKeyword, frame.foam.particles != null);
         }
 
         private protected override void DescribeDraws(StageDescription description)

@@ -25,6 +25,7 @@ namespace Rill
         readonly ComputeShader filter;
         Material raster;
         readonly SurfaceThickness thickness;
+        SurfaceFoam foam;       // made when first needed
         readonly int filterRows, filterRowsAgain, filterColumns, findNormals;
         readonly List<SurfaceView> views = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
@@ -80,7 +81,8 @@ namespace Rill
             float scale = ScaleOf(fluid, pixels / box.NearestDepth);
             int divisor = SurfaceThickness.DivisorFor(scale * fluid.spacing * pixels / box.MiddleDepth);
             view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor);
-            SetShading(view, camera);
+            view.PrepareFoam(fluid.foam.particles != null);
+            SetShading(view, camera, fluid.foam);
             return true;
         }
 
@@ -103,6 +105,8 @@ namespace Rill
                 view.Shown = state;
             }
             thickness.Record(cmd, raster, camera, fluid, view);      // the scene in it may have moved
+            if (view.Foam != null)
+                (foam ??= new SurfaceFoam()).Record(cmd, camera, fluid, view);
         }
 
         public void Dispose()
@@ -129,6 +133,8 @@ namespace Rill
                 stage.Kernel(FilterFile, "FindNormals", eyes);
                 stage.Draw("SurfaceRaster", eyes);
                 thickness.Describe(stage, eyes);
+                if (view.Foam != null)
+                    SurfaceFoam.Describe(stage, eyes);
                 view.Describe(stage);
             }
         }
@@ -206,7 +212,7 @@ namespace Rill
         }
 
         // What Surface.hlsl reads of this camera.
-        static void SetShading(SurfaceView view, in FluidViews camera)
+        static void SetShading(SurfaceView view, in FluidViews camera, in FoamFrame foam)
         {
             MaterialPropertyBlock block = view.Shading;
             view.Constants.SetOn(block);
@@ -216,6 +222,10 @@ namespace Rill
             block.SetTexture(Ids.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceNormals, view.Normals);
             block.SetTexture(Ids.SurfaceThickness, view.Thickness);
+            if (view.Foam == null)
+                return;
+            block.SetTexture(Ids.SurfaceFoam, view.Foam);
+            block.SetVector(Ids.FoamColor, foam.color);
         }
 
         // Where the filter would be wider than its kernel holds, the textures get smaller: a close-up costs no more than a wide view.
@@ -238,6 +248,8 @@ namespace Rill
             public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
             public static readonly int SurfaceNormals = Shader.PropertyToID("_SurfaceNormals");
             public static readonly int SurfaceThickness = Shader.PropertyToID("_SurfaceThickness");
+            public static readonly int SurfaceFoam = Shader.PropertyToID("_SurfaceFoam");
+            public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
             public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
             public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
             public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");

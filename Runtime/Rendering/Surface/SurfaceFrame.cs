@@ -36,6 +36,9 @@ namespace Rill
         /// <summary>The buffers of DrawnParticles.hlsl and the arguments of a draw of all particles.</summary>
         public GraphicsBuffer positions, startPositions, velocities, counters, particleArguments;
 
+        /// <summary>None where its buffers are null.</summary>
+        public FoamFrame foam;
+
         /// <summary>The fluid's box alone, before there is a surface.</summary>
         public static SurfaceFrame BoxOf(FluidSimulation fluid) => new SurfaceFrame
         {

@@ -31,6 +31,12 @@ namespace Rill
         /// <summary>uint, of each texel of <see cref="Thickness"/>, slice after slice; see SurfaceThickness.compute.</summary>
         public GraphicsBuffer Amounts;
 
+        /// <summary>See FoamLayer.hlsl; half the size. Null where there is no foam.</summary>
+        public RenderTexture Foam;
+
+        /// <summary>uint4, of each texel of <see cref="Foam"/>, slice after slice; see SurfaceFoam.compute.</summary>
+        public GraphicsBuffer FoamAmounts;
+
         public SurfaceView(Camera camera) => Camera = camera;
 
         public Camera Camera { get; }
@@ -79,8 +85,22 @@ namespace Rill
             Amounts = GpuBuffer.Structured<uint>("Rill.Surface.Amounts", (long)width * height * eyes);
         }
 
+        /// <summary>The same for foam, after <see cref="Prepare"/>; gives back what is not needed.</summary>
+        public void PrepareFoam(bool isNeeded)
+        {
+            int width = (Width + 1) / 2, height = (Height + 1) / 2, eyes = Smoothed.volumeDepth;
+            if (isNeeded && Holds(Foam, width, height, eyes))
+                return;
+            ReleaseFoam();
+            if (!isNeeded)
+                return;
+            Foam = Make("Rill.Surface.Foam", width, height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
+            FoamAmounts = GpuBuffer.Structured<Unity.Mathematics.uint4>("Rill.Surface.FoamAmounts", (long)width * height * eyes);
+        }
+
         public void Dispose()
         {
+            ReleaseFoam();
             ReleaseSurface();
             ReleaseThickness();
         }
@@ -101,16 +121,24 @@ namespace Rill
             GpuBuffer.Release(ref Amounts);
         }
 
+        void ReleaseFoam()
+        {
+            EngineObject.Release(ref Foam);
+            GpuBuffer.Release(ref FoamAmounts);
+        }
+
         static bool Holds(RenderTexture texture, int width, int height, int eyes) =>
             texture != null && texture.width == width && texture.height == height && texture.volumeDepth == eyes;
 
         public void Describe(StageDescription stage)
         {
-            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, SceneDistance, Thickness })
+            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, SceneDistance, Thickness, Foam })
                 if (texture != null)
                     stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
             if (Amounts != null)
                 stage.Buffer("Rill.Surface.Amounts", Amounts);
+            if (FoamAmounts != null)
+                stage.Buffer("Rill.Surface.FoamAmounts", FoamAmounts);
         }
 
         static int BytesOf(RenderTexture texture) => texture.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat ? 8 : 4;

@@ -44,6 +44,7 @@ namespace Rill
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
+                case "SurfaceFoam": return DeviceFeature.Foam | DeviceFeature.Surface;
                 case "SurfaceFilter":
                 case "SurfaceThickness":
                 case "SurfaceParticles": return DeviceFeature.Surface;

@@ -7,7 +7,7 @@ namespace Rill.Tests.Reference
     static class FoamSpawn
     {
         /// <summary>Of the fluid's speed, by which foam leaves it to all sides, for each d away from its particle.</summary>
-        const double Spread = 0.15;
+        const double Spread = 0.075;
 
         public static uint Hash(uint seed, uint id, uint step) => Mix(seed ^ Mix(id ^ Mix(step + 0x9E3779B9u)));
 
@@ -24,7 +24,7 @@ namespace Rill.Tests.Reference
             uint state = hash + (uint)(number + 1) * 0x85EBCA77u;
             double z = Next() * 2.0 - 1.0, angle = Next() * 2.0 * Math.PI;
             double ring = Math.Sqrt(Math.Max(1.0 - z * z, 0.0));
-            double reach = 0.5 * Math.Pow(Math.Max(Next(), 1e-6), 1.0 / 3.0), back = Next();
+            double reach = Math.Pow(Math.Max(Next(), 1e-6), 1.0 / 3.0), back = Next();
             var direction = new double3(ring * Math.Cos(angle), ring * Math.Sin(angle), z);
             velocity = flow + direction * (Spread * reach * math.length(flow));
             return math.clamp(center + direction * reach - flow * (step * back), 0.0, box);

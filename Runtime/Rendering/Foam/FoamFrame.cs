@@ -1,0 +1,23 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What of a fluid's foam is drawn in a frame, for all cameras.</summary>
+    struct FoamFrame
+    {
+        /// <summary>FoamParticle, see Foam.hlsl; null where there is no foam.</summary>
+        public GraphicsBuffer particles;
+
+        /// <summary>By <see cref="FoamCounter"/>.</summary>
+        public GraphicsBuffer counters;
+
+        /// <summary>Of a draw of the particles and a dispatch over them, see <see cref="GpuBuffer.Arguments"/>.</summary>
+        public GraphicsBuffer arguments;
+
+        /// <summary>x radius of the largest, m; y how much nearer to the eye a draw without surface puts them, m; z opacity.</summary>
+        public Vector4 look;
+
+        /// <summary>As shaders need it.</summary>
+        public Vector4 color;
+    }
+}

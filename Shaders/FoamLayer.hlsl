@@ -1,0 +1,36 @@
+// Foam as the water's surface shows it, from what SurfaceFoam.compute added up. Include after SurfaceView.hlsl and Environment.hlsl.
+//
+//   _SurfaceFoam   in   Texture2DArray, a slice for each eye: optical depth of what is in front of the water and on it, its sum with the
+//                       distance along the view, m; optical depth under water, its sum with the water in front of it, m
+#ifndef RILL_FOAM_LAYER_INCLUDED
+#define RILL_FOAM_LAYER_INCLUDED
+
+Texture2DArray<float4> _SurfaceFoam;
+float4 _FoamColor;          // linear
+
+struct FoamLayer
+{
+    float front;            // how much what is in front of the water and on it covers, 0 to 1
+    float z;                // its distance along the view, m
+    float under;            // how much what is under water covers
+    float below;            // water in front of that, m
+};
+
+FoamLayer FoamLayerAt(float2 picture, uint eye, SamplerState linearClamp)
+{
+    float4 foam = _SurfaceFoam.SampleLevel(linearClamp, float3(picture * 0.5 + 0.5, eye), 0);
+    FoamLayer layer;
+    layer.front = 1.0 - exp(-foam.x);
+    layer.z = foam.y / max(foam.x, 1e-6);
+    layer.under = 1.0 - exp(-foam.z);
+    layer.below = foam.w / max(foam.z, 1e-6);
+    return layer;
+}
+
+// Foam scatters light to all sides: whichever way the surface under it faces, some arrives.
+float3 LitFoam(float3 around, float3 lightColor, float cosine)
+{
+    return _FoamColor.rgb * (around + lightColor * (0.35 + 0.45 * saturate(cosine)));
+}
+
+#endif
