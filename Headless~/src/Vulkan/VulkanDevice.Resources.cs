@@ -103,7 +103,7 @@ namespace Host.Vulkan
             if (d.RandomWrite) usage |= VkImageUsageFlags.STORAGE;
             if (d.Target) usage |= format.IsDepth ? VkImageUsageFlags.DEPTH_STENCIL_ATTACHMENT : VkImageUsageFlags.COLOR_ATTACHMENT;
             VkImageCreateFlags flags = 0;
-            if (d.Dimension == DeviceTextureDimension.Cube) flags |= VkImageCreateFlags.CUBE_COMPATIBLE;
+            if (d.Dimension == DeviceTextureDimension.Cube || d.Dimension == DeviceTextureDimension.CubeArray) flags |= VkImageCreateFlags.CUBE_COMPATIBLE;
             if (is3D && d.Target) flags |= VkImageCreateFlags._2D_ARRAY_COMPATIBLE;
             var info = new VkImageCreateInfo
             {
@@ -168,12 +168,13 @@ namespace Host.Vulkan
         VkImageView ViewFor(VulkanTexture t, DeviceTextureDimension wanted, int mip, int mips, bool storage, string program, string resource)
         {
             var have = t.Description.Dimension;
-            if (wanted == DeviceTextureDimension.Tex3D == t.Is3D && (wanted != DeviceTextureDimension.Cube || have == DeviceTextureDimension.Cube))
+            if (wanted == DeviceTextureDimension.Tex3D == t.Is3D && (wanted != DeviceTextureDimension.Cube && wanted != DeviceTextureDimension.CubeArray || have == wanted))
                 return wanted switch
                 {
                     DeviceTextureDimension.Tex2D => t.View(VkImageViewType._2D, mip, mips, 0, 1),
                     DeviceTextureDimension.Tex3D => t.View(VkImageViewType._3D, mip, mips, 0, 1),
                     DeviceTextureDimension.Cube when !storage => t.View(VkImageViewType.CUBE, mip, mips, 0, 6),
+                    DeviceTextureDimension.CubeArray when !storage => t.View(VkImageViewType.CUBE_ARRAY, mip, mips, 0, t.Layers),
                     _ => t.View(VkImageViewType._2D_ARRAY, mip, mips, 0, t.Layers),
                 };
             throw new ArgumentException($"{program}: '{resource}' is declared as {wanted} and the texture bound to it, '{t.Name}', is {have}.");

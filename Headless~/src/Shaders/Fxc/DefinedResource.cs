@@ -71,8 +71,11 @@ namespace Host.Shaders
                 case ShaderViewDimension.Cube:
                     resource.Dimension = DeviceTextureDimension.Cube;
                     return resource;
+                case ShaderViewDimension.CubeArray:
+                    resource.Dimension = DeviceTextureDimension.CubeArray;
+                    return resource;
                 default:
-                    throw new ProgramException($"'{bound.Name}' is a 1D, multisampled or cube-array texture, which this host does not bind.");
+                    throw new ProgramException($"'{bound.Name}' is a 1D or multisampled texture, which this host does not bind.");
             }
         }
 

@@ -281,14 +281,14 @@ namespace Host.Shaders
             const uint dim1D = 0, dim3D = 2, dimCube = 3, dimBuffer = 5;
             uint dim = image[2];
             bool arrayed = image[4] != 0, multisampled = image[5] != 0, storage = image[6] == 2;
-            if (dim == dim1D || multisampled || dim == dimCube && arrayed)
-                throw new ProgramException($"'{name}' is a 1D, multisampled or cube-array texture, which this host does not bind.");
+            if (dim == dim1D || multisampled)
+                throw new ProgramException($"'{name}' is a 1D or multisampled texture, which this host does not bind.");
             return new ShaderResource
             {
                 Name = name,
                 Kind = dim == dimBuffer ? (storage ? ShaderResourceKind.RWTypedBuffer : ShaderResourceKind.TypedBuffer)
                                         : storage ? ShaderResourceKind.RWTexture : ShaderResourceKind.Texture,
-                Dimension = dim == dim3D ? DeviceTextureDimension.Tex3D : dim == dimCube ? DeviceTextureDimension.Cube
+                Dimension = dim == dim3D ? DeviceTextureDimension.Tex3D : dim == dimCube ? arrayed ? DeviceTextureDimension.CubeArray : DeviceTextureDimension.Cube
                           : arrayed ? DeviceTextureDimension.Tex2DArray : DeviceTextureDimension.Tex2D,
                 ElementFormat = FormatOf(image[7]),
             };

@@ -70,11 +70,12 @@ namespace UnityEngine
         DeviceTexture CreateDevice(string label, GraphicsFormat format, bool randomWrite)
         {
             bool volume = dimension == TextureDimension.Tex3D;
-            bool array = dimension == TextureDimension.Tex2DArray;
+            bool array = dimension == TextureDimension.Tex2DArray || dimension == TextureDimension.CubeArray;      // of cubes: six slices each
             DeviceTexture texture = Gpu.Device.CreateTexture(new DeviceTextureDescription
             {
                 Name = label, Format = Formats.Device(format),
-                Dimension = volume ? DeviceTextureDimension.Tex3D : array ? DeviceTextureDimension.Tex2DArray : dimension == TextureDimension.Cube ? DeviceTextureDimension.Cube : DeviceTextureDimension.Tex2D,
+                Dimension = volume ? DeviceTextureDimension.Tex3D : dimension == TextureDimension.Tex2DArray ? DeviceTextureDimension.Tex2DArray : dimension == TextureDimension.Cube ? DeviceTextureDimension.Cube
+                    : array ? DeviceTextureDimension.CubeArray : DeviceTextureDimension.Tex2D,
                 Width = width, Height = height, Depth = volume ? volumeDepth : 1, Slices = array ? volumeDepth : dimension == TextureDimension.Cube ? 6 : 1,
                 Mips = MipCount, Samples = 1, RandomWrite = randomWrite, Target = !volume,
             });

@@ -112,7 +112,7 @@ namespace UnityEngine.Headless
         public abstract void Dispose();
     }
 
-    internal enum DeviceTextureDimension { Tex2D, Tex2DArray, Tex3D, Cube }
+    internal enum DeviceTextureDimension { Tex2D, Tex2DArray, Tex3D, Cube, CubeArray }
 
     internal enum DeviceFormat
     {
