@@ -1,7 +1,7 @@
 // What the scene's surroundings look like in a direction: the reflection probe or sky that the pipeline gives, or a cube map of
 // the user's own where RILL_OWN_REFLECTION is on. Includes nothing of Unity's; see View.hlsl.
 //
-//   _ReflectionCube      of the user's own; linear
+//   _ReflectionCube      of the user's own; linear. In HDRP, whose light has units: nits
 //   _ReflectionStrength  factor
 #ifndef RILL_ENVIRONMENT_INCLUDED
 #define RILL_ENVIRONMENT_INCLUDED
@@ -24,8 +24,16 @@ TextureCube unity_SpecCube0;
 SamplerState samplerunity_SpecCube0;
 float4 unity_SpecCube0_HDR;
 #else
-float4 _SkyColor;           // HDRP's sky is not read: a colour above and one below
-float4 _GroundColor;
+TextureCubeArray _SkyTexture;   // HDRP's sky, nits; the first is as a shiny surface reflects it
+SamplerState rill_trilinear_clamp_sampler;
+#endif
+
+// HDRP's color buffer holds light times the camera's exposure, and so does the copy of the scene: what is added must be exposed too.
+#if defined(RILL_HIGH_DEFINITION)
+Texture2D _ExposureTexture;
+#define RILL_EXPOSURE _ExposureTexture.Load(int3(0, 0, 0)).r
+#else
+#define RILL_EXPOSURE 1.0
 #endif
 
 // x times the alpha channel to the power of y, as far as w says that alpha holds a factor.
@@ -40,13 +48,13 @@ float3 Environment(float3 direction, float roughness)
 {
     float level = roughness * (1.7 - 0.7 * roughness) * kReflectionLevels;
 #if defined(RILL_OWN_REFLECTION)
-    return _ReflectionStrength * _ReflectionCube.SampleLevel(sampler_ReflectionCube, direction, level).rgb;
+    return _ReflectionStrength * RILL_EXPOSURE * _ReflectionCube.SampleLevel(sampler_ReflectionCube, direction, level).rgb;
 #elif defined(RILL_UNIVERSAL)
     return _ReflectionStrength * DecodeProbe(_GlossyEnvironmentCubeMap.SampleLevel(sampler_GlossyEnvironmentCubeMap, direction, level), _GlossyEnvironmentCubeMap_HDR);
 #elif defined(RILL_BUILT_IN)
     return _ReflectionStrength * DecodeProbe(unity_SpecCube0.SampleLevel(samplerunity_SpecCube0, direction, level), unity_SpecCube0_HDR);
 #else
-    return _ReflectionStrength * lerp(_GroundColor.rgb, _SkyColor.rgb, saturate(direction.y * 4.0 + 0.5));
+    return _ReflectionStrength * RILL_EXPOSURE * _SkyTexture.SampleLevel(rill_trilinear_clamp_sampler, float4(direction, 0.0), level).rgb;
 #endif
 }
 

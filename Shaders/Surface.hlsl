@@ -23,7 +23,7 @@ SamplerState rill_linear_clamp_sampler;
 #if defined(RILL_HIGH_DEFINITION)
 Texture2DArray _ColorPyramidTexture;
 Texture2DArray _CameraDepthTexture;
-#define RILL_SCENE_COLOR(uv) _ColorPyramidTexture.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)
+#define RILL_SCENE_COLOR(uv) _ColorPyramidTexture.SampleLevel(rill_linear_clamp_sampler, float3(InColorPyramid(uv), eyeIndex), 0)
 #define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r
 #elif defined(RILL_STEREO)
 #ifdef RILL_UNIVERSAL
@@ -43,6 +43,16 @@ Texture2D _CameraDepthTexture;
 #define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int3(texel, 0)).r
 #endif
 float4 _SceneSize;          // of the scene's depth: width and height of what is in use, texels
+
+#if defined(RILL_HIGH_DEFINITION)
+// HDRP's textures are as large as the largest camera needs; this one uses their first texels.
+float2 InColorPyramid(float2 uv)
+{
+    uint width, height, slices;
+    _ColorPyramidTexture.GetDimensions(width, height, slices);
+    return min(uv * _SceneSize.xy, _SceneSize.xy - 0.5) / float2(width, height);
+}
+#endif
 #endif
 
 float4 _Absorption;         // rgb 1/m
@@ -159,6 +169,15 @@ float Fresnel(float cosine, float roughness)
     return reflectance + (max(1.0 - roughness, reflectance) - reflectance) * pow(saturate(1.0 - cosine), 5.0);
 }
 
+MainLight LightOfSurface()
+{
+    MainLight light = GetMainLight();
+#if defined(RILL_HIGH_DEFINITION)
+    light.color *= RILL_EXPOSURE / 3.14159265;      // from lux to the radiance of a white surface
+#endif
+    return light;
+}
+
 // GGX (Walter et al. 2007) with the visibility of Hammon 2017, for a light of unit radiance times pi.
 float Highlight(float3 normal, float3 toEye, float3 toLight, float roughness)
 {
@@ -186,7 +205,7 @@ float4 Spray(FoamLayer foam, float2 picture, out float depth)
     float3 world = ray.origin + ray.direction * foam.z;
     float4 clip = WorldToClip(world);
     depth = DeviceDepth(clip);
-    MainLight light = GetMainLight();
+    MainLight light = LightOfSurface();
     float3 lit = LitFoam(Environment(float3(0.0, 1.0, 0.0), 1.0), light.color * MainLightShadow(light, world, clip), light.direction.y);
     return float4(ApplyFog(lit * foam.front, foam.front, foam.z), foam.front);
 }
@@ -215,7 +234,7 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     thickness = min(thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
 #endif
 
-    MainLight light = GetMainLight();
+    MainLight light = LightOfSurface();
     float3 lightColor = light.color * MainLightShadow(light, p.world + light.direction * _SurfaceOptics.w, clip);
     float3 around = Environment(p.normal, 1.0);
     float reflectance = Fresnel(facing, p.roughness);

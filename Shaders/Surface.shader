@@ -16,6 +16,9 @@ Shader "Rill/Surface"
             ZWrite On
             ZTest LEqual
             Blend One OneMinusSrcAlpha
+            ColorMask RGBA 0
+            ColorMask 0 1      // motion vectors, where the project has transparent draws write them
+            ColorMask 0 2
 
             HLSLPROGRAM
             #pragma target 5.0
@@ -43,6 +46,9 @@ Shader "Rill/Surface"
             ZWrite On
             ZTest LEqual
             Blend One OneMinusSrcAlpha
+            ColorMask RGBA 0
+            ColorMask 0 1      // motion vectors, where the project has transparent draws write them
+            ColorMask 0 2
 
             HLSLPROGRAM
             #pragma target 5.0
