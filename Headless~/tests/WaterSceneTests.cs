@@ -132,7 +132,7 @@ namespace Host.Tests
                 List<Vector3> particles = Particles(fluid);
                 FluidStatistics s = IsWhole(fluid, 0.02f);
                 Assert.That(s.particles + s.recycling, Is.EqualTo(s.added), "what is pumped round stays");
-                // 76 l/s for 1.2 s, less what is on its way at first.
+                // 76 l/s for 1.2 s, less what the pumps hold at first.
                 double pumped = 1.2 * 0.076 / 1.25e-4;
                 TestContext.WriteLine($"{s.emitted} particles pumped of {pumped:0}, {particles.Count(p => p.y > 0.5f)} above the rim");
                 Assert.That(s.emitted, Is.InRange(0.7 * pumped, pumped + 5));

@@ -23,7 +23,7 @@ namespace Rill
         public bool IsSeen => Bounds.x < Bounds.z && Bounds.y < Bounds.w;
 
         /// <param name="constants">Of the camera.</param>
-        /// <param name="sweep">World, m: the box is taken on all its way along this vector.</param>
+        /// <param name="sweep">World, m: the box is taken anywhere along this vector.</param>
         public static BoxOnPicture Of(in FluidViews camera, in SurfaceFrame fluid, SurfaceConstants constants, Vector3 sweep = default)
         {
             var bounds = new Vector4(1f, 1f, -1f, -1f);

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Whether anything of a fluid's surface can be seen in a frame, before the frame's steps: its box, or the way that its shadow takes.</summary>
+    /// <summary>Whether anything of a fluid's surface can be seen in a frame, before the frame's steps: its box, or the path of its shadow.</summary>
     sealed class SurfaceWatch
     {
         static Camera[] cameras = Array.Empty<Camera>();
