@@ -89,6 +89,22 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator Bubbles_behind_what_stands_in_the_water_are_not_seen()
+        {
+            GameObject plate = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            plate.transform.position = new Vector3(0f, Depth - 0.15f - Half, 0f);
+            plate.transform.rotation = Quaternion.LookRotation(Vector3.down);
+            yield return Begin();
+            float3 before = At(0f, 0f);
+            Plant(FoamKinds.Bubbles, new float3(0f, Depth - 0.35f - Half, 0f), 20);
+            yield return Frames(2);
+            float3 seen = At(0f, 0f);
+            Object.DestroyImmediate(plate);
+            Assert.That(math.cmax(before), Is.GreaterThan(0.03f), "the plate is seen through the water");
+            Assert.That(math.cmax(math.abs(seen - before)), Is.LessThan(0.01f));
+        }
+
+        [UnityTest]
         public IEnumerator Foam_on_the_water_covers_it()
         {
             yield return Begin();
