@@ -144,7 +144,9 @@ bool IsBehind(float2 picture, float z)
 float3 Refracted(SurfacePoint p, float2 picture, float thickness)
 {
     float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
-    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * thickness, 1.0));
+    // As deep below the surface as the straight ray gets, which is where a floor is.
+    float reach = thickness * dot(p.ray, p.normal) / min(dot(bent, p.normal), -0.05);
+    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * reach, 1.0));
     float2 shift = clip.w > 0.0 ? clip.xy / max(clip.w, 1e-6) - picture : 0.0;
     if (!IsBehind(picture + shift, p.z))
     {

