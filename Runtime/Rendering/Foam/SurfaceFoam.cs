@@ -29,9 +29,7 @@ namespace Rill
             view.Constants.SetOn(cmd, shader);
             cmd.SetComputeVectorParam(shader, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
             cmd.SetComputeVectorParam(shader, Ids.FoamSize, SurfaceIds.SizeOf(view.Foam));
-            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, fluid.domainToWorld);
-            cmd.SetComputeVectorParam(shader, Ids.FrameLag, fluid.lag);
-            cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, fluid.domainSize);
+            fluid.SetOn(cmd, shader);
             cmd.SetComputeVectorParam(shader, Ids.FoamLook, fluid.foam.look);
             for (int eye = 0; eye < camera.eyes; eye++)
             {
@@ -74,9 +72,6 @@ namespace Rill
             public static readonly int FoamAmounts = Shader.PropertyToID("_FoamAmounts");
             public static readonly int Foam = Shader.PropertyToID("_Foam");
             public static readonly int SceneDistance = Shader.PropertyToID("_SceneDistance");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
         }
     }
 }

@@ -205,10 +205,7 @@ namespace Rill
         static void Set(MaterialPropertyBlock block, in SurfaceFrame fluid, SurfaceConstants constants)
         {
             constants.SetOn(block);
-            block.SetMatrix(Ids.DomainToWorld, fluid.domainToWorld);
-            block.SetVector(Ids.FrameLag, fluid.lag);
-            block.SetVector(Ids.DrawnDomainSize, fluid.domainSize);
-            block.SetBuffer(Ids.SurfaceParticles, fluid.surfaceParticles);
+            fluid.SetOn(block);
         }
 
         // What Surface.hlsl reads of this camera.
@@ -251,10 +248,6 @@ namespace Rill
             public static readonly int SurfaceFoam = Shader.PropertyToID("_SurfaceFoam");
             public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
             public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
-            public static readonly int SurfaceParticles = Shader.PropertyToID("_SurfaceParticles");
         }
     }
 }

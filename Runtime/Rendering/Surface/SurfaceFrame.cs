@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -39,6 +40,23 @@ namespace Rill
         /// <summary>None where its buffers are null.</summary>
         public FoamFrame foam;
 
+        /// <summary>Sets what DrawnSurface.hlsl reads.</summary>
+        public readonly void SetOn(MaterialPropertyBlock block)
+        {
+            block.SetMatrix(Ids.DomainToWorld, domainToWorld);
+            block.SetVector(Ids.FrameLag, lag);
+            block.SetVector(Ids.DrawnDomainSize, domainSize);
+            block.SetBuffer(Ids.SurfaceParticles, surfaceParticles);
+        }
+
+        /// <summary>Sets the domain's pose, its size and the time of the frame.</summary>
+        public readonly void SetOn(CommandBuffer cmd, ComputeShader shader)
+        {
+            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
+            cmd.SetComputeVectorParam(shader, Ids.FrameLag, lag);
+            cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, domainSize);
+        }
+
         /// <summary>The fluid's box alone, before there is a surface.</summary>
         public static SurfaceFrame BoxOf(FluidSimulation fluid) => new SurfaceFrame
         {
@@ -58,6 +76,14 @@ namespace Rill
                 positions = solver.Positions, startPositions = solver.StartPositions, velocities = solver.Velocities, counters = solver.Counters,
                 particleArguments = solver.DrawArguments,
             };
+        }
+
+        static class Ids
+        {
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
+            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
+            public static readonly int SurfaceParticles = Shader.PropertyToID("_SurfaceParticles");
         }
     }
 }

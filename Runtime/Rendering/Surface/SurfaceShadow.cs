@@ -15,10 +15,7 @@ namespace Rill
         /// <param name="opacity">How much of the light is gone, 0 to 1.</param>
         public void Draw(RenderParams parameters, in SurfaceFrame fluid, float opacity)
         {
-            Properties.SetMatrix(Ids.DomainToWorld, fluid.domainToWorld);
-            Properties.SetVector(Ids.FrameLag, fluid.lag);
-            Properties.SetVector(Ids.DrawnDomainSize, fluid.domainSize);
-            Properties.SetBuffer(Ids.SurfaceParticles, fluid.surfaceParticles);
+            fluid.SetOn(Properties);
             Properties.SetFloat(Ids.ShadowOpacity, opacity);
             parameters.material = material;
             // The depth of the scene must not hold it.
@@ -31,10 +28,6 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
-            public static readonly int SurfaceParticles = Shader.PropertyToID("_SurfaceParticles");
             public static readonly int ShadowOpacity = Shader.PropertyToID("_ShadowOpacity");
         }
     }

@@ -105,9 +105,7 @@ namespace Rill
             cmd.SetComputeVectorParam(shader, SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
             cmd.SetComputeVectorParam(shader, Ids.ThicknessSize, SurfaceIds.SizeOf(view.Thickness));
             cmd.SetComputeFloatParam(shader, Ids.ParticleSpacing, fluid.spacing);
-            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, fluid.domainToWorld);
-            cmd.SetComputeVectorParam(shader, Ids.FrameLag, fluid.lag);
-            cmd.SetComputeVectorParam(shader, Ids.DrawnDomainSize, fluid.domainSize);
+            fluid.SetOn(cmd, shader);
         }
 
         static class Ids
@@ -118,9 +116,6 @@ namespace Rill
             public static readonly int ThicknessSize = Shader.PropertyToID("_ThicknessSize");
             public static readonly int BlurRadius = Shader.PropertyToID("_BlurRadius");
             public static readonly int ParticleSpacing = Shader.PropertyToID("_ParticleSpacing");
-            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
-            public static readonly int FrameLag = Shader.PropertyToID("_FrameLag");
-            public static readonly int DrawnDomainSize = Shader.PropertyToID("_DrawnDomainSize");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
