@@ -128,6 +128,26 @@ namespace Rill.Tests
             }
         }
 
+        [TestCase(1.2f)]
+        [TestCase(1.35f)]
+        public void A_sheet_that_comes_apart_keeps_its_volume(float stretch)
+        {
+            using (var fluid = new TestFluid(new float3(40f, 20f, 40f) * Spacing, Spacing, 1500))
+            {
+                fluid.Input.gravity = 0f;
+                ParticleState sheet = ParticleState.Lattice(0f, 0f, new int3(24, 1, 24), 0.1f);
+                fluid.Add(sheet.positions.Select(p => (new float3(4f, 10f, 4f) + p.xyz * new float3(stretch, 1f, stretch)) * Spacing).ToArray()).Step();
+                SurfaceShape[] shapes = Shapes(fluid);
+                var above = new SurfaceRays(shapes, 1, -1, 7.0, 28.0);
+                var below = new SurfaceRays(shapes, 1, 1, 7.0, 28.0);
+                double[] thickness = above.Hits.Zip(below.Hits, (a, b) => a - b).Select(t => double.IsNaN(t) ? 0.0 : t).ToArray();
+                double coverage = thickness.Count(t => t > 0.0) / (double)thickness.Length, volume = thickness.Average() * stretch * stretch;
+                TestContext.Out.WriteLine($"particles {stretch} d apart: coverage {100.0 * coverage:0.00} %, {volume:0.000} d^3 a particle");
+                Assert.That(coverage, Is.GreaterThanOrEqualTo(0.995));
+                Assert.That(volume, Is.EqualTo(1.0).Within(10).Percent);
+            }
+        }
+
         [Test]
         public void Of_a_large_box_of_water_a_quarter_at_most_is_drawn()
         {

@@ -184,6 +184,8 @@ namespace Rill.Tests.Reference
             double3 offset = sum / weight;
             double lonely = Math.Max(1.0 - (weight - 1.0) / 6.5, 0.0), scale = 1.0 + 0.24 * lonely * lonely;
             Tensor squares = 3.0 * scale * scale * ((1.0 / weight) * moments - Tensor.Outer(offset, offset) + 1.0 / 12.0 * Tensor.Identity);
+            double volume = 4.0 / 3.0 * Math.PI * Math.Sqrt(Determinant(squares)), there = weight * math.lerp(0.7, 1.0, lonely * lonely * lonely);
+            double fraction = Math.Min(Math.Max(there / volume, 0.2), 1.0);
             double3 center = points[i] + offset;
 
             Plane plane = Mean(i, Cubic, out double curvature, out double planeWeight);
@@ -192,7 +194,7 @@ namespace Rill.Tests.Reference
             Tensor flat = Disc * Disc * Tensor.Identity + (height * height - Disc * Disc) * Tensor.Outer(plane.normal, plane.normal);
             squares = (1.0 - disc) * squares + disc * flat;
             center = math.lerp(center, points[i] + plane.normal * (plane.depth - height), disc);
-            return Inside(center, WithinLimits(squares));
+            return Inside(center, WithinLimits(squares, Math.Pow(fraction, 1.0 - disc)));
         }
 
         Ellipsoid DiscOnWall(int i, int axis, int side)
@@ -210,8 +212,10 @@ namespace Rill.Tests.Reference
             return Inside(center, size * size * Tensor.Identity + (DiscHeight * DiscHeight - size * size) * Tensor.Outer(wallNormal, wallNormal));
         }
 
-        // With its eigenvalues between the squares of the shortest and the longest semi-axis.
-        static Tensor WithinLimits(Tensor a)
+        static double Determinant(Tensor a) => math.dot(a.x, math.cross(a.y, a.z));
+
+        // With its eigenvalues between the squares of the shortest and the longest semi-axis, and a fraction of its volume.
+        static Tensor WithinLimits(Tensor a, double fraction)
         {
             Tensor turn = Tensor.Identity;      // its rows become the eigenvectors
             for (int sweep = 0; sweep < 12; sweep++)
@@ -225,7 +229,8 @@ namespace Rill.Tests.Reference
                     a = rotation * a * rotation.Transposed;
                     turn = rotation * turn;
                 }
-            double3 values = math.clamp(new double3(a.x.x, a.y.y, a.z.z), MinSemiAxis * MinSemiAxis, Disc * Disc);
+            double3 values = math.clamp(new double3(a.x.x, a.y.y, a.z.z), MinSemiAxis * MinSemiAxis, Disc * Disc), ends = 2.5 - values;
+            values = math.max(values * math.pow(fraction, 2.0 * ends / math.csum(ends)), MinSemiAxis * MinSemiAxis);
             return values.x * Tensor.Outer(turn.x, turn.x) + values.y * Tensor.Outer(turn.y, turn.y) + values.z * Tensor.Outer(turn.z, turn.z);
         }
 

@@ -42,13 +42,13 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_breaking_dam_is_drawn_where_its_particles_are() => Measure(1, 192, 108);
+        public void A_breaking_dam_is_drawn_where_its_particles_are() => Assert.That(Error(1, 192, 108), Is.LessThanOrEqualTo(0.38));
 
         [Test, Explicit("100,000 particles: a minute on a CPU")]
-        public void A_breaking_dam_of_a_hundred_thousand_is_drawn_where_its_particles_are() => Measure(2, 384, 216);
+        public void A_breaking_dam_of_a_hundred_thousand_is_drawn_where_its_particles_are() => Assert.That(Error(2, 384, 216), Is.LessThanOrEqualTo(0.35));
 
-        // The same 1.5 m of dam, of 12,480 particles and of 99,840.
-        static void Measure(int scale, int width, int height)
+        // Rms, d. The same 1.5 m of dam, of 12,480 particles and of 99,840.
+        static double Error(int scale, int width, int height)
         {
             float spacing = 0.025f / scale;
             float3 box = new float3(60f, 36f, 24f) * scale;
@@ -72,7 +72,7 @@ namespace Rill.Tests
                 }
                 double rms = Math.Sqrt(squares / compared);
                 TestContext.Out.WriteLine($"all: depth RMSE {rms:0.000} d over {compared:N0} pixels");
-                Assert.That(rms, Is.LessThanOrEqualTo(0.45), "0.35 is aimed at");
+                return rms;
             }
         }
 

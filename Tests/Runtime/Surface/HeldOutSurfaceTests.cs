@@ -17,10 +17,40 @@ namespace Rill.Tests
         [TestCase(30f, 8f, 0.5f, 200, 0f)]
         [TestCase(30f, 8f, 0.01f, 400, 0f)]
         [TestCase(30f, 8f, 0.5f, 200, 8f)]
+        public void A_pool_that_comes_to_rest_flat_is_drawn_flat(float side, float depth, float viscosity, int steps, float tilt)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.Off;
+            settings.iterations = 8;
+            Flatness drawn = Pool(settings, side, depth, viscosity, steps, tilt);
+            Assert.That(Math.Abs(drawn.mean), Is.LessThanOrEqualTo(0.1));
+            Assert.That(drawn.degrees, Is.LessThanOrEqualTo(2.0));
+        }
+
+        // With the coarse grid pools come to rest in long low heaps: the isosurface of the raw particles has them too.
+        [TestCase(24f, 6f, 0.5f, 150, 0f)]
+        [TestCase(30f, 8f, 0.5f, 200, 0f)]
+        [TestCase(30f, 8f, 0.01f, 400, 0f)]
+        [TestCase(30f, 8f, 0.5f, 200, 8f)]
         public void A_pool_is_a_plane_as_high_as_its_volume(float side, float depth, float viscosity, int steps, float tilt)
         {
+            Flatness drawn = Pool(SolverSettings.Default, side, depth, viscosity, steps, tilt);
+            Assert.That(Math.Abs(drawn.mean), Is.LessThanOrEqualTo(0.1));
+            Assert.That(drawn.rms, Is.LessThanOrEqualTo(0.35), "what is reached");
+            Assert.That(drawn.degrees, Is.LessThanOrEqualTo(7.0), "2 is aimed at");
+        }
+
+        struct Flatness
+        {
+            public double mean;         // d, of all of the pool, since its volume is known of that alone
+            public double rms, degrees; // without a rim at the walls
+        }
+
+        static Flatness Pool(SolverSettings settings, float side, float depth, float viscosity, int steps, float tilt)
+        {
+            const float rim = 4f;
             using (var picture = new SurfacePicture())
-            using (var fluid = new TestFluid(new float3(side, 24f, side) * Spacing, Spacing, (int)(side * side * depth)))
+            using (var fluid = new TestFluid(new float3(side, 24f, side) * Spacing, Spacing, (int)(side * side * depth), settings))
             {
                 float radians = math.radians(tilt);
                 var up = new float3(-math.sin(radians), math.cos(radians), 0f);
@@ -29,37 +59,47 @@ namespace Rill.Tests
                 fluid.AddBlock(0f, new float3(side, depth, side) * Spacing, jitter: 0.3f).Step(steps);
                 float3 middle = new float3(0.5f * side, depth, 0.5f * side) * Spacing;
                 var water = new Isosurface(Compare.Points(fluid.Read().positions), fluid.Solver.Layout.DomainSize);
+                var flatness = new Flatness();
                 foreach (float smoothing in new[] { 0f, 1f })
                 {
-                    picture.Look((Vector3)middle + 3f * Vector3.up, middle, -(side - 8f) * Spacing, 200, 200).Draw(fluid, smoothing);
-                    Assert.That(picture.Depth, Has.None.EqualTo(0f), "no hole");
+                    picture.Look((Vector3)middle + 3f * Vector3.up, middle, -side * Spacing, 200, 200).Draw(fluid, smoothing);
                     double sum = 0.0, squares = 0.0, slopes = 0.0, raw = 0.0, rawSquares = 0.0;
-                    int rays = 0;
+                    int all = 0, inside = 0, rays = 0, raysInside = 0;
                     for (int y = 0; y < picture.Height; y++)
                         for (int x = 0; x < picture.Width; x++)
                         {
-                            double error = math.dot(picture.Point(x, y) - middle, up) / Spacing;
-                            double3 normal = picture.Normals[y * picture.Width + x].xyz;
+                            float3 point = picture.Point(x, y);
+                            double error = math.dot(point - middle, up) / Spacing;
+                            bool isInside = math.cmax(math.abs(point - middle).xz) < (0.5f * side - rim) * Spacing;
+                            if (picture.Depth[y * picture.Width + x] == 0f)
+                            {
+                                Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - middle).xz), Is.LessThan(0.5f * Spacing), "a hole that is not in a corner");
+                                continue;
+                            }
                             sum += error;
-                            squares += error * error;
-                            slopes += Math.Pow(Math.Acos(Math.Min(math.dot(math.normalize(normal), up), 1.0)), 2.0);
+                            all++;
+                            if (isInside)
+                            {
+                                squares += error * error;
+                                slopes += Math.Pow(Math.Acos(Math.Min(math.dot(math.normalize((double3)picture.Normals[y * picture.Width + x].xyz), up), 1.0)), 2.0);
+                                inside++;
+                            }
                             if (smoothing == 0f || x % Coarse != 0 || y % Coarse != 0)
                                 continue;
                             double of = math.dot(RawPoint(water, picture, x, y) - (double3)middle / Spacing, up);
                             raw += of;
-                            rawSquares += of * of;
                             rays++;
+                            if (!isInside)
+                                continue;
+                            rawSquares += of * of;
+                            raysInside++;
                         }
-                    int pixels = picture.Depth.Length;
-                    double mean = sum / pixels, rms = Math.Sqrt(squares / pixels), degrees = math.degrees(Math.Sqrt(slopes / pixels));
-                    TestContext.Out.WriteLine($"{side} x {depth} x {side} d, viscosity {viscosity}, {steps} steps, tilt {tilt}°, smoothing {smoothing} d: height mean {mean:+0.000;-0.000} d, rms {rms:0.000} d, normals {degrees:0.00}° rms");
-                    if (smoothing == 0f)
-                        continue;
-                    TestContext.Out.WriteLine($"isosurface of its raw particles: mean {raw / rays:+0.000;-0.000} d, rms {Math.Sqrt(rawSquares / rays):0.000} d");
-                    Assert.That(Math.Abs(mean), Is.LessThanOrEqualTo(0.25), "0.1 is aimed at");
-                    Assert.That(rms, Is.LessThanOrEqualTo(0.35), "what is reached");
-                    Assert.That(degrees, Is.LessThanOrEqualTo(7.0), "2 is aimed at");
+                    flatness = new Flatness { mean = sum / all, rms = Math.Sqrt(squares / inside), degrees = math.degrees(Math.Sqrt(slopes / inside)) };
+                    TestContext.Out.WriteLine($"{side} x {depth} x {side} d, viscosity {viscosity}, {steps} steps, tilt {tilt}°, smoothing {smoothing} d: height mean {flatness.mean:+0.000;-0.000} d, rms {flatness.rms:0.000} d, normals {flatness.degrees:0.00}° rms");
+                    if (smoothing != 0f)
+                        TestContext.Out.WriteLine($"isosurface of its raw particles: mean {raw / rays:+0.000;-0.000} d, rms {Math.Sqrt(rawSquares / raysInside):0.000} d");
                 }
+                return flatness;
             }
         }
 
