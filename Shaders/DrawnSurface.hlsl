@@ -14,9 +14,10 @@ float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
 float4 _FrameLag;               // x: time of this frame since the newest state, substeps
 float4 _DrawnDomainSize;        // xyz, d
 
-Ellipsoid DrawnEllipsoid(uint i)
+// chord: displacement in the last substep, d, in the domain's frame.
+Ellipsoid DrawnEllipsoid(uint i, out float3 chord)
 {
-    float3 center, chord;
+    float3 center;
     float3x3 axes;
     uint index;
     UnpackSurface(_SurfaceParticles[i], center, axes, index, chord);
@@ -27,6 +28,12 @@ Ellipsoid DrawnEllipsoid(uint i)
     e.b = mul((float3x3)_DomainToWorld, axes[1]);
     e.c = mul((float3x3)_DomainToWorld, axes[2]);
     return e;
+}
+
+Ellipsoid DrawnEllipsoid(uint i)
+{
+    float3 chord;
+    return DrawnEllipsoid(i, chord);
 }
 
 #endif

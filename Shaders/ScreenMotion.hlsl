@@ -29,15 +29,8 @@ float4 MotionClip(float4 clip)
 
 // From where a point of the world was at the last frame to where it is, both in world space, as the pipeline stores it: in
 // fractions of the screen, y as the pipeline's textures have it.
-float4 ScreenMotion(float3 world, float3 previous)
+float4 MotionOnScreen(float3 world, float3 previous)
 {
-#ifdef RILL_HIGH_DEFINITION
-    if (!RILL_HAS_MOTION)
-        return float4(2.0, 0.0, 0.0, 0.0);      // what HDRP takes for "no motion vector"
-#else
-    if (!RILL_HAS_MOTION)
-        return 0.0;
-#endif
     float4 now = mul(RILL_STEADY_WORLD_TO_CLIP, float4(world - RILL_ORIGIN, 1.0));
     float4 before = mul(RILL_PREVIOUS_WORLD_TO_CLIP, float4(previous - RILL_ORIGIN, 1.0));       // HDRP's is relative to this frame's camera too
     float2 motion = (now.xy / now.w - before.xy / before.w) * 0.5;
@@ -49,6 +42,19 @@ float4 ScreenMotion(float3 world, float3 previous)
 #else
     return float4(motion, 0.0, 0.0);
 #endif
+}
+
+// The same in a pass for which the pipeline says whether the renderer is to have any.
+float4 ScreenMotion(float3 world, float3 previous)
+{
+#ifdef RILL_HIGH_DEFINITION
+    if (!RILL_HAS_MOTION)
+        return float4(2.0, 0.0, 0.0, 0.0);      // what HDRP takes for "no motion vector"
+#else
+    if (!RILL_HAS_MOTION)
+        return 0.0;
+#endif
+    return MotionOnScreen(world, previous);
 }
 
 #endif

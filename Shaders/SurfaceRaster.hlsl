@@ -1,4 +1,5 @@
-// What is drawn into the textures of the water's surface, see FluidSurfaceRecorder.cs: its ellipsoids as the device's depth.
+// What is drawn into the textures of the water's surface, see FluidSurfaceRecorder.cs: its ellipsoids as the device's depth. Where
+// RILL_CHORDS is on also how each moves: xyz its displacement in the last substep, d, in the domain's frame.
 //
 //   the buffers of DrawnSurface.hlsl
 #include "SurfaceQuadric.hlsl"
@@ -15,6 +16,9 @@ struct RasterVaryings
     float4 clip : SV_Position;
     float3 origin : TEXCOORD0;      // of the ray, in the frame in which the ellipsoid is a ball of radius 1
     float3 direction : TEXCOORD1;
+#ifdef RILL_CHORDS
+    nointerpolation float3 chord : TEXCOORD2;
+#endif
 };
 
 RasterVaryings RasterVertex(uint vertex : SV_VertexID)
@@ -22,7 +26,8 @@ RasterVaryings RasterVertex(uint vertex : SV_VertexID)
     static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
     RasterVaryings result = (RasterVaryings)0;
     result.clip = float4(2, 2, 2, 1);
-    Ellipsoid e = DrawnEllipsoid(vertex / 6);
+    float3 chord;
+    Ellipsoid e = DrawnEllipsoid(vertex / 6, chord);
     PictureBounds bounds = BoundsOf(e, _SurfaceEye);
     if (!bounds.isSeen)
         return result;
@@ -30,13 +35,29 @@ RasterVaryings RasterVertex(uint vertex : SV_VertexID)
     float2 picture = lerp(bounds.low, bounds.high, kCorners[vertex % 6]);
     RayInBall(e, RayThrough(picture, _SurfaceEye), result.origin, result.direction);
     result.clip = SurfacePosition(picture, bounds.nearest);
+#ifdef RILL_CHORDS
+    result.chord = chord;
+#endif
     return result;
 }
 
-void DepthFragment(RasterVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH)
+float DepthOfHit(RasterVaryings input)
 {
     float2 hit;
     if (!HitBall(input.origin, input.direction, hit))
         discard;
-    depth = FlipDepth(ToSurfaceDepth(hit.x, _SurfaceEye));
+    return FlipDepth(ToSurfaceDepth(hit.x, _SurfaceEye));
 }
+
+#ifdef RILL_CHORDS
+float4 ChordFragment(RasterVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
+{
+    depth = DepthOfHit(input);
+    return float4(input.chord, 0.0);
+}
+#else
+void DepthFragment(RasterVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH)
+{
+    depth = DepthOfHit(input);
+}
+#endif

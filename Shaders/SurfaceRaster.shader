@@ -34,5 +34,20 @@ Shader "Hidden/Rill/SurfaceRaster"
             #include "SceneDistance.hlsl"
             ENDHLSL
         }
+        Pass
+        {
+            Name "SurfaceDepthAndChords"
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex RasterVertex
+            #pragma fragment ChordFragment
+            #define RILL_CHORDS
+            #include "SurfaceRaster.hlsl"
+            ENDHLSL
+        }
     }
 }

@@ -1,10 +1,6 @@
 using System;
-using System.IO;
 using System.Linq;
-using System.Reflection;
 using System.Text.RegularExpressions;
-using Host.Assets;
-using Host.Pipelines;
 using NUnit.Framework;
 using Rill;
 using UnityEngine;
@@ -14,73 +10,8 @@ using UnityEngine.TestTools;
 namespace Host.Tests
 {
     /// <summary>The package's adapter for URP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
-    public class UniversalSurfaceTests : UniversalFixture
+    public class UniversalSurfaceTests : UniversalSurfaceFixture
     {
-        ProjectAssets assets;
-        IAssetSource assetsBefore;
-        FluidSimulation simulation;
-
-        [SetUp]
-        public void KeepAssets() => assetsBefore = Player.Assets;
-
-        [TearDown]
-        public void EndScene()
-        {
-            UnityEngine.SceneManagement.SceneManager.UnloadEverything();
-            assets?.ReloadAll();
-            assets = null;
-            Player.Assets = assetsBefore;
-        }
-
-        // Shaders are imported for the pipeline that runs: by a project of its own.
-        void Build(string version, bool editor = false, string adapterRoot = null)
-        {
-            if (version.Length > 0)
-            {
-                bool byExecute = version.EndsWith(" by Execute", StringComparison.Ordinal);
-                pipeline = PlayedPipeline.Start(PipelineVersion.Find(version.Split(' ')[0]), adapterRoot ?? Session.Root(), byExecute, editor);
-                Assembly adapter = pipeline["Rill.Universal"];
-                adapter.GetType("Rill.Universal.UniversalSurfaces").GetMethod("Listen", BindingFlags.Static | BindingFlags.NonPublic).Invoke(null, null);
-            }
-            assets = new ProjectAssets(ProjectFolders.Of(Session.Root()), new[] { typeof(FluidSimulation).Assembly }, strict: true);
-            Player.Assets = assets;
-
-            RenderSettings.ambientMode = UnityEngine.Rendering.AmbientMode.Flat;
-            RenderSettings.ambientSkyColor = new Color(0.3f, 0.3f, 0.3f);
-            var sun = new GameObject("Sun").AddComponent<Light>();
-            sun.type = LightType.Directional;
-            sun.transform.rotation = Quaternion.Euler(60, 30, 0);
-            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Plane);
-            floor.transform.position = new Vector3(0, -0.8f, 0);
-            floor.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", Player.PipelineTag);
-            camera.transform.position = new Vector3(0, 1, -4);
-            camera.transform.LookAt(new Vector3(0, -0.3f, 0));
-
-            var fluid = new GameObject("Fluid");
-            fluid.SetActive(false);
-            simulation = fluid.AddComponent<FluidSimulation>();
-            simulation.Configure(new Vector3(1.6f, 1.6f, 1.6f), 0.1f, 600);
-            simulation.StatisticsInterval = 0;
-            fluid.AddComponent<FluidVolume>().Size = new Vector3(0.8f, 0.8f, 0.8f);
-            fluid.AddComponent<FluidSurface>();
-            fluid.SetActive(true);
-        }
-
-        static void Play(int frames)
-        {
-            for (int i = 0; i < frames; i++)
-                PlayerLoop.Frame(1f / 60);
-        }
-
-        // Of the pixels, those in which the water changes the picture.
-        int Covered(Vector4[] with)
-        {
-            simulation.gameObject.SetActive(false);
-            Play(1);
-            Vector4[] without = Pixels();
-            return with.Where((pixel, i) => (pixel - without[i]).magnitude > 0.02f).Count();
-        }
-
         [Test]
         public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17 by Execute", "17.3", "17.3-compatibility by Execute", "17.4")] string version)
         {
@@ -194,31 +125,6 @@ namespace Host.Tests
             Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
         }
 
-        // The same with a fault in the adapter: what the tests above would see.
-        void BuildWithFault(string version, string file, string line, string instead)
-        {
-            string root = Path.Combine(Path.GetTempPath(), "rill-adapter-" + Guid.NewGuid().ToString("N")), folder = Path.Combine(root, "Runtime", "Rendering.Universal");
-            Directory.CreateDirectory(folder);
-            try
-            {
-                foreach (string source in Directory.GetFiles(Path.Combine(Session.Root(), "Runtime", "Rendering.Universal")).Where(source => !source.EndsWith(".meta")))
-                {
-                    string text = File.ReadAllText(source);
-                    if (Path.GetFileName(source) == file)
-                    {
-                        Assert.That(text, Does.Contain(line));
-                        text = text.Replace(line, instead);
-                    }
-                    File.WriteAllText(Path.Combine(folder, Path.GetFileName(source)), text);
-                }
-                Build(version, adapterRoot: root);
-            }
-            finally
-            {
-                Directory.Delete(root, true);
-            }
-        }
-
         [TestCase("builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);", "", "'Rill.Surface' of the render graph has not declared")]
         [TestCase("ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color", "ScriptableRenderPassInput.Color", "Trying to use an invalid resource (pass Rill.Surface)")]
         [TestCase("DefaultEvent = RenderPassEvent.BeforeRenderingTransparents", "DefaultEvent = RenderPassEvent.AfterRenderingShadows", "that nothing has written to yet")]
@@ -232,7 +138,7 @@ namespace Host.Tests
         }
 
         [TestCase("17", "builder.AllowPassCulling(false);", "")]
-        [TestCase("17", "renderPassEvent = DefaultEvent;", "renderPassEvent = RenderPassEvent.AfterRenderingTransparents;")]
+        [TestCase("17", "renderPassEvent = LastEvent;", "renderPassEvent = RenderPassEvent.AfterRenderingTransparents;")]
         [TestCase("14", "cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);", "")]
         public void Without_the_line_the_water_is_not_there(string version, string line, string instead)
         {

@@ -25,6 +25,6 @@ namespace Rill.Universal
 
         /// <inheritdoc/>
         public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData renderingData) =>
-            UniversalSurfaces.Pass.renderPassEvent = SurfacePass.DefaultEvent - stepsBefore;
+            UniversalSurfaces.Pass.MoveBefore(stepsBefore);
     }
 }

@@ -20,6 +20,9 @@ namespace Rill.Universal
         FluidViews views;
         bool isReady;
 
+        /// <summary>Whether URP ran its passes by the render graph when it last ran this one; null before.</summary>
+        public bool? IsInGraph { get; private set; }
+
         public SurfacePass()
         {
             // Depth to measure water in front of the scene, colour to see the scene through it: no project setting has to be on.
@@ -31,8 +34,19 @@ namespace Rill.Universal
         {
             views = camera;
             isReady = true;
-            renderPassEvent = DefaultEvent;
+            renderPassEvent = LastEvent;
         }
+
+        /// <summary>Moves it before other passes, for the camera that it was made ready for.</summary>
+        /// <param name="steps">Before <see cref="DefaultEvent"/>.</param>
+        public void MoveBefore(int steps) => renderPassEvent = (RenderPassEvent)Mathf.Min((int)LastEvent, (int)DefaultEvent - steps);
+
+#if RILL_RENDER_GRAPH
+        // In Compatibility Mode URP 17 draws motion vectors one step after the sky, and the water's among them: its textures are there by then.
+        RenderPassEvent LastEvent => views.needsMotion && IsInGraph == false ? RenderPassEvent.AfterRenderingSkybox : DefaultEvent;
+#else
+        static RenderPassEvent LastEvent => DefaultEvent;
+#endif
 
         /// <summary>The camera has been drawn, or has not been culled.</summary>
         public void Invalidate()
@@ -59,12 +73,14 @@ namespace Rill.Universal
         sealed class PassData
         {
             public SurfacePass pass;
+            public TextureHandle motion, motionDepth;
         }
 
         public override void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData)
         {
             if (!Begin(frameData.Get<UniversalCameraData>().camera))
                 return;
+            IsInGraph = true;
             using (IUnsafeRenderGraphBuilder builder = renderGraph.AddUnsafePass("Rill.Surface", out PassData data))
             {
                 data.pass = this;
@@ -73,6 +89,28 @@ namespace Rill.Universal
                 builder.AllowPassCulling(false);
                 builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) => recorded.pass.Record(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd)));
             }
+            // URP has drawn its own motion vectors by now.
+            TextureHandle motion = frameData.Get<UniversalResourceData>().motionVectorColor;
+            if (views.needsMotion && motion.IsValid())
+                RecordMotion(renderGraph, motion, frameData.Get<UniversalResourceData>().motionVectorDepth);
+        }
+
+        void RecordMotion(RenderGraph renderGraph, TextureHandle motion, TextureHandle motionDepth)
+        {
+            using (IUnsafeRenderGraphBuilder builder = renderGraph.AddUnsafePass("Rill.Surface.Motion", out PassData data))
+            {
+                (data.pass, data.motion, data.motionDepth) = (this, motion, motionDepth);
+                builder.UseTexture(motion, AccessFlags.Write);
+                builder.UseTexture(motionDepth, AccessFlags.Write);
+                builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) => recorded.pass.DrawMotion(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd), recorded.motion, recorded.motionDepth));
+            }
+        }
+
+        void DrawMotion(CommandBuffer cmd, RenderTargetIdentifier motion, RenderTargetIdentifier motionDepth)
+        {
+            cmd.SetRenderTarget(motion, motionDepth, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+                FluidSurface.Active[i].RecordMotion(cmd, views);
         }
 #endif
 
@@ -83,6 +121,7 @@ namespace Rill.Universal
         {
             if (!Begin(renderingData.cameraData.camera))
                 return;
+            IsInGraph = false;
             CommandBuffer cmd = CommandBufferPool.Get("Rill.Surface");
             Record(cmd);
             // URP binds a target only where it differs from the last that it bound itself: the next pass would draw into ours.

@@ -49,6 +49,8 @@ namespace Rill.Universal
                 if (!surface.Prepare(views))
                     continue;
                 surface.Submit(views, null);
+                if (views.needsMotion && pass.IsInGraph == false)
+                    surface.SubmitMotion(views);
                 any = true;
             }
             if (!any)
@@ -73,6 +75,8 @@ namespace Rill.Universal
             views.width = Mathf.Max((int)(views.width * scale), 1);
             views.height = Mathf.Max((int)(views.height * scale), 1);
             views.sceneSize = new Vector2(views.width, views.height);
+            // URP sets it once it draws motion vectors for the camera, and leaves it.
+            views.needsMotion = pass.IsInGraph.HasValue && (camera.depthTextureMode & DepthTextureMode.MotionVectors) != 0;
             return views;
         }
     }

@@ -112,6 +112,17 @@ namespace Rill
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
         internal void Record(CommandBuffer cmd, in FluidViews camera) => recorder.Record(cmd, camera, frame);
 
+        /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where nobody asks for them.</summary>
+        internal void RecordMotion(CommandBuffer cmd, in FluidViews camera) => recorder.RecordMotion(cmd, camera);
+
+        /// <summary>Has the pipeline draw them among the motion vectors of opaque objects instead, after <see cref="Prepare"/> for a camera that needs them.</summary>
+        internal void SubmitMotion(in FluidViews camera)
+        {
+            RenderParams parameters = Parameters(recorder.ViewOf(camera.camera).Motion);
+            parameters.camera = camera.camera;
+            recorder.SubmitMotion(parameters);
+        }
+
         /// <summary>Draws the surface for a camera in this frame, after <see cref="Prepare"/>.</summary>
         /// <param name="sceneColor">The opaque scene, in the Built-in pipeline; null where the pipeline has it as a global.</param>
         internal void Submit(in FluidViews camera, Texture sceneColor)
@@ -169,6 +180,7 @@ namespace Rill
             if (!hasFrame)
                 return;
             frame = SurfaceFrame.Of(solver, Simulation.DomainToWorld, Simulation.FrameLag, smoothing, quality);
+            frame.lastDomainToWorld = LastDomainToWorld;
             if (DrawsFoam && TryGetComponent(out FluidFoam foam))
                 frame.foam = foam.Frame;
             if (CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f)

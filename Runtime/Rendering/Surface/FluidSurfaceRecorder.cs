@@ -18,14 +18,15 @@ namespace Rill
         static readonly ProfilerMarker NormalsMarker = GpuMarker.Create("Rill.Surface.Normals");
 
         const string FilterFile = "SurfaceFilter";
-        const int DepthPass = 0;                // of SurfaceRaster.shader
+        const int DepthPass = 0, ChordPass = 2; // of SurfaceRaster.shader
         const int MaxFilterRadius = 32;         // texels, kMaxRadius in SurfaceFilter.compute
         const int FramesKept = 3;               // for which a camera may stay away
 
         readonly ComputeShader filter;
         Material raster;
         readonly SurfaceThickness thickness;
-        SurfaceFoam foam;       // made when first needed
+        SurfaceFoam foam;       // these two are made when first needed
+        SurfaceMotion motion;
         readonly int filterRows, filterRowsAgain, filterColumns, findNormals;
         readonly List<SurfaceView> views = new List<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
@@ -82,7 +83,10 @@ namespace Rill
             int divisor = SurfaceThickness.DivisorFor(scale * fluid.spacing * pixels / box.MiddleDepth);
             view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor);
             view.PrepareFoam(fluid.foam.particles != null);
+            view.PrepareMotion(camera.needsMotion);
             SetShading(view, camera, fluid.foam);
+            if (camera.needsMotion)
+                (motion ??= new SurfaceMotion()).Set(view, fluid);
             return true;
         }
 
@@ -104,16 +108,31 @@ namespace Rill
                 RecordFilter(cmd, camera, fluid, view);
                 view.Shown = state;
             }
+            view.HasMotion = view.Chords != null;
             thickness.Record(cmd, raster, camera, fluid, view);      // the scene in it may have moved
             if (view.Foam != null)
                 (foam ??= new SurfaceFoam()).Record(cmd, camera, fluid, view);
         }
+
+        /// <summary>Draws motion vectors into what is bound, after <see cref="Record"/> of the same frame; nothing where the camera needs none.</summary>
+        public void RecordMotion(CommandBuffer cmd, in FluidViews camera)
+        {
+            SurfaceView view = ViewOf(camera.camera);
+            if (view.HasMotion)
+                motion.Record(cmd, view);
+            view.HasMotion = false;
+        }
+
+        /// <summary>Submits the draw of motion vectors, after <see cref="Prepare"/> of a camera that needs them.</summary>
+        public void SubmitMotion(in RenderParams parameters) => motion.Submit(parameters);
 
         public void Dispose()
         {
             foreach (SurfaceView view in views)
                 view.Dispose();
             views.Clear();
+            motion?.Dispose();
+            motion = null;
             EngineObject.Destroy(ref raster);
         }
 
@@ -132,6 +151,8 @@ namespace Rill
                 stage.Kernel(FilterFile, "FilterColumns", eyes * filterPasses);
                 stage.Kernel(FilterFile, "FindNormals", eyes);
                 stage.Draw("SurfaceRaster", eyes);
+                if (view.Chords != null)
+                    stage.Draw("SurfaceMotion", 1);
                 thickness.Describe(stage, eyes);
                 if (view.Foam != null)
                     SurfaceFoam.Describe(stage, eyes);
@@ -143,12 +164,16 @@ namespace Rill
         {
             cmd.BeginSample(DepthMarker);
             properties.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
+            bool hasChords = view.Chords != null;
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 properties.SetInt(SurfaceIds.SurfaceEye, eye);
-                cmd.SetRenderTarget(view.Drawn, 0, CubemapFace.Unknown, eye);
-                cmd.ClearRenderTarget(true, false, Color.clear);
-                cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, DepthPass, MeshTopology.Triangles, fluid.surfaceArguments, 0, properties);
+                if (hasChords)
+                    cmd.SetRenderTarget(view.Chords, view.Drawn, 0, CubemapFace.Unknown, eye);
+                else
+                    cmd.SetRenderTarget(view.Drawn, 0, CubemapFace.Unknown, eye);
+                cmd.ClearRenderTarget(true, hasChords, Color.clear);
+                cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, hasChords ? ChordPass : DepthPass, MeshTopology.Triangles, fluid.surfaceArguments, 0, properties);
             }
             cmd.EndSample(DepthMarker);
         }
@@ -214,9 +239,9 @@ namespace Rill
             MaterialPropertyBlock block = view.Shading;
             view.Constants.SetOn(block);
             block.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
-            block.SetVector(Ids.PictureBounds, view.Bounds);
+            block.SetVector(SurfaceIds.PictureBounds, view.Bounds);
             block.SetVector(SurfaceIds.SceneSize, camera.sceneSize);
-            block.SetTexture(Ids.SurfaceDepth, view.Smoothed);
+            block.SetTexture(SurfaceIds.SurfaceDepth, view.Smoothed);
             block.SetTexture(Ids.SurfaceNormals, view.Normals);
             block.SetTexture(Ids.SurfaceThickness, view.Thickness);
             if (view.Foam == null)
@@ -242,12 +267,10 @@ namespace Rill
             public static readonly int FilterRadius = Shader.PropertyToID("_FilterRadius");
             public static readonly int Filtered = Shader.PropertyToID("_Filtered");
             public static readonly int Normals = Shader.PropertyToID("_Normals");
-            public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
             public static readonly int SurfaceNormals = Shader.PropertyToID("_SurfaceNormals");
             public static readonly int SurfaceThickness = Shader.PropertyToID("_SurfaceThickness");
             public static readonly int SurfaceFoam = Shader.PropertyToID("_SurfaceFoam");
             public static readonly int FoamColor = Shader.PropertyToID("_FoamColor");
-            public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
         }
     }
 }

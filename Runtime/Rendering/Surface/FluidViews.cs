@@ -27,6 +27,9 @@ namespace Rill
         /// <summary>Whether the scene's textures are arrays with a slice for each eye.</summary>
         public bool sceneIsArray;
 
+        /// <summary>Whether motion vectors of the surface are drawn: only where something asks for the camera's.</summary>
+        public bool needsMotion;
+
         /// <summary>View of an eye.</summary>
         /// <param name="eye">0 or 1.</param>
         public Matrix4x4 ViewOf(int eye) => eye == 0 ? view : rightView;

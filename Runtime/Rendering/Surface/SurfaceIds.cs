@@ -12,6 +12,8 @@ namespace Rill
         public static readonly int SurfaceSize = Shader.PropertyToID("_SurfaceSize");
         public static readonly int SurfaceEye = Shader.PropertyToID("_SurfaceEye");
         public static readonly int SceneSize = Shader.PropertyToID("_SceneSize");
+        public static readonly int SurfaceDepth = Shader.PropertyToID("_SurfaceDepth");
+        public static readonly int PictureBounds = Shader.PropertyToID("_PictureBounds");
         public static readonly int Depth = Shader.PropertyToID("_Depth");
 
         /// <summary>Width and height, texels, and one over them.</summary>

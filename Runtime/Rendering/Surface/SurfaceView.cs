@@ -37,6 +37,12 @@ namespace Rill
         /// <summary>uint4, of each texel of <see cref="Foam"/>, slice after slice; see SurfaceFoam.compute.</summary>
         public GraphicsBuffer FoamAmounts;
 
+        /// <summary>xyz displacement of the nearest particle in the last substep, d, in the domain's frame. Null where nobody asks for motion.</summary>
+        public RenderTexture Chords;
+
+        /// <summary>Of the draw that writes motion vectors.</summary>
+        public MaterialPropertyBlock Motion;
+
         public SurfaceView(Camera camera) => Camera = camera;
 
         public Camera Camera { get; }
@@ -49,6 +55,9 @@ namespace Rill
 
         /// <summary>Whether a frame of the camera was prepared and is not recorded yet.</summary>
         public bool IsPrepared { get; set; }
+
+        /// <summary>Whether a frame was recorded whose motion vectors are needed and not drawn yet.</summary>
+        public bool HasMotion { get; set; }
 
         /// <summary>What <see cref="Smoothed"/> and <see cref="Normals"/> show; null where they show nothing yet.</summary>
         public SurfaceState? Shown { get; set; }
@@ -98,6 +107,19 @@ namespace Rill
             FoamAmounts = GpuBuffer.Structured<Unity.Mathematics.uint4>("Rill.Surface.FoamAmounts", (long)width * height * eyes);
         }
 
+        /// <summary>The same for motion vectors, after <see cref="Prepare"/>; gives back what is not needed.</summary>
+        public void PrepareMotion(bool isNeeded)
+        {
+            if (isNeeded == (Chords != null))
+                return;
+            EngineObject.Release(ref Chords);
+            if (!isNeeded)
+                return;
+            Chords = Make("Rill.Surface.Chords", Width, Height, Smoothed.volumeDepth, GraphicsFormat.R16G16B16A16_SFloat, false);
+            Motion ??= new MaterialPropertyBlock();
+            Shown = null;
+        }
+
         public void Dispose()
         {
             ReleaseFoam();
@@ -111,6 +133,7 @@ namespace Rill
             EngineObject.Release(ref Rows);
             EngineObject.Release(ref Smoothed);
             EngineObject.Release(ref Normals);
+            EngineObject.Release(ref Chords);
             Shown = null;
         }
 
@@ -132,7 +155,7 @@ namespace Rill
 
         public void Describe(StageDescription stage)
         {
-            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, SceneDistance, Thickness, Foam })
+            foreach (RenderTexture texture in new[] { Drawn, Rows, Smoothed, Normals, Chords, SceneDistance, Thickness, Foam })
                 if (texture != null)
                     stage.Texture(texture.name, (long)texture.width * texture.height * texture.volumeDepth * BytesOf(texture));
             if (Amounts != null)

@@ -13,6 +13,7 @@ namespace UnityEngine.Headless
         public int Layer, Priority, Order;
         public Rendering.ShadowCastingMode Shadows;
         public bool ReceivesShadows;
+        public MotionVectorGenerationMode Motion;
     }
 
     /// <summary>Draws asked for by Graphics.Render* and Draw* since the last frame.</summary>

@@ -223,7 +223,7 @@ namespace UnityEngine.Headless
                             Mesh = mesh, Submesh = submesh, Topology = mesh.GetTopology(submesh), Instances = 1,
                         },
                         Bounds = renderer.bounds, HasBounds = true, Layer = renderer.gameObject.layer, Priority = renderer.rendererPriority, Order = next++,
-                        Shadows = renderer.shadowCastingMode, ReceivesShadows = renderer.receiveShadows,
+                        Shadows = renderer.shadowCastingMode, ReceivesShadows = renderer.receiveShadows, Motion = renderer.motionVectorGenerationMode,
                     }, camera, culling, eye);
                 }
             }

@@ -64,7 +64,7 @@ namespace UnityEngine
             DrawQueue.Add(new QueuedDraw
             {
                 Call = call, Bounds = bounds, HasBounds = true, Camera = rparams.camera, Layer = rparams.layer, Priority = rparams.rendererPriority,
-                Shadows = rparams.shadowCastingMode, ReceivesShadows = rparams.receiveShadows,
+                Shadows = rparams.shadowCastingMode, ReceivesShadows = rparams.receiveShadows, Motion = rparams.motionVectorMode,
             }, rparams.matProps);
         }
 

@@ -81,8 +81,10 @@ namespace UnityEngine.Rendering.Universal
         public TextureHandle cameraDepth { get; set; }
         public TextureHandle cameraDepthTexture { get; internal set; }
         public TextureHandle cameraOpaqueTexture { get; internal set; }
+        public TextureHandle motionVectorColor { get; set; }
+        public TextureHandle motionVectorDepth { get; set; }
 
-        public override void Reset() => cameraColor = cameraDepth = cameraDepthTexture = cameraOpaqueTexture = TextureHandle.nullHandle;
+        public override void Reset() => cameraColor = cameraDepth = cameraDepthTexture = cameraOpaqueTexture = motionVectorColor = motionVectorDepth = TextureHandle.nullHandle;
     }
 #else
     public struct CameraData

@@ -16,6 +16,8 @@ namespace UnityEngine.Rendering.Universal
         public bool clearDepth { get; internal set; } = true;
         public List<Camera> cameraStack => renderType == CameraRenderType.Base ? stack : null;
         public void SetRenderer(int index) => this.index = index;
+        internal readonly MotionMatrices motionVectorsPersistentData = new MotionMatrices();
+
         public ScriptableRenderer scriptableRenderer => UniversalRenderPipeline.asset?.GetRenderer(index);
     }
 

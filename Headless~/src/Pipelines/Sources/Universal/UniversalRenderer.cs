@@ -19,15 +19,21 @@ namespace UnityEngine.Rendering.Universal
     /// Runtime/ScriptableRenderer.cs, 17.1.0): who binds one of his own and leaves it spoils the next draws.
     /// Render graph: OnMainRendering in Runtime/UniversalRendererRenderGraph.cs (17.1.0): all passes from one event up to
     /// the next run there; every pass of URP's binds its own targets.
+    /// Motion vectors: Runtime/Passes/MotionVectorRenderPass.cs (17.1.0 and one of 14): drawn where temporal antialiasing or a pass asks,
+    /// before the post processing in 14, after the copy of depth in 17; the depth that it tests is the scene's; objects of the opaque
+    /// queue alone; sets DepthTextureMode.MotionVectors on the camera and never clears it. The motion of the camera itself, which URP
+    /// draws there, is left out: it stays 0.
     /// </remarks>
     public sealed class UniversalRenderer : ScriptableRenderer
     {
         static readonly int depthTextureId = Shader.PropertyToID("_CameraDepthTexture"), opaqueTextureId = Shader.PropertyToID("_CameraOpaqueTexture");
         static readonly Func<string, bool> forward = mode => mode == "" || mode == "SRPDefaultUnlit" || mode == "UniversalForward" || mode == "UniversalForwardOnly";
         static readonly Func<string, bool> depthOnly = mode => mode == "DepthOnly";
+        static readonly Func<string, bool> motionVectors = mode => mode == "MotionVectors";
+        static readonly int motionTextureId = Shader.PropertyToID("_MotionVectorTexture"), motionDepthId = Shader.PropertyToID("_MotionVectorDepthTexture"), motionParams = Shader.PropertyToID("unity_MotionVectorsParams");
 
         readonly MainLightShadows shadows = new MainLightShadows();
-        RTHandle colorAttachment, depthAttachment, depthTexture, opaqueTexture;
+        RTHandle colorAttachment, depthAttachment, depthTexture, opaqueTexture, motionColor, motionDepth;
         RenderTexture boundColor, boundDepth;
         Frame frame;
 
@@ -44,7 +50,7 @@ namespace UnityEngine.Rendering.Universal
             public CameraMatrices matrices;
             public RenderTextureDescriptor shape;
             public int next, earliestDepth;
-            public bool needsDepth, needsColor, isLast, isOverlay;
+            public bool needsDepth, needsColor, needsMotion, isJittered, isLast, isOverlay;
             public RenderingData legacy;
 #if URP_17
             public ContextContainer items;
@@ -92,7 +98,9 @@ namespace UnityEngine.Rendering.Universal
             float asked = frame.settings.renderScale, scale = Math.Abs(1 - asked) < 0.05f || !UniversalRenderPipeline.IsGameCamera(camera) ? 1 : asked;
             int width = Math.Max((int)(camera.pixelWidth * scale), 1), height = Math.Max((int)(camera.pixelHeight * scale), 1);
             frame.shape = new RenderTextureDescriptor(width, height, frame.settings.supportsHDR && camera.allowHDR ? GraphicsFormat.R16G16B16A16_SFloat : Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
-            frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, xr = new XRPass() };
+            frame.isJittered = TemporalJitter.IsOn(camera, frame.data);
+            Matrix4x4 jitter = frame.isJittered ? TemporalJitter.MatrixOf(Time.frameCount, width, height) : Matrix4x4.identity;
+            frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = jitter * camera.projectionMatrix, xr = new XRPass() };
             CameraRenderType type = frame.isOverlay ? CameraRenderType.Overlay : CameraRenderType.Base;
             AntialiasingMode antialiasing = frame.data != null ? frame.data.antialiasing : AntialiasingMode.None;
 #if URP_17
@@ -133,8 +141,20 @@ namespace UnityEngine.Rendering.Universal
                     frame.earliestDepth = Math.Min(frame.earliestDepth, (int)pass.renderPassEvent);
                 }
                 frame.needsColor |= (pass.input & ScriptableRenderPassInput.Color) != 0;
+                frame.needsMotion |= (pass.input & ScriptableRenderPassInput.Motion) != 0;
             }
+            frame.needsMotion |= frame.isJittered;
+            if (!frame.needsMotion)
+                return;
+            frame.needsDepth = true;
+            frame.earliestDepth = Math.Min(frame.earliestDepth, (int)MotionEvent);
         }
+
+#if URP_17
+        const RenderPassEvent MotionEvent = RenderPassEvent.AfterRenderingSkybox + 1;       // one after the copy of depth, as a renderer is made
+#else
+        const RenderPassEvent MotionEvent = RenderPassEvent.BeforeRenderingPostProcessing;
+#endif
 
         void MakeTargets(UniversalRenderer baseRenderer)
         {
@@ -162,6 +182,13 @@ namespace UnityEngine.Rendering.Universal
             }
         }
 
+        // In a graph of 17 there are handles to them in every frame; memory where a pass uses them.
+        void MakeMotionTargets()
+        {
+            RTHandle.Need(ref motionColor, "_MotionVectorTexture", new RenderTextureDescriptor(frame.shape.width, frame.shape.height, GraphicsFormat.R16G16_SFloat, GraphicsFormat.None), FilterMode.Point);
+            RTHandle.Need(ref motionDepth, "_MotionVectorDepthTexture", DepthShape(frame.shape), FilterMode.Point);
+        }
+
         static RenderTextureDescriptor DepthShape(RenderTextureDescriptor shape) => new RenderTextureDescriptor(shape.width, shape.height, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
 
         // ---- by Execute
@@ -181,6 +208,11 @@ namespace UnityEngine.Rendering.Universal
                 ((int)RenderPassEvent.AfterRenderingSkybox, () => { if (frame.needsColor) CopyColor(); }),
                 ((int)RenderPassEvent.BeforeRenderingTransparents, () => { Bind(frame.color.rt, frame.depth.rt); DrawTransparent(); }),
             };
+            if (frame.needsMotion)
+            {
+                MakeMotionTargets();
+                steps.Insert(steps.FindIndex(step => step.At > (int)MotionEvent) is int motionAt && motionAt >= 0 ? motionAt : steps.Count, ((int)MotionEvent, DrawMotion));
+            }
             if (frame.needsDepth && copiesDepth >= 0)
                 steps.Insert(steps.FindIndex(step => step.At > copiesDepth) is int at && at >= 0 ? at : steps.Count, (copiesDepth, CopyDepth));
             foreach ((int at, Action run) in steps)
@@ -226,6 +258,9 @@ namespace UnityEngine.Rendering.Universal
             frame.resources.cameraDepth = graph.Import("_CameraDepthAttachment", frame.depth, frame.isOverlay);
             if (frame.needsDepth)
                 frame.resources.cameraDepthTexture = graph.Import("_CameraDepthTexture", depthTexture, false);
+            MakeMotionTargets();
+            frame.resources.motionVectorColor = graph.Import("_MotionVectorTexture", motionColor, false);
+            frame.resources.motionVectorDepth = graph.Import("_MotionVectorDepthTexture", motionDepth, false);
             bool prepass = frame.earliestDepth <= (int)RenderPassEvent.BeforeRenderingOpaques;
             bool copiesEarly = frame.earliestDepth < (int)RenderPassEvent.AfterRenderingSkybox || frame.earliestDepth == int.MaxValue;
 
@@ -235,7 +270,10 @@ namespace UnityEngine.Rendering.Universal
             SetUpCameras();
             RecordUpTo(RenderPassEvent.AfterRenderingPrePasses);
             if (frame.needsDepth && prepass)
+            {
                 DrawDepth();
+                DrawMotion();
+            }
             RecordUpTo(RenderPassEvent.AfterRenderingOpaques);
             BindNow(frame.color.rt, frame.depth.rt);
             Clear();
@@ -243,12 +281,18 @@ namespace UnityEngine.Rendering.Universal
             graph.MarkWritten(frame.resources.cameraColor);
             graph.MarkWritten(frame.resources.cameraDepth);
             if (frame.needsDepth && !prepass && copiesEarly)
+            {
                 CopyDepth();
+                DrawMotion();
+            }
             RecordUpTo(RenderPassEvent.AfterRenderingSkybox);
             BindNow(frame.color.rt, frame.depth.rt);
             DrawSky();
             if (frame.needsDepth && !prepass && !copiesEarly)
+            {
                 CopyDepth();
+                DrawMotion();
+            }
             RecordUpTo(RenderPassEvent.BeforeRenderingTransparents);
             if (frame.needsColor)
             {
@@ -304,7 +348,12 @@ namespace UnityEngine.Rendering.Universal
             UniversalVariables.SetLighting();
             // The screen is as large as the camera says, what is drawn on as the render scale makes it.
             BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+            BuiltinVariables.SetViewProjection(frame.matrices.view, frame.matrices.projection);
             UniversalVariables.SetSize(frame.shape.width, frame.shape.height);
+            if (frame.data == null)
+                return;
+            frame.data.motionVectorsPersistentData.Update(camera);
+            frame.data.motionVectorsPersistentData.SetGlobals();
         }
 
         void DrawShadows() => shadows.Draw(frame.camera, frame.settings.shadowDistance, () => BuiltinVariables.SetCamera(frame.camera, frame.camera.pixelWidth, frame.camera.pixelHeight));
@@ -369,6 +418,30 @@ namespace UnityEngine.Rendering.Universal
 #endif
         }
 
+        void DrawMotion()
+        {
+            if (!frame.needsMotion)
+                return;
+            frame.camera.depthTextureMode |= DepthTextureMode.MotionVectors | DepthTextureMode.Depth;
+            BindNow(motionColor.rt, motionDepth.rt);
+            (boundColor, boundDepth) = (motionColor.rt, motionDepth.rt);
+            RenderState.Clear(true, true, Color.black, 1);
+            Gpu.ClosePass();
+            Gpu.Device.CopyTexture(depthTexture.rt.DepthTexture, motionDepth.rt.DepthTexture);
+            Shader.SetGlobalVector(motionParams, new Vector4(0, 1, 0, 0));
+            UniversalVariables.DrawCulled(true, motionVectors, draw => draw.Motion == MotionVectorGenerationMode.Object);
+            Shader.SetGlobalVector(motionParams, Vector4.zero);
+            Shader.SetGlobalTexture(motionTextureId, motionColor.rt);
+            Shader.Globals.SetTexture(motionDepthId, motionDepth.rt, RenderTextureSubElement.Depth);
+#if URP_17
+            if (frame.graph == null)
+                return;
+            frame.graph.MarkWritten(frame.resources.motionVectorColor);
+            frame.graph.MarkWritten(frame.resources.motionVectorDepth);
+            frame.graph.SetGlobal(motionTextureId, frame.resources.motionVectorColor);
+#endif
+        }
+
         void CopyColor()
         {
             Headless.Blitter.Blit(frame.color.rt, opaqueTexture.rt, null, -1);
@@ -397,9 +470,9 @@ namespace UnityEngine.Rendering.Universal
 
         protected override void Dispose(bool disposing)
         {
-            foreach (RTHandle handle in new[] { colorAttachment, depthAttachment, depthTexture, opaqueTexture })
+            foreach (RTHandle handle in new[] { colorAttachment, depthAttachment, depthTexture, opaqueTexture, motionColor, motionDepth })
                 handle?.Release();
-            colorAttachment = depthAttachment = depthTexture = opaqueTexture = null;
+            colorAttachment = depthAttachment = depthTexture = opaqueTexture = motionColor = motionDepth = null;
             shadows.Dispose();
         }
     }

@@ -39,10 +39,10 @@ namespace UnityEngine.Rendering.Universal
         }
 
         /// <summary>Draws what was culled, with the reflection that each draw has of its own.</summary>
-        public static void DrawCulled(bool opaque, System.Func<string, bool> wanted)
+        public static void DrawCulled(bool opaque, System.Func<string, bool> wanted, System.Func<QueuedDraw, bool> ofDraws = null)
         {
             EnvironmentLighting.Bind();
-            FrameRenderer.DrawCulled(opaque, wanted);
+            FrameRenderer.DrawCulled(opaque, wanted, ofDraws);
             EnvironmentLighting.Unbind();
         }
     }

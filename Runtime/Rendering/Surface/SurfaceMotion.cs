@@ -1,0 +1,61 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Motion vectors of a fluid's surface, drawn over a pipeline's texture of motion: how its water has moved since the frame before, and the camera.</summary>
+    sealed class SurfaceMotion : IDisposable
+    {
+        const int Vertices = 6;         // of the rectangle around the fluid
+
+        Material material = new Material(StageShader.Load("SurfaceMotion").Shader) { hideFlags = HideFlags.HideAndDontSave };
+
+        /// <summary>Sets what SurfaceMotion.hlsl reads of this camera and frame.</summary>
+        public void Set(SurfaceView view, in SurfaceFrame fluid)
+        {
+            MaterialPropertyBlock block = view.Motion;
+            fluid.SetOn(block);
+            view.Constants.SetOn(block);
+            block.SetVector(SurfaceIds.SurfaceSize, SurfaceIds.SizeOf(view.Smoothed));
+            block.SetVector(SurfaceIds.PictureBounds, view.Bounds);
+            block.SetTexture(SurfaceIds.SurfaceDepth, view.Smoothed);
+            block.SetTexture(Ids.SurfaceChords, view.Chords);
+            block.SetMatrix(Ids.WorldToDomain, fluid.domainToWorld.inverse);
+            block.SetMatrix(Ids.LastDomainToWorld, fluid.lastDomainToWorld);
+            block.SetMatrix(Ids.DomainMotion, Difference(fluid.domainToWorld, fluid.lastDomainToWorld));
+        }
+
+        /// <summary>Draws into the texture of motion and the depth that are bound, with the pipeline's matrices.</summary>
+        public void Record(CommandBuffer cmd, SurfaceView view) =>
+            cmd.DrawProcedural(Matrix4x4.identity, material, 0, MeshTopology.Triangles, Vertices, 1, view.Motion);
+
+        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after <see cref="FluidSurfaceRecorder.Record"/>.</summary>
+        /// <param name="parameters">Made with <see cref="SurfaceView.Motion"/>.</param>
+        public void Submit(RenderParams parameters)
+        {
+            parameters.material = material;
+            parameters.shadowCastingMode = ShadowCastingMode.Off;
+            parameters.motionVectorMode = MotionVectorGenerationMode.Object;
+            Graphics.RenderPrimitives(parameters, MeshTopology.Triangles, Vertices);
+        }
+
+        public void Dispose() => EngineObject.Destroy(ref material);
+
+        static Matrix4x4 Difference(Matrix4x4 a, Matrix4x4 b)
+        {
+            Matrix4x4 result = default;
+            for (int i = 0; i < 4; i++)
+                result.SetColumn(i, a.GetColumn(i) - b.GetColumn(i));
+            return result;
+        }
+
+        static class Ids
+        {
+            public static readonly int SurfaceChords = Shader.PropertyToID("_SurfaceChords");
+            public static readonly int WorldToDomain = Shader.PropertyToID("_WorldToDomain");
+            public static readonly int LastDomainToWorld = Shader.PropertyToID("_LastDomainToWorld");
+            public static readonly int DomainMotion = Shader.PropertyToID("_DomainMotion");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+// Motion vectors of the water's surface: one rectangle over the textures that FluidSurfaceRecorder filled for this camera, with depth,
+// into a pipeline's texture of motion. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+//
+//   _SurfaceDepth   in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
+//   _SurfaceChords  in  xyz displacement of the nearest particle in the last substep, d, in the domain's frame
+#include "ScreenMotion.hlsl"
+#include "SurfaceView.hlsl"
+
+Texture2DArray<float> _SurfaceDepth;
+Texture2DArray<float4> _SurfaceChords;
+
+float4 _PictureBounds;          // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
+float4 _FrameLag;               // time of this frame, x, and of the frame before, z, since the newest state, substeps
+float4x4 _WorldToDomain;        // from world, metres, to the domain's frame in d
+float4x4 _LastDomainToWorld;    // back, at the frame before
+float4x4 _DomainMotion;         // the same of this frame minus that: exactly 0 where the domain stands still
+
+struct MotionVaryings
+{
+    float4 clip : SV_Position;
+    float4 picture : TEXCOORD0;     // xy
+    RILL_VIEW_OUTPUT
+};
+
+MotionVaryings MotionVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
+    MotionVaryings result = (MotionVaryings)0;
+    bool drawn = SelectView(instance);
+    PassViewOn(result);
+    result.clip = kNowhere;
+    if (!drawn)
+        return result;
+
+    float2 picture = lerp(_PictureBounds.xy, _PictureBounds.zw, kCorners[vertex % 6]);
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    result.clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
+    result.picture = float4(picture, 0.0, 0.0);
+    return result;
+}
+
+// How far a point of the water, world, has come since the frame before, m: along the chord of its particle, and with the domain.
+float3 MotionOfWater(float3 world, float3 chord)
+{
+    float4 inDomain = float4(mul(_WorldToDomain, float4(world, 1.0)).xyz, 1.0);
+    return mul((float3x3)_LastDomainToWorld, chord * (_FrameLag.x - _FrameLag.z)) + mul(_DomainMotion, inDomain).xyz;
+}
+
+float4 MotionFragment(MotionVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    float2 picture = input.picture.xy;
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    float surface = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));
+    if (surface == 0.0)
+        discard;
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    float3 world = ray.origin + ray.direction * FromSurfaceDepth(surface, eyeIndex);
+    depth = DeviceDepth(WorldToClip(world));
+    return MotionOnScreen(world, world - MotionOfWater(world, _SurfaceChords.Load(int4(texel, eyeIndex, 0)).xyz));
+}

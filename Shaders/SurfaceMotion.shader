@@ -1,0 +1,51 @@
+// Motion vectors of the water's surface, see SurfaceMotion.hlsl: a SubShader for each render pipeline that has them. Among the opaque
+// objects, which alone the pipelines ask for motion.
+Shader "Hidden/Rill/SurfaceMotion"
+{
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.universal" : "14.0" }
+        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" "AlwaysRenderMotionVectors" = "true" }
+        HLSLINCLUDE
+        #define RILL_UNIVERSAL
+        ENDHLSL
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex MotionVertex
+            #pragma fragment MotionFragment
+            #include "SurfaceMotion.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        Tags { "RenderType" = "Opaque" "Queue" = "Geometry" }
+        HLSLINCLUDE
+        #define RILL_BUILT_IN
+        ENDHLSL
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            Cull Off
+            ZWrite On
+            ZTest LEqual
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex MotionVertex
+            #pragma fragment MotionFragment
+            #include "SurfaceMotion.hlsl"
+            ENDHLSL
+        }
+    }
+}
