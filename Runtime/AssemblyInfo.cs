@@ -5,6 +5,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Rill.Terrain")]
 [assembly: InternalsVisibleTo("Rill.Terrain.Tests")]
 [assembly: InternalsVisibleTo("Rill.Universal")]
+[assembly: InternalsVisibleTo("Rill.HighDefinition")]
 [assembly: InternalsVisibleTo("Rill.Editor")]
 [assembly: InternalsVisibleTo("Rill.Physics.Editor")]
 [assembly: InternalsVisibleTo("Rill.Terrain.Editor")]

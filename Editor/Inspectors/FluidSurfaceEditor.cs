@@ -39,9 +39,9 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
-        internal const string NotInHighDefinition = "HDRP does not draw this surface yet. Add a Particle Renderer to see the fluid.";
+        internal const string LimitsInHighDefinition = "In HDRP neither fog nor shadows act on this surface, and it mirrors the sky alone. This has never been run in HDRP.";
 
-        private protected override string HighDefinitionNote => NotInHighDefinition;
+        private protected override string HighDefinitionNote => LimitsInHighDefinition;
 
         private protected override void DrawMessages()
         {

@@ -28,7 +28,7 @@ namespace Host.Tests
         {
             planted.Write("Runtime/Rendering.Universal/Rill.Universal.asmdef", definition);
             planted.Write("Runtime/Rendering.Universal/Planted.cs", Start + source);
-            return planted.Examine(new PipelineAdaptersRule()).Faults;
+            return planted.Examine(new PipelineAdaptersRule(new[] { PipelineKind.Universal })).Faults;
         }
 
         const string Pass = @"
@@ -85,7 +85,17 @@ namespace Host.Tests
             Assert.That(Faults("class X { }", Definition.Replace("14.0", "15.0")), Has.Count.EqualTo(2).And.All.Contains("not compiled in Unity 2022.3 with URP 14.0.10"));
 
         [Test]
-        public void A_missing_adapter_is_named() => planted.Catches(new PipelineAdaptersRule(), "Rill.Universal.asmdef is not there");
+        public void A_member_that_a_later_version_of_HDRP_has_is_a_fault_in_the_earlier()
+        {
+            planted.Write("Runtime/Rendering.HighDefinition/Rill.HighDefinition.asmdef", Definition.Replace("universal", "high-definition"));
+            planted.Write("Runtime/Rendering.HighDefinition/Planted.cs", "using UnityEngine.Rendering.HighDefinition; class X { object f() => CustomPassInjectionPoint.BeforePreRefraction; }");
+            Assert.That(planted.Examine(new PipelineAdaptersRule(new[] { PipelineKind.HighDefinition })).Faults, Is.Empty);
+            planted.Write("Runtime/Rendering.HighDefinition/Planted.cs", "using UnityEngine.Rendering.HighDefinition; class X { void f() => CustomPassVolume.UnregisterAllGlobalCustomPasses(); }");
+            Assert.That(planted.Examine(new PipelineAdaptersRule(new[] { PipelineKind.HighDefinition })).Faults, Has.Some.Contains("Unity 2022.3").And.Some.Contains("UnregisterAllGlobalCustomPasses"));
+        }
+
+        [Test]
+        public void A_missing_adapter_is_named() => planted.Catches(new PipelineAdaptersRule(new[] { PipelineKind.Universal }), "Rill.Universal.asmdef is not there");
 
         [Test]
         public void A_member_of_a_stand_in_that_the_pipeline_lacks_is_named()

@@ -141,7 +141,7 @@ namespace Host.Tests
         [TestCase("2.0.0", "(2.0.0,)", false)]
         [TestCase("1.0.0-preview.2", "1.0.0", false)]
         [TestCase("3.1.4", "[3.1.4]", true)]
-        public void A_version_lies_in_a_range_or_not(string version, string range, bool expected) => Assert.That(Defines.InRange(version, range), Is.EqualTo(expected));
+        public void A_version_lies_in_a_range_or_not(string version, string range, bool expected) => Assert.That(Host.Shaders.VersionRange.Contains(range, version), Is.EqualTo(expected));
 
         [Test]
         public void Version_defines_look_at_packages_and_at_Unity()

@@ -71,7 +71,7 @@ namespace Host.Tests
         internal static Material MaterialOf(string file, string pipeline = "", Func<string, string> edit = null)
         {
             string folder = Path.Combine(TestFolder.Path, "..", "..", "Shaders"), path = Path.Combine(folder, file), edited = null;
-            string Resolve(string name) => name.Contains("universal") ? pipeline.Length > 0 ? path : null : edit != null && name.EndsWith(".hlsl") ? Path.Combine(folder, name) : null;
+            string Resolve(string name) => name.Contains(pipeline == "HDRenderPipeline" ? "high-definition" : "universal") ? pipeline.Length > 0 ? path : null : edit != null && name.EndsWith(".hlsl") ? Path.Combine(folder, name) : null;
             if (edit != null)
             {
                 edited = Path.Combine(Directory.CreateTempSubdirectory("rill-shader").FullName, file);

@@ -55,7 +55,7 @@ namespace Host.Tests
         private protected PlayedPipeline Start(string name, string root = null)
         {
             bool byExecute = name.EndsWith(" by Execute", StringComparison.Ordinal);
-            return pipeline = PlayedPipeline.Start(PipelineVersion.Find(name.Split(' ')[0]), root, byExecute);
+            return pipeline = PlayedPipeline.Start(PipelineKind.Universal, PipelineVersion.Find(name.Split(' ')[0]), root, byExecute);
         }
 
         /// <summary>A new object of the class Planted in these scripts.</summary>

@@ -266,7 +266,7 @@ namespace Host.Tests
             Begin(version, "", Depth);
             Camera over = new GameObject("Over").AddComponent<Camera>();
             over.targetTexture = target;
-            System.Type type = pipeline[Pipelines.PipelineAssemblies.Universal].GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData");
+            System.Type type = pipeline[Pipelines.PipelineKind.Universal.Assembly].GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData");
             object overlay = over.gameObject.AddComponent(type), stack = camera.gameObject.AddComponent(type);
             Set(overlay, "renderType", System.Enum.Parse(type.Assembly.GetType("UnityEngine.Rendering.Universal.CameraRenderType"), "Overlay"));
             Frame();

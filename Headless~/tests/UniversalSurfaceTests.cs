@@ -25,13 +25,7 @@ namespace Host.Tests
         [Test]
         public void It_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version)
         {
-            Build("");
-            Play(2);
-            Vector4[] builtIn = Pixels();
-            EndScene();
-            PlayerLoop.Reset();
-            target.Release();
-            MakeCamera();
+            Vector4[] builtIn = InTheBuiltInPipeline(2);
             Build(version);
             Play(2);
             Vector4[] universal = Pixels();

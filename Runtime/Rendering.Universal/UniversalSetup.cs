@@ -31,6 +31,8 @@ namespace Rill.Universal
             }
         }
 
+        public void End() { }        // nothing of a camera's is changed
+
 #if UNITY_EDITOR
         // The asset does not give its list to scripts before 17.3.
         static List<UniversalRendererData> RenderersOf(UniversalRenderPipelineAsset asset)

@@ -108,10 +108,19 @@ namespace Rill
         /// <summary>Takes the place of the pipeline's main light; null to keep it.</summary>
         private protected static void SetSun(MaterialPropertyBlock properties, Light sun)
         {
-            // HDRP's lights are not read: without a chosen one it shines from above.
-            Vector3 direction = sun != null ? -sun.transform.forward : new Vector3(0.3f, 0.9f, -0.3f).normalized;
-            properties.SetVector(Ids.SunDirection, new Vector4(direction.x, direction.y, direction.z, sun != null ? 1f : 0f));
-            properties.SetVector(Ids.SunColor, sun != null ? ShaderColor(sun.color) * sun.intensity : Vector4.one);
+            if (sun != null)
+                SetSun(properties, -sun.transform.forward, ShaderColor(sun.color) * sun.intensity, true);
+            else
+                SetSun(properties, new Vector3(0.3f, 0.9f, -0.3f).normalized, Vector4.one, false);      // where the pipeline's is not read it shines from above
+        }
+
+        /// <param name="direction">World, unit, towards the light.</param>
+        /// <param name="color">In the project's own colour space, intensity applied.</param>
+        /// <param name="isChosen">Whether it takes the place of the pipeline's; else it shines where that is not read.</param>
+        private protected static void SetSun(MaterialPropertyBlock properties, Vector3 direction, Vector4 color, bool isChosen)
+        {
+            properties.SetVector(Ids.SunDirection, new Vector4(direction.x, direction.y, direction.z, isChosen ? 1f : 0f));
+            properties.SetVector(Ids.SunColor, color);
         }
 
         /// <summary>Turns a keyword of this renderer's shader on or off.</summary>

@@ -106,9 +106,9 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
-        public void What_HDRP_does_not_draw_is_said_where_it_would_be_missed()
+        public void What_HDRP_leaves_out_is_said_where_it_would_be_missed()
         {
-            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset", FluidSurfaceEditor.NotInHighDefinition), Does.Contain("does not draw this surface"));
+            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset", FluidSurfaceEditor.LimitsInHighDefinition), Does.Contain("neither fog nor shadows"));
             Assert.That(FluidRendererEditor.PipelineNote("UniversalRenderPipelineAsset", FluidRendererEditor.UnlitInHighDefinition), Is.Null);
             Assert.That(FluidRendererEditor.PipelineNote(null, FluidRendererEditor.UnlitInHighDefinition), Is.Null);
         }

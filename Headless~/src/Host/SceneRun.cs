@@ -48,7 +48,7 @@ namespace Host
             output.WriteLine($"{Path.GetFileNameWithoutExtension(scene.File)} on {session.DescribeDevice()}");
             if (settings.Seed is int seed)
                 UnityEngine.Random.InitState(seed);
-            using PlayedPipeline pipeline = settings.Pipeline == null ? null : PlayedPipeline.Start(settings.Pipeline.Version, Session.Root(), settings.Pipeline.ByExecute);
+            using PlayedPipeline pipeline = settings.Pipeline == null ? null : PlayedPipeline.Start(settings.Pipeline.Kind, settings.Pipeline.Version, Session.Root(), settings.Pipeline.ByExecute);
             session.LoadScene(scene);
 
             // Probes look into the package that the host was built with.

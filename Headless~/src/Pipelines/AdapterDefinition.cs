@@ -4,17 +4,13 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Host.Scripts.Assemblies;
+using Host.Shaders;
 
 namespace Host.Pipelines
 {
     /// <summary>An .asmdef of the package that is compiled where a render pipeline's package is installed.</summary>
     sealed class AdapterDefinition
     {
-        public const string UniversalPackage = "com.unity.render-pipelines.universal";
-
-        /// <summary>Of the package's root.</summary>
-        public const string UniversalFile = "Runtime/Rendering.Universal/Rill.Universal.asmdef";
-
         public string File { get; private init; }
         public string Name { get; private init; }
         public IReadOnlyList<string> Constraints { get; private init; }
@@ -40,12 +36,12 @@ namespace Host.Pipelines
         }
 
         /// <summary>All symbols with which the editor compiles it; null where it does not compile it at all.</summary>
-        /// <param name="version">Null: the project has no such pipeline.</param>
+        /// <param name="version">Of the pipeline's package, whichever it asks for; null: the project has none.</param>
         public List<string> Defines(PipelineVersion version, bool editor)
         {
             var all = version == null ? new List<string>() : version.Defines(editor).ToList();
             if (version != null)
-                all.AddRange(defines.Where(define => define.Resource == UniversalPackage && Scripts.Assemblies.Defines.InRange(version.Package, define.Expression)).Select(define => define.Define));
+                all.AddRange(defines.Where(define => PipelineKind.All.Any(kind => kind.Package == define.Resource) && VersionRange.Contains(define.Expression, version.Package)).Select(define => define.Define));
             return Scripts.Assemblies.Defines.Hold(Constraints, all) ? all : null;
         }
     }

@@ -16,7 +16,7 @@ namespace Host.Pipelines
     /// <summary>The stand-ins of one version, compiled, and what is compiled against them.</summary>
     sealed class PipelineAssemblies
     {
-        public const string Core = "Unity.RenderPipelines.Core.Runtime", Universal = "Unity.RenderPipelines.Universal.Runtime";
+        const string Core = "Unity.RenderPipelines.Core.Runtime";
 
         static readonly Dictionary<PipelineVersion, PipelineAssemblies> made = new();
 
@@ -34,7 +34,8 @@ namespace Host.Pipelines
             references.AddRange(Scripts.Compiling.References.Standard);
             references.Add(MetadataReference.CreateFromFile(typeof(UnityEngine.Object).Assembly.Location));
             Make(Core, "Core/");
-            Make(Universal, "Universal/");
+            foreach (PipelineKind kind in PipelineKind.All)
+                Make(kind.Assembly, kind.Folder + "/");
         }
 
         /// <summary>Compiled once in a process.</summary>
@@ -60,7 +61,7 @@ namespace Host.Pipelines
             references.Add(MetadataReference.CreateFromImage(image));
         }
 
-        static string Friends(string name) => name == Core ? $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"{Universal}\")]" : "";
+        static string Friends(string name) => name == Core ? string.Concat(PipelineKind.All.Select(kind => $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"{kind.Assembly}\")]")) : "";
 
         /// <summary>What of the package an adapter refers to.</summary>
         static IEnumerable<MetadataReference> Package(bool editor) => new[] { "Rill", "Unity.Mathematics" }.Concat(editor ? new[] { "UnityEditor" } : Array.Empty<string>())
@@ -114,7 +115,7 @@ namespace Host.Pipelines
     {
         readonly Dictionary<string, Assembly> loaded = new();
 
-        public PipelineContext(PipelineAssemblies assemblies) : base("URP " + assemblies.Version.Name)
+        public PipelineContext(PipelineAssemblies assemblies) : base("render pipelines " + assemblies.Version.Name)
         {
             foreach ((string name, byte[] image) in assemblies.Images)
                 Add(name, image);

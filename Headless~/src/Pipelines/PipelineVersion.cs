@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Host.Pipelines
 {
-    /// <summary>A version of the Universal Render Pipeline with the editor that ships it and the symbols that this editor sets.</summary>
+    /// <summary>A version of the scriptable pipelines, which share their numbers, with the editor that ships it and the symbols that this editor sets.</summary>
     sealed class PipelineVersion
     {
         /// <summary>"14", as the command line has it.</summary>
@@ -13,7 +13,7 @@ namespace Host.Pipelines
         public string Unity { get; private init; }
         /// <summary>The editor whose API lists count: there are none of 6000.4.</summary>
         public string ListedAs { get; private init; }
-        /// <summary>Of the package.</summary>
+        /// <summary>Of URP's package; HDRP's differs in its last number at most.</summary>
         public string Package { get; private init; }
         /// <summary>Whether passes that are executed, not recorded, can be compiled.</summary>
         public bool HasCompatibilityPath { get; private init; }
@@ -37,7 +37,7 @@ namespace Host.Pipelines
         /// <summary>"14" or "17": the newest of that number that is played; or a full name.</summary>
         /// <exception cref="ArgumentException">There is none of that name.</exception>
         public static PipelineVersion Find(string name) => All.FirstOrDefault(version => version.Name == (name == "17" ? "17.0" : name))
-            ?? throw new ArgumentException($"there is no Universal Render Pipeline {name} here; there are {string.Join(", ", All.Select(version => version.Name))}");
+            ?? throw new ArgumentException($"there is no render pipeline {name} here; there are {string.Join(", ", All.Select(version => version.Name))}");
 
         /// <summary>What that editor defines for scripts of a player or of the editor.</summary>
         public IEnumerable<string> Defines(bool editor)

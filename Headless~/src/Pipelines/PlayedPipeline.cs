@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Pipelines
 {
-    /// <summary>The pipeline that draws the cameras, with the package's adapter, until it is disposed of.</summary>
+    /// <summary>The pipeline that draws the cameras, with the package's adapters, until it is disposed of.</summary>
     sealed class PlayedPipeline : IDisposable
     {
         // Loaded code stays: one context for each version and folder of adapters.
@@ -23,34 +23,36 @@ namespace Host.Pipelines
         /// <summary>The stand-in's asset: a new one, with all settings at their defaults.</summary>
         public RenderPipelineAsset Asset { get; }
 
-        PlayedPipeline(PipelineVersion version, PipelineContext context, bool byExecute)
+        PlayedPipeline(PipelineKind kind, PipelineVersion version, PipelineContext context, bool byExecute)
         {
             Version = version;
             this.context = context;
-            (Player.PipelineTag, Player.PipelinePackage) = ("UniversalPipeline", AdapterDefinition.UniversalPackage);
-            Assembly universal = context[PipelineAssemblies.Universal];
-            universal.GetType("UnityEngine.Rendering.Universal.UniversalRenderPipeline").GetField("IsCompatibilityMode", BindingFlags.Static | BindingFlags.NonPublic).SetValue(null, byExecute);
-            Asset = (RenderPipelineAsset)ScriptableObject.CreateInstance(universal.GetType("UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset"));
+            (Player.PipelineTag, Player.PipelinePackage, Player.PipelineVersion) = (kind.Tag, kind.Package, version.Package);
+            context[PipelineKind.Universal.Assembly].GetType("UnityEngine.Rendering.Universal.UniversalRenderPipeline").GetField("IsCompatibilityMode", BindingFlags.Static | BindingFlags.NonPublic).SetValue(null, byExecute);
+            Asset = (RenderPipelineAsset)ScriptableObject.CreateInstance(context[kind.Assembly].GetType(kind.Asset, true));
             GraphicsSettings.defaultRenderPipeline = Asset;
             RenderPipelineManager.Prepare();
         }
 
-        /// <param name="root">Of the package whose adapter comes along; null: none.</param>
+        /// <param name="root">Of the package whose adapters come along; null: none.</param>
         /// <param name="byExecute">In Compatibility Mode, by the passes' Execute; before 17 there is nothing else.</param>
         /// <param name="editor">With what the adapter has for the editor alone.</param>
         /// <exception cref="InvalidOperationException">The adapter does not compile.</exception>
-        public static PlayedPipeline Start(PipelineVersion version, string root, bool byExecute = false, bool editor = false) => new(version, Load(version, root, editor), byExecute);
+        public static PlayedPipeline Start(PipelineKind kind, PipelineVersion version, string root, bool byExecute = false, bool editor = false) => new(kind, version, Load(version, root, editor), byExecute);
 
-        /// <summary>Stand-ins and adapter, so that initializers of theirs run with those of the project.</summary>
+        /// <summary>Stand-ins and adapters, so that initializers of theirs run with those of the project.</summary>
         public static PipelineContext Load(PipelineVersion version, string root, bool editor = false)
         {
             if (contexts.TryGetValue((version, root, editor), out PipelineContext found))
                 return found;
             PipelineAssemblies assemblies = PipelineAssemblies.Of(version);
             var made = new PipelineContext(assemblies);
-            if (root != null)
+            foreach (PipelineKind kind in PipelineKind.All)
             {
-                AdapterDefinition adapter = AdapterDefinition.Read(Path.Combine(root, AdapterDefinition.UniversalFile));
+                string file = root == null ? null : Path.Combine(root, kind.AdapterFile);
+                if (!File.Exists(file))
+                    continue;
+                AdapterDefinition adapter = AdapterDefinition.Read(file);
                 byte[] image = assemblies.CompileAdapter(adapter, editor, out List<string> errors);
                 if (errors.Count > 0)
                     throw new InvalidOperationException($"{adapter.Name} does not compile for {version}:\n{string.Join("\n", errors)}");
@@ -70,7 +72,7 @@ namespace Host.Pipelines
 
         public void Dispose()
         {
-            (Player.PipelineTag, Player.PipelinePackage) = ("", null);
+            (Player.PipelineTag, Player.PipelinePackage, Player.PipelineVersion) = ("", null, null);
             GraphicsSettings.defaultRenderPipeline = null;
             if (Player.Device != null)
                 RenderPipelineManager.Prepare();

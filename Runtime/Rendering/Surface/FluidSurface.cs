@@ -42,7 +42,7 @@ namespace Rill
         [Range(0f, 1f)]
         [SerializeField] float shadowOpacity = 0.4f;
 
-        [Tooltip("Light whose highlight is seen. None: the scene's main light; in HDRP, from above.")]
+        [Tooltip("Light whose highlight is seen. None: the scene's main light; in HDRP, the brightest directional light that the camera sees.")]
         [SerializeField] Light sun;
 
         [Tooltip("A material of your own, whose shader reads the surface's textures as Surface.hlsl does. None: the package's.")]
@@ -85,7 +85,7 @@ namespace Rill
         /// <summary>How much of the light is gone in its shadow, 0 to 1.</summary>
         public float ShadowOpacity { get => shadowOpacity; set => shadowOpacity = Mathf.Clamp01(value); }
 
-        /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, from above).</summary>
+        /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, the brightest directional light that the camera sees).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
         /// <summary>A material of your own; null for the package's.</summary>
@@ -129,6 +129,8 @@ namespace Rill
         {
             MaterialPropertyBlock properties = recorder.ViewOf(camera.camera).Shading;
             SetLook(properties);
+            if (sun == null && camera.light is FluidViews.Light light)
+                SetSun(properties, light.Direction, light.Color, false);
             if (sceneColor != null)
                 properties.SetTexture(Ids.SceneColor, sceneColor);
             RenderParams parameters = Parameters(properties);
@@ -157,6 +159,7 @@ namespace Rill
             if (Simulation != null)
                 Simulation.AskForSurface -= Ask;
             BuiltInSurfaces.End();
+            RenderSetups.End();
             shadow?.Dispose();
             shadow = null;
             recorder?.Dispose();

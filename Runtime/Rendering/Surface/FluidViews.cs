@@ -30,6 +30,25 @@ namespace Rill
         /// <summary>Whether motion vectors of the surface are drawn: only where something asks for the camera's.</summary>
         public bool needsMotion;
 
+        /// <summary>The main light, where the pipeline's shaders cannot read it; null where they can.</summary>
+        public Light? light;
+
+        /// <summary>A directional light.</summary>
+        public readonly struct Light
+        {
+            /// <summary>World, unit, towards it.</summary>
+            public readonly Vector3 Direction;
+
+            /// <summary>Linear, intensity applied; in HDRP, lux.</summary>
+            public readonly Color Color;
+
+            public Light(Vector3 direction, Color color)
+            {
+                Direction = direction;
+                Color = color;
+            }
+        }
+
         /// <summary>View of an eye.</summary>
         /// <param name="eye">0 or 1.</param>
         public Matrix4x4 ViewOf(int eye) => eye == 0 ? view : rightView;

@@ -7,5 +7,8 @@ namespace Rill
     {
         /// <summary>Found anew at each call; none where the pipeline is not in use.</summary>
         IEnumerable<SetupProblem> Problems { get; }
+
+        /// <summary>The last surface has ended: cameras are to be as they were.</summary>
+        void End();
     }
 }

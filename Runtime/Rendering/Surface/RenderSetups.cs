@@ -9,6 +9,15 @@ namespace Rill
 
         public static IReadOnlyList<IRenderSetup> All => all;
 
+        /// <summary>When a surface has ended: after the last, cameras are as they were.</summary>
+        public static void End()
+        {
+            if (FluidSurface.Active.Count > 0)
+                return;
+            for (int i = 0; i < all.Count; i++)
+                all[i].End();
+        }
+
         /// <summary>In place of an earlier one of the same class.</summary>
         public static void Add(IRenderSetup setup)
         {

@@ -20,30 +20,37 @@ namespace Host.Check.Api
         /// <summary>Members of the path that URP calls obsolete and runs all the same until 6000.3: upgraded projects start with it.</summary>
         static readonly string[] CompatibilityPath = { "ScriptableRenderPass.Execute(", "ScriptableRenderer.get_cameraColorTargetHandle()", "ScriptableRenderer.get_cameraDepthTargetHandle()" };
 
+        readonly IReadOnlyList<PipelineKind> kinds;
+
+        /// <param name="kinds">Those whose adapters are examined; null: all.</param>
+        public PipelineAdaptersRule(IReadOnlyList<PipelineKind> kinds = null) => this.kinds = kinds ?? PipelineKind.All;
+
         public override string Name => "API: render pipeline adapters compile in every version";
 
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            if (!package.Has(AdapterDefinition.UniversalFile))
-            {
-                findings.Fault($"{AdapterDefinition.UniversalFile} is not there");
-                return findings;
-            }
-            AdapterDefinition adapter = AdapterDefinition.Read(package.FullPath(AdapterDefinition.UniversalFile));
-            if (adapter.Defines(null, false) != null)
-                findings.Fault($"{AdapterDefinition.UniversalFile}: without {AdapterDefinition.UniversalPackage} it is compiled all the same, and its references are missing: add a define constraint that a version define of that package meets");
             var types = new HashSet<string>();
             var members = new HashSet<string>();
-            int compiled = 0;
+            foreach (PipelineKind kind in kinds)
+                Examine(package, kind, types, members, findings);
+            findings.Looked = $"{string.Join(" and ", kinds.Select(kind => Path.GetFileNameWithoutExtension(kind.AdapterFile)))} compiled {2 * PipelineVersion.All.Count} times each, as player and for the editor, in {string.Join(", ", PipelineVersion.All)}: {types.Count} types and {members.Count} members";
+            return findings;
+        }
+
+        static void Examine(PackageTree package, PipelineKind kind, ISet<string> types, ISet<string> members, Findings findings)
+        {
+            if (!package.Has(kind.AdapterFile))
+            {
+                findings.Fault($"{kind.AdapterFile} is not there");
+                return;
+            }
+            AdapterDefinition adapter = AdapterDefinition.Read(package.FullPath(kind.AdapterFile));
+            if (adapter.Defines(null, false) != null)
+                findings.Fault($"{kind.AdapterFile}: without {kind.Package} it is compiled all the same, and its references are missing: add a define constraint that a version define of that package meets");
             foreach (PipelineVersion version in PipelineVersion.All)
                 foreach (bool editor in new[] { false, true })
-                {
                     Examine(adapter, version, editor, types, members, findings);
-                    compiled++;
-                }
-            findings.Looked = $"{adapter.Name} compiled {compiled} times, as player and for the editor, in {string.Join(", ", PipelineVersion.All)}: {types.Count} types and {members.Count} members";
-            return findings;
         }
 
         static void Examine(AdapterDefinition adapter, PipelineVersion version, bool editor, ISet<string> types, ISet<string> members, Findings findings)

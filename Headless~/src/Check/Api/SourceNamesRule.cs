@@ -19,7 +19,7 @@ namespace Host.Check.Api
     {
         static readonly string[] Folders = { "Runtime/", "Editor/", "Tests/" };
         // Compiled and examined once for each version of the pipeline: PipelineAdaptersRule.
-        internal static readonly string[] AdapterFolders = { "Runtime/Rendering.Universal/" };
+        internal static readonly string[] AdapterFolders = { "Runtime/Rendering.Universal/", "Runtime/Rendering.HighDefinition/" };
 
         public override string Name => "API: constants, enum values and named arguments exist in every version";
 

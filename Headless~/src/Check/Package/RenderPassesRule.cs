@@ -33,7 +33,7 @@ namespace Host.Check
             foreach (string file in PackageShaders.Files(package, ".shader"))
                 try
                 {
-                    ParsedShader shader = ShaderLabParser.Parse(package.Read(file), file, _ => true);
+                    ParsedShader shader = ShaderLabParser.Parse(package.Read(file), file, (_, _) => true);
                     if (shader.Name.StartsWith("Hidden/", StringComparison.Ordinal) || !shader.SubShaders.Any(s => s.Passes.Any(WritesDepth)))
                         continue;
                     shaders++;

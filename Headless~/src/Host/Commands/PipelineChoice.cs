@@ -7,10 +7,11 @@ namespace Host.Commands
     /// <summary>A render pipeline as <c>--pipeline</c> names it.</summary>
     sealed class PipelineChoice
     {
-        const string Universal = "universal-", Compatibility = "-compatibility";
+        const string Compatibility = "-compatibility";
 
-        public static readonly string[] Names = { "universal-14", "universal-17", "universal-17" + Compatibility };
+        public static readonly string[] Names = { "universal-14", "universal-17", "universal-17" + Compatibility, "high-definition-14", "high-definition-17" };
 
+        public PipelineKind Kind { get; private init; }
         public PipelineVersion Version { get; private init; }
         /// <summary>Of 17: without the render graph.</summary>
         public bool ByExecute { get; private init; }
@@ -27,8 +28,10 @@ namespace Host.Commands
             if (!Names.Contains(name))
                 throw new HostException($"--pipeline {name}: there are {string.Join(", ", Names)}.");
             bool byExecute = name.EndsWith(Compatibility, StringComparison.Ordinal);
-            string number = name.Substring(Universal.Length, name.Length - Universal.Length - (byExecute ? Compatibility.Length : 0));
-            return new PipelineChoice { Version = PipelineVersion.Find(number), ByExecute = byExecute };
+            PipelineKind kind = PipelineKind.All.First(known => name.StartsWith(known.Name + "-", StringComparison.Ordinal));
+            int start = kind.Name.Length + 1;
+            string number = name.Substring(start, name.Length - start - (byExecute ? Compatibility.Length : 0));
+            return new PipelineChoice { Kind = kind, Version = PipelineVersion.Find(number), ByExecute = byExecute };
         }
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Host.Shaders;
 using System.Reflection.PortableExecutable;
 using System.Text.RegularExpressions;
 using Host.Assets;
@@ -182,7 +183,7 @@ namespace Host.Scripts.Assemblies
                 var holds = false;
                 try
                 {
-                    holds = version != null && Defines.InRange(version, define.Expression);
+                    holds = version != null && VersionRange.Contains(define.Expression, version);
                 }
                 catch (FormatException e)
                 {

@@ -1,4 +1,4 @@
-// Of the headless host: copies one slice of an array.
+// Of the headless host: copies one slice of an array, or the first part of it.
 Shader "Hidden/Headless/BlitCopyArray"
 {
     SubShader
@@ -18,6 +18,7 @@ Shader "Hidden/Headless/BlitCopyArray"
             SamplerState sampler_MainTex;
             float4x4 unity_MatrixVP;
             float _Slice;
+            float4 _Part;           // xy: of the width and height that is copied
 
             struct Varyings
             {
@@ -29,7 +30,7 @@ Shader "Hidden/Headless/BlitCopyArray"
             {
                 Varyings o;
                 o.position = mul(unity_MatrixVP, float4(position, 1));
-                o.uv = uv;
+                o.uv = uv * _Part.xy;
                 return o;
             }
 

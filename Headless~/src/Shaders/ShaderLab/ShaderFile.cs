@@ -23,7 +23,7 @@ namespace Host.Shaders
         public ShaderFile(string filePath, string displayPath, IncludeResolver resolver, ShaderCompiler compiler, string pipeline = "")
         {
             Path = displayPath;
-            parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, package => resolver?.Invoke($"Packages/{package}/package.json") != null);
+            parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, (package, versions) => HasPackage(resolver, package, versions));
             // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
             ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Available && s.Passes.Any(p => p.Available) && (!s.Tags.TryGetValue("RenderPipeline", out string wanted) || wanted.Length == 0 || wanted == pipeline));
             read = (pass, subShader, caster) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler, caster);
@@ -32,6 +32,10 @@ namespace Host.Shaders
             if (usable == null)
                 parsed.Notes.Add("no SubShader is for the pipeline and packages of this project");
         }
+
+        // Of the pipeline that is stood in for the version is known; that of other packages is not asked for.
+        static bool HasPackage(IncludeResolver resolver, string package, string versions) => resolver?.Invoke($"Packages/{package}/package.json") != null
+            && (package != Player.PipelinePackage || VersionRange.Contains(versions, Player.PipelineVersion));
 
         public override string Path { get; }
         public override string Name => parsed.Name;

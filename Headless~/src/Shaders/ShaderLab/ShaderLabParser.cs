@@ -41,18 +41,18 @@ namespace Host.Shaders
     sealed class ShaderLabParser
     {
         readonly ShaderLabReader reader;
-        readonly Func<string, bool> hasPackage;
+        readonly Func<string, string, bool> hasPackage;
         readonly ParsedShader shader = new ParsedShader();
 
-        ShaderLabParser(string text, string path, Func<string, bool> hasPackage)
+        ShaderLabParser(string text, string path, Func<string, string, bool> hasPackage)
         {
             reader = new ShaderLabReader(text, path);
             this.hasPackage = hasPackage;
         }
 
-        /// <param name="hasPackage">Whether the project has a package of that name; SubShaders and passes that require others are marked.</param>
+        /// <param name="hasPackage">Whether the project has a package of that name in that range of versions; SubShaders and passes that require others are marked.</param>
         /// <exception cref="ShaderCompileException"/>
-        public static ParsedShader Parse(string text, string path, Func<string, bool> hasPackage)
+        public static ParsedShader Parse(string text, string path, Func<string, string, bool> hasPackage)
         {
             var parser = new ShaderLabParser(text, path, hasPackage);
             parser.ReadShader();
@@ -156,8 +156,8 @@ namespace Host.Shaders
                 return false;
             var packages = new Dictionary<string, string>();
             ReadPairs(':', packages);
-            foreach (string package in packages.Keys)
-                scope.Available &= package == "unity" || hasPackage(package);
+            foreach ((string package, string versions) in packages)
+                scope.Available &= package == "unity" || hasPackage(package, versions);
             return true;
         }
 

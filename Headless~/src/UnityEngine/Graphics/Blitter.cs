@@ -7,7 +7,7 @@ namespace UnityEngine.Headless
     internal static class Blitter
     {
         const string CopyShader = "Hidden/BlitCopy", ArrayCopyShader = "Hidden/Headless/BlitCopyArray";
-        static readonly int mainTex = Shader.PropertyToID("_MainTex"), slice = Shader.PropertyToID("_Slice");
+        static readonly int mainTex = Shader.PropertyToID("_MainTex"), slice = Shader.PropertyToID("_Slice"), partId = Shader.PropertyToID("_Part");
         static Mesh quad;
         static Material copy, arrayCopy;
 
@@ -32,7 +32,9 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>One slice of an array, or a texture, into one slice of an array, or into a texture.</summary>
-        public static void BlitSlice(Texture source, RenderTexture target, int sourceSlice, int targetSlice)
+        /// <param name="part">Of an array: how much of its width and height is taken, from its first texel; null: all.</param>
+        /// <param name="viewport">Of the target; null: all.</param>
+        public static void BlitSlice(Texture source, RenderTexture target, int sourceSlice, int targetSlice, Vector2? part = null, Rect? viewport = null)
         {
             if (source == null)
                 throw new ArgumentNullException(nameof(source), "Blit: the source is null.");
@@ -44,13 +46,16 @@ namespace UnityEngine.Headless
             var block = new PropertyTable();
             block.SetTexture(mainTex, source);
             block.SetFloat(slice, sourceSlice);
-            Draw(target, targetSlice, material, 0, block);
+            block.SetVector(partId, part ?? Vector2.one);
+            Draw(target, targetSlice, material, 0, block, viewport);
         }
 
-        static void Draw(RenderTexture target, int targetSlice, Material material, int pass, PropertyTable block)
+        static void Draw(RenderTexture target, int targetSlice, Material material, int pass, PropertyTable block, Rect? viewport = null)
         {
             (Matrix4x4 view, Matrix4x4 projection) = (RenderState.View, RenderState.Projection);
             RenderState.SetTarget(target, 0, targetSlice);
+            if (viewport.HasValue)
+                RenderState.SetViewport(viewport.Value);
             BuiltinVariables.SetViewProjection(Matrix4x4.identity, Matrix4x4.Ortho(0, 1, 0, 1, -1, 100));
             Drawing.Draw(new DrawCall { Call = "Blit", Mesh = Quad(), Matrix = Matrix4x4.identity, Material = material, Pass = pass, Block = block, Instances = 1 });
             BuiltinVariables.SetViewProjection(view, projection);

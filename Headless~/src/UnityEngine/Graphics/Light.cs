@@ -25,6 +25,18 @@ namespace UnityEngine
             return brightest;
         }
 
+        internal static IReadOnlyList<Light> Directional() => active.FindAll(light => light.type == LightType.Directional);
+
+        /// <summary>As culling hands it to a scriptable pipeline: with the intensity, linear where GraphicsSettings says so.</summary>
+        internal Color FinalColor
+        {
+            get
+            {
+                Color linear = GraphicsSettings.lightsUseLinearIntensity ? color.linear : color;
+                return (GraphicsSettings.lightsUseColorTemperature && useColorTemperature ? linear * Mathf.CorrelatedColorTemperatureToRGB(colorTemperature) : linear) * intensity;
+            }
+        }
+
         float Brightness => color.grayscale * intensity;
 
         public LightType type { get; set; } = LightType.Point;

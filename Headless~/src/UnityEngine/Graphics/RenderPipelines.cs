@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Unity.Collections;
 
 namespace UnityEngine.Rendering
 {
@@ -52,6 +53,38 @@ namespace UnityEngine.Rendering
         public bool Equals(ScriptableRenderContext other) => true;
         public override bool Equals(object obj) => obj is ScriptableRenderContext;
         public override int GetHashCode() => 0;
+    }
+
+    /// <summary>Of what a camera sees: the directional lights.</summary>
+    public struct CullingResults : IEquatable<CullingResults>
+    {
+        NativeArray<VisibleLight> lights;
+
+        public NativeArray<VisibleLight> visibleLights => lights;
+
+        internal static CullingResults OfScene()
+        {
+            IReadOnlyList<Light> directional = Light.Directional();
+            var lights = new NativeArray<VisibleLight>(directional.Count, Allocator.Temp);
+            for (int i = 0; i < directional.Count; i++)
+                lights[i] = new VisibleLight { lightType = LightType.Directional, finalColor = directional[i].FinalColor, localToWorldMatrix = directional[i].transform.localToWorldMatrix };
+            return new CullingResults { lights = lights };
+        }
+
+        public bool Equals(CullingResults other) => lights.Equals(other.lights);
+        public override bool Equals(object obj) => obj is CullingResults other && Equals(other);
+        public override int GetHashCode() => lights.GetHashCode();
+    }
+
+    public struct VisibleLight : IEquatable<VisibleLight>
+    {
+        public LightType lightType { get; set; }
+        public Color finalColor { get; set; }
+        public Matrix4x4 localToWorldMatrix { get; set; }
+
+        public bool Equals(VisibleLight other) => lightType == other.lightType && finalColor.Equals(other.finalColor) && localToWorldMatrix.Equals(other.localToWorldMatrix);
+        public override bool Equals(object obj) => obj is VisibleLight other && Equals(other);
+        public override int GetHashCode() => localToWorldMatrix.GetHashCode();
     }
 
     public static class RenderPipelineManager

@@ -1,0 +1,79 @@
+namespace UnityEngine.Rendering.HighDefinition
+{
+    public enum FrameSettingsField
+    {
+        None = -1,
+        CustomPass = 6,
+        Refraction = 13,
+    }
+
+    /// <summary>What a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): of a new project both fields are on.</summary>
+    public struct FrameSettings
+    {
+        uint enabled;
+
+        internal static FrameSettings NewDefault()
+        {
+            var settings = new FrameSettings();
+            settings.SetEnabled(FrameSettingsField.CustomPass, true);
+            settings.SetEnabled(FrameSettingsField.Refraction, true);
+            return settings;
+        }
+
+        public bool IsEnabled(FrameSettingsField field) => (enabled & Bit(field)) != 0;
+
+        public void SetEnabled(FrameSettingsField field, bool value) => enabled = value ? enabled | Bit(field) : enabled & ~Bit(field);
+
+        /// <summary>What the asset does not support is off, whatever the camera says (Sanitize).</summary>
+        internal void Sanitize(in RenderPipelineSettings supported)
+        {
+            if (!supported.supportCustomPass)
+                SetEnabled(FrameSettingsField.CustomPass, false);
+        }
+
+        static uint Bit(FrameSettingsField field) => field == FrameSettingsField.None ? 0u : 1u << (int)field;
+    }
+
+    /// <summary>Beside a camera that has settings of its own; HDRP draws one that lacks it all the same.</summary>
+    public class HDAdditionalCameraData : MonoBehaviour
+    {
+        FrameSettings own = FrameSettings.NewDefault();
+
+        public bool customRenderingSettings;
+
+        // Of every field here: HDRP has a mask beside it that says which of them count.
+        public ref FrameSettings renderingPathCustomFrameSettings => ref own;
+    }
+
+    /// <summary>A camera as the pipeline sees it. Sizes are those of this frame from before beginCameraRendering on.</summary>
+    /// <remarks>HDRP 14.0.8, Runtime/RenderPipeline/Camera/HDCamera.cs (GetOrCreate, Update).</remarks>
+    public class HDCamera
+    {
+        static readonly System.Collections.Generic.Dictionary<Camera, HDCamera> all = new System.Collections.Generic.Dictionary<Camera, HDCamera>();
+
+        HDCamera(Camera camera) => this.camera = camera;
+
+        public Camera camera;
+        public FrameSettings frameSettings { get; private set; }
+        public int actualWidth { get; private set; }
+        public int actualHeight { get; private set; }
+
+        public static HDCamera GetOrCreate(Camera camera, int xrMultipassId = 0)
+        {
+            if (!all.TryGetValue(camera, out HDCamera found))
+                all.Add(camera, found = new HDCamera(camera));
+            return found;
+        }
+
+        internal void Update(in RenderPipelineSettings supported)
+        {
+            (actualWidth, actualHeight) = (camera.pixelWidth, camera.pixelHeight);
+            camera.TryGetComponent(out HDAdditionalCameraData data);
+            FrameSettings settings = data != null && data.customRenderingSettings ? data.renderingPathCustomFrameSettings : FrameSettings.NewDefault();
+            settings.Sanitize(supported);
+            frameSettings = settings;
+        }
+
+        internal static void Forget() => all.Clear();
+    }
+}

@@ -1,0 +1,212 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Headless;
+
+namespace UnityEngine.Rendering.HighDefinition
+{
+    /// <summary>
+    /// All cameras begin before the first is drawn. Of each: depth, opaque draws, sky, custom passes, draws before the refraction, the copy
+    /// of the colour for what refracts, custom passes, transparent draws, picture. Textures are arrays of one slice, larger than the camera, which
+    /// uses their first texels; what lies beyond is magenta. No shadow maps, lights or volumes of its own; no tone mapping.
+    /// </summary>
+    /// <remarks>
+    /// HDRP 16.0: Runtime/RenderPipeline/HDRenderPipeline.cs (Render: BeginCameraRendering, culling and custom pass volumes of all cameras
+    /// come before ExecuteRenderRequest), HDRenderPipeline.RenderGraph.cs (order of passes; the color pyramid is made
+    /// where refraction is on), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
+    /// </remarks>
+    public class HDRenderPipeline : RenderPipeline
+    {
+        const float Scale = 0.7f, HistoryScale = 0.8f;      // of what a camera uses of the textures, and of those that live on
+        const int FirstBeforeRefraction = 2650, LastBeforeRefraction = 2850, FirstTransparent = 2900, LastTransparent = 3100;
+
+        static readonly int depthId = Shader.PropertyToID("_CameraDepthTexture"), pyramidId = Shader.PropertyToID("_ColorPyramidTexture");
+        static readonly Func<string, bool> depthOnly = mode => mode == "DepthForwardOnly" || mode == "DepthOnly";
+        static readonly Func<string, bool> forward = mode => mode == "" || mode == "SRPDefaultUnlit" || mode == "ForwardOnly";
+
+        readonly HDRenderPipelineAsset asset;
+        readonly HighDefinitionVariables variables = new HighDefinitionVariables();
+        RTHandle color, depth, depthPyramid, colorPyramid, black;
+
+        /// <summary>What the color buffer holds of one unit of light.</summary>
+        internal static float Exposure = 1;
+
+        public HDRenderPipeline(HDRenderPipelineAsset asset)
+        {
+            this.asset = asset;
+            Shader.globalRenderPipeline = "HDRenderPipeline";
+            // As HDRP has it: intensities are physical.
+            GraphicsSettings.lightsUseLinearIntensity = GraphicsSettings.lightsUseColorTemperature = true;
+        }
+
+#if URP_17
+        [Obsolete("Of arrays")]
+#endif
+#if URP_17_3
+        protected override void Render(ScriptableRenderContext context, Camera[] cameras) => Render(context, new List<Camera>(cameras));
+#else
+        protected override void Render(ScriptableRenderContext renderContext, Camera[] cameras) => Render(renderContext, new List<Camera>(cameras));
+#endif
+
+        protected override void Render(ScriptableRenderContext renderContext, List<Camera> cameras)
+        {
+            BeginContextRendering(renderContext, cameras);
+            var begun = new List<HDCamera>();
+            foreach (Camera camera in cameras)
+            {
+                if (camera.pixelWidth <= 0 || camera.pixelHeight <= 0)
+                    continue;
+                HDCamera seen = HDCamera.GetOrCreate(camera);
+                seen.Update(asset.currentPlatformRenderPipelineSettings);
+                BeginCameraRendering(renderContext, camera);
+                begun.Add(seen);
+            }
+            foreach (HDCamera camera in begun)
+            {
+                try
+                {
+                    FrameRenderer.Cull(camera.camera);
+                    Draw(renderContext, camera);
+                }
+                finally
+                {
+                    FrameRenderer.EndCulled();
+                    Gpu.ClosePass();
+                    RenderState.SetCameraTarget(null);
+                    RenderState.SetTarget(null);
+                }
+                EndCameraRendering(renderContext, camera.camera);
+            }
+            EndContextRendering(renderContext, cameras);
+        }
+
+        void Draw(ScriptableRenderContext context, HDCamera hd)
+        {
+            Camera camera = hd.camera;
+            var viewport = new Rect(0, 0, hd.actualWidth, hd.actualHeight);
+            MakeTargets(hd);
+            RenderState.SetCameraTarget(camera.targetTexture);
+            BuiltinVariables.SetTime();
+            variables.SetLighting(Exposure);
+            variables.SetCamera(camera);
+            HighDefinitionVariables.WithholdLoose();
+            Shader.SetGlobalTexture(depthId, black.rt);
+            Shader.SetGlobalTexture(pyramidId, black.rt);
+
+            Run(CustomPassInjectionPoint.BeforeRendering, context, hd);
+            Bind(null, depthPyramid, viewport);
+            RenderState.Clear(true, false, default, 1);
+            FrameRenderer.DrawCulled(0, FrameRenderer.LastOpaqueQueue, depthOnly);
+            Shader.Globals.SetTexture(depthId, depthPyramid.rt, RenderTextureSubElement.Depth);
+            Run(CustomPassInjectionPoint.AfterOpaqueDepthAndNormal, context, hd);
+
+            Bind(color, depth, viewport);
+            RenderState.Clear(true, true, camera.backgroundColor, 1);
+            FrameRenderer.DrawCulled(0, FrameRenderer.LastOpaqueQueue, forward);
+            DrawSky(camera);
+            Run(CustomPassInjectionPoint.BeforePreRefraction, context, hd);
+            Bind(color, depth, viewport);
+            FrameRenderer.DrawCulled(FirstBeforeRefraction, LastBeforeRefraction, forward);
+            if (hd.frameSettings.IsEnabled(FrameSettingsField.Refraction))
+                CopyColor(hd, viewport);
+            Run(CustomPassInjectionPoint.BeforeTransparent, context, hd);
+            Bind(color, depth, viewport);
+            FrameRenderer.DrawCulled(FirstTransparent, LastTransparent, forward);
+
+            Headless.Blitter.BlitSlice(color.rt, camera.targetTexture, 0, 0, PartOf(color, hd));
+        }
+
+        // HDRP's own skies are volumes; the scene's stands for them.
+        void DrawSky(Camera camera)
+        {
+            if (RenderSettings.skybox == null || camera.clearFlags != CameraClearFlags.Skybox)
+                return;
+            BuiltinVariables.SetSun();
+            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
+            Sky.Draw(camera);
+            HighDefinitionVariables.WithholdLoose();
+        }
+
+        void CopyColor(HDCamera hd, Rect viewport)
+        {
+            RenderState.SetTarget(colorPyramid.rt);
+            RenderState.Clear(false, true, Color.magenta, 1);
+            Headless.Blitter.BlitSlice(color.rt, colorPyramid.rt, 0, 0, PartOf(color, hd), viewport);
+            Shader.SetGlobalTexture(pyramidId, colorPyramid.rt);
+        }
+
+        void Run(CustomPassInjectionPoint point, ScriptableRenderContext context, HDCamera hd)
+        {
+            if (!hd.frameSettings.IsEnabled(FrameSettingsField.CustomPass))
+                return;
+            foreach (CustomPassVolume volume in CustomPassVolume.Of(hd.camera, point))
+                foreach (CustomPass pass in volume.customPasses)
+                    if (pass != null && pass.WillBeExecuted(hd.camera))
+                        Run(pass, context, hd);
+        }
+
+        void Run(CustomPass pass, ScriptableRenderContext context, HDCamera hd)
+        {
+            CommandBuffer cmd = CommandBufferPool.Get(pass.name);
+            try
+            {
+                bool hasColor = pass.targetColorBuffer == CustomPass.TargetBuffer.Camera, hasDepth = pass.targetDepthBuffer == CustomPass.TargetBuffer.Camera;
+                if (hasColor || hasDepth)
+                    Bind(hasColor ? color : null, hasDepth ? depth : null, new Rect(0, 0, hd.actualWidth, hd.actualHeight));
+                pass.Run(new CustomPassContext(context, cmd, hd, CullingResults.OfScene(), color, depth));
+                cmd.Execute();
+            }
+            finally
+            {
+                CommandBufferPool.Release(cmd);
+            }
+        }
+
+        void MakeTargets(HDCamera hd)
+        {
+            RTHandle.Need(ref color, "_CameraColorBuffer", Shape(hd, Scale, GraphicsFormat.R16G16B16A16_SFloat), FilterMode.Point);
+            RTHandle.Need(ref depth, "_CameraDepthStencilBuffer", Shape(hd, Scale, GraphicsFormat.None), FilterMode.Point);
+            // The smaller mips lie below the first, in one texture.
+            RenderTextureDescriptor packed = Shape(hd, Scale, GraphicsFormat.None);
+            packed.height += packed.height / 2;
+            RTHandle.Need(ref depthPyramid, "_CameraDepthBufferMipChain", packed, FilterMode.Point);
+            RTHandle.Need(ref colorPyramid, "_CameraColorBufferMipChain", Shape(hd, HistoryScale, GraphicsFormat.R16G16B16A16_SFloat), FilterMode.Bilinear);
+            if (black != null)
+                return;
+            RTHandle.Need(ref black, "_BlackTexture", new RenderTextureDescriptor(1, 1, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = 1 }, FilterMode.Point);
+            RenderState.SetTarget(black.rt);
+            RenderState.Clear(false, true, Color.clear, 1);
+        }
+
+        static RenderTextureDescriptor Shape(HDCamera hd, float scale, GraphicsFormat format) =>
+            new RenderTextureDescriptor(Mathf.CeilToInt(hd.actualWidth / scale), Mathf.CeilToInt(hd.actualHeight / scale), format, format == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            {
+                dimension = TextureDimension.Tex2DArray, volumeDepth = 1,
+            };
+
+        static Vector2 PartOf(RTHandle handle, HDCamera hd) => new Vector2((float)hd.actualWidth / handle.rt.width, (float)hd.actualHeight / handle.rt.height);
+
+        static readonly List<RenderTexture> colors = new List<RenderTexture>();
+
+        static void Bind(RTHandle color, RTHandle depth, Rect viewport)
+        {
+            colors.Clear();
+            if (color != null)
+                colors.Add(color.rt);
+            RenderState.SetTargets(colors, depth?.rt, 0, 0);
+            RenderState.SetViewport(viewport);
+        }
+
+        protected override void Dispose(bool disposing)
+        {
+            foreach (RTHandle handle in new[] { color, depth, depthPyramid, colorPyramid, black })
+                handle?.Release();
+            color = depth = depthPyramid = colorPyramid = black = null;
+            variables.Dispose();
+            HDCamera.Forget();
+            CommandBufferPool.Forget();
+            GraphicsSettings.lightsUseLinearIntensity = GraphicsSettings.lightsUseColorTemperature = false;
+            Shader.globalRenderPipeline = "";
+        }
+    }
+}

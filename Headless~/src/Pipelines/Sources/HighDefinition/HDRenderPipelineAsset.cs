@@ -1,0 +1,15 @@
+namespace UnityEngine.Rendering.HighDefinition
+{
+    /// <summary>What a project supports (HDRP 14.0.8, Runtime/RenderPipeline/Settings/RenderPipelineSettings.cs).</summary>
+    public struct RenderPipelineSettings
+    {
+        public bool supportCustomPass;
+    }
+
+    public class HDRenderPipelineAsset : RenderPipelineAsset
+    {
+        public RenderPipelineSettings currentPlatformRenderPipelineSettings { get; set; } = new RenderPipelineSettings { supportCustomPass = true };
+
+        protected override RenderPipeline CreatePipeline() => new HDRenderPipeline(this);
+    }
+}

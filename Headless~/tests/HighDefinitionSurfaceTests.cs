@@ -1,0 +1,208 @@
+using System.Linq;
+using System.Reflection;
+using Host.Pipelines;
+using NUnit.Framework;
+using Rill;
+using UnityEngine;
+using UnityEngine.Headless;
+
+namespace Host.Tests
+{
+    /// <summary>The package's adapter for HDRP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
+    public class HighDefinitionSurfaceTests : PipelineSurfaceFixture
+    {
+        const string Space = "UnityEngine.Rendering.HighDefinition.";
+
+        void Build(string version, bool editor = false) => Build(PipelineKind.HighDefinition, version, editor);
+
+        [TearDown]
+        public void ResetExposure()
+        {
+            if (pipeline != null)
+                Expose(1);
+        }
+
+        System.Type TypeOf(string name) => pipeline[PipelineKind.HighDefinition.Assembly].GetType(Space + name, true);
+
+        void Expose(float exposure) => TypeOf("HDRenderPipeline").GetField("Exposure", BindingFlags.Static | BindingFlags.NonPublic).SetValue(null, exposure);
+
+        static Light Sun => Object.FindObjectOfType<Light>();
+
+        int Volumes() => Resources.FindObjectsOfTypeAll(TypeOf("CustomPassVolume")).Length;
+
+        FluidSurface Surface => simulation.GetComponent<FluidSurface>();
+
+        // Of milk, in the middle of the picture.
+        float MilkAfter(int frames)
+        {
+            Play(frames);
+            return Pixels()[Width * (Height / 2 - 2) + Width / 2].y;
+        }
+
+        [Test]
+        public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17.3", "17.4")] string version)
+        {
+            Build(version);
+            Play(2);
+            Assert.That(Errors, Is.Empty);
+            Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 60));
+        }
+
+        // With something that hides the rear of the water.
+        void Arrange(bool refraction)
+        {
+            Surface.Refraction = refraction;
+            GameObject post = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            post.transform.localScale = new Vector3(0.3f, 2, 0.3f);
+            post.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", Player.PipelineTag);
+        }
+
+        int OtherThanInTheBuiltInPipeline(bool refraction, System.Action build)
+        {
+            Vector4[] builtIn = InTheBuiltInPipeline(3, () => Arrange(refraction));
+            build();
+            Arrange(refraction);
+            Sun.intensity = Mathf.PI;       // lux that make a white surface white
+            Play(3);
+            return Pixels().Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.02f).Count();
+        }
+
+        [Test]
+        public void It_looks_as_in_the_Built_in_pipeline([Values("14", "17")] string version, [Values] bool refraction) => Assert.That(OtherThanInTheBuiltInPipeline(refraction, () => Build(version)), Is.LessThan(Width * Height / 500));
+
+        [TestCase("HighDefinitionSurfaces.cs", "views.sceneSize = new Vector2(views.width, views.height);", "views.sceneSize = new Vector2(views.width, views.height) / 0.7f;", TestName = "The_size_of_the_textures_for_that_of_the_picture_is_seen")]
+        [TestCase("HighDefinitionSurfaces.cs", "views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);", "views.light = null;", TestName = "Another_light_is_seen")]
+        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforeRendering", TestName = "A_pass_before_the_depth_is_drawn_is_seen")]
+        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforePostProcess", TestName = "A_pass_after_the_transparent_draws_is_seen")]
+        public void A_fault_in_the_adapter_is_seen(string file, string line, string instead) =>
+            Assert.That(OtherThanInTheBuiltInPipeline(!instead.Contains("BeforeRendering"), () => BuildWithFault(PipelineKind.HighDefinition, "17", file, line, instead)), Is.GreaterThan(Width * Height / 500));
+
+        [Test]
+        public void What_the_water_adds_is_exposed_and_what_it_shows_is_not_exposed_again([Values("14", "17")] string version)
+        {
+            Build(version);
+            Sun.intensity = 3;
+            Surface.Preset = SurfacePreset.Milk;
+            float milk = MilkAfter(3);
+            simulation.Paused = true;
+            Expose(0.5f);
+            Assert.That(MilkAfter(1), Is.EqualTo(0.5f * milk).Within(0.01f * milk));
+            SurfaceLook clear = SurfaceLook.Water;
+            clear.scattering = Color.black;
+            Surface.Look = clear;
+            Surface.ReflectionStrength = 0;
+            Sun.intensity = 0;
+            float halved = MilkAfter(3);
+            Expose(1);
+            Assert.That(halved, Is.GreaterThan(0.05f), "the floor");
+            Assert.That(MilkAfter(1), Is.EqualTo(halved).Within(0.001f));
+        }
+
+        [Test]
+        public void The_light_is_the_brightest_directional_one_from_the_second_frame_on_and_the_suns_in_the_first()
+        {
+            Build("17");
+            Surface.Preset = SurfacePreset.Milk;
+            Sun.intensity = 1;
+            Play(2);
+            simulation.Paused = true;
+            float dim = MilkAfter(1);
+            var bright = new GameObject("Brighter").AddComponent<Light>();
+            bright.type = LightType.Directional;
+            bright.transform.rotation = Quaternion.Euler(60, 30, 0);
+            bright.intensity = 4;
+            MilkAfter(1);
+            Assert.That(MilkAfter(1), Is.GreaterThan(1.5f * dim));
+            Object.DestroyImmediate(bright.gameObject);
+            MilkAfter(1);
+            Assert.That(MilkAfter(1), Is.EqualTo(dim).Within(1e-3f));
+
+            // The camera is new to the adapter: no frame of it has been drawn.
+            Surface.enabled = false;
+            RenderSettings.sun = Sun;
+            Surface.enabled = true;
+            Assert.That(MilkAfter(1), Is.EqualTo(dim).Within(1e-3f), "the first");
+            RenderSettings.sun = null;
+        }
+
+        [Test]
+        public void Each_of_two_cameras_shows_what_it_shows_alone([Values("14", "17")] string version)
+        {
+            Build(version);
+            var otherTarget = new RenderTexture(Height, Width, UnityEngine.Experimental.Rendering.GraphicsFormat.R32G32B32A32_SFloat, UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
+            Camera other = new GameObject("Other").AddComponent<Camera>();
+            other.targetTexture = otherTarget;
+            other.depth = 1;
+            other.transform.position = new Vector3(3, 1, 0);
+            other.transform.LookAt(Vector3.zero);
+            Play(2);
+            simulation.Paused = true;
+            Play(1);
+            camera.transform.position += new Vector3(0.3f, 0, 0.5f);    // what was drawn of it before is of no use
+            Play(1);
+            Vector4[] beside = Pixels();
+            Assert.That(Volumes(), Is.EqualTo(2));
+            Object.DestroyImmediate(other.gameObject);
+            otherTarget.Release();
+            Object.DestroyImmediate(otherTarget);
+            Play(2);
+            Assert.That(Volumes(), Is.EqualTo(1), "that of the camera that is gone is gone");
+            camera.transform.position += new Vector3(0, 1, 0);
+            Play(1);
+            camera.transform.position -= new Vector3(0, 1, 0);
+            Play(1);
+            Vector4[] alone = Pixels();
+            Assert.That(beside.Where((pixel, i) => (pixel - alone[i]).magnitude > 0.001f).Count(), Is.EqualTo(0));
+            Assert.That(Errors, Is.Empty);
+        }
+
+        [Test]
+        public void Nothing_hidden_is_left([Values("the surface is off", "the pipeline is another", "the camera sees no water")] string when)
+        {
+            Build("17");
+            if (when == "the camera sees no water")
+                camera.transform.rotation = Quaternion.Euler(0, 180, 0);
+            Play(2);
+            Assert.That(Volumes(), Is.EqualTo(when == "the camera sees no water" ? 0 : 1));
+            if (when == "the surface is off")
+                Surface.enabled = false;
+            if (when == "the pipeline is another")
+            {
+                camera.enabled = false;     // the floor's shader was imported for HDRP
+                UnityEngine.Rendering.GraphicsSettings.defaultRenderPipeline = null;
+            }
+            Play(2);
+            Assert.That(Volumes(), Is.EqualTo(0));
+        }
+
+        [Test]
+        public void What_the_project_lacks_is_listed_and_one_click_puts_it_right()
+        {
+            Build("17", editor: true);
+            IRenderSetup setup = RenderSetups.All.Last();
+            Assert.That(setup.Problems, Is.Empty);
+            pipeline.Asset.name = "Low";
+            object none = System.Activator.CreateInstance(TypeOf("RenderPipelineSettings"));
+            Set(pipeline.Asset, "currentPlatformRenderPipelineSettings", none);
+            Play(2);
+            Assert.That(Errors, Is.Empty);
+            Assert.That(Volumes(), Is.EqualTo(0), "no camera runs custom passes");
+            SetupProblem problem = setup.Problems.Single();
+            Assert.That(problem.Text, Does.Contain("'Low'").And.Contain("Custom Pass is off"));
+            problem.Fix();
+            Assert.That(setup.Problems, Is.Empty);
+            Play(2);
+            Assert.That(Volumes(), Is.EqualTo(1));
+
+            object data = camera.gameObject.AddComponent(TypeOf("HDAdditionalCameraData"));
+            Set(data, "own", System.Activator.CreateInstance(TypeOf("FrameSettings")));
+            Assert.That(setup.Problems, Is.Empty, "they do not count");
+            Set(data, "customRenderingSettings", true);
+            System.Collections.Generic.List<SetupProblem> problems = setup.Problems.ToList();
+            Assert.That(problems.ConvertAll(found => found.Text), Has.Count.EqualTo(2).And.All.Contains("'Camera'").And.Some.Contains("Custom Pass is off").And.Some.Contains("Refraction is off"));
+            foreach (SetupProblem found in problems)
+                found.Fix();
+            Assert.That(setup.Problems, Is.Empty);
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using System.Collections.Generic;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.HighDefinition;
+
+namespace Rill.HighDefinition
+{
+    /// <summary>
+    /// Fluid surfaces in the High Definition Render Pipeline: as a camera begins, its hidden volume is made ready and the draw that shades
+    /// is submitted. Nothing has to be added to a scene.
+    /// </summary>
+    /// <remarks>HDRP begins all cameras of a frame before it draws the first: each has a pass of its own. Reflection probes show no surfaces.</remarks>
+    static class HighDefinitionSurfaces
+    {
+        static List<SurfaceVolume> volumes = new List<SurfaceVolume>();
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+#if UNITY_EDITOR
+        [UnityEditor.InitializeOnLoadMethod]
+#endif
+        static void Listen()
+        {
+            Reset();
+            volumes = new List<SurfaceVolume>();
+            RenderPipelineManager.beginCameraRendering -= Begin;
+            RenderPipelineManager.beginCameraRendering += Begin;
+            RenderPipelineManager.endCameraRendering -= End;
+            RenderPipelineManager.endCameraRendering += End;
+            RenderPipelineManager.activeRenderPipelineTypeChanged -= Reset;
+            RenderPipelineManager.activeRenderPipelineTypeChanged += Reset;
+            RenderSetups.Add(new HighDefinitionSetup());
+        }
+
+        /// <summary>Cameras are as they were.</summary>
+        public static void Reset()
+        {
+            foreach (SurfaceVolume volume in volumes)
+                volume.Destroy();
+            volumes.Clear();
+        }
+
+        static void Begin(ScriptableRenderContext context, Camera camera)
+        {
+            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection || !(GraphicsSettings.currentRenderPipeline is HDRenderPipelineAsset))
+                return;
+            HDCamera seen = HDCamera.GetOrCreate(camera);
+            if (!seen.frameSettings.IsEnabled(FrameSettingsField.CustomPass))
+                return;
+            SurfaceVolume volume = Find(camera);
+            FluidViews views = ViewsOf(seen, volume);
+            bool any = false;
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+            {
+                FluidSurface surface = FluidSurface.Active[i];
+                if (!surface.Prepare(views))
+                    continue;
+                surface.Submit(views, null);
+                any = true;
+            }
+            if (any && volume == null)
+                volumes.Add(volume = new SurfaceVolume(camera));
+            if (volume == null)
+                return;
+            volume.IsOn = any;
+            if (any)
+                volume.Pass.Prepare(views);
+        }
+
+        static void End(ScriptableRenderContext context, Camera camera) => Find(camera)?.Pass.Invalidate();
+
+        // Destroys those of cameras that are gone.
+        static SurfaceVolume Find(Camera camera)
+        {
+            SurfaceVolume found = null;
+            for (int i = volumes.Count - 1; i >= 0; i--)
+            {
+                if (ReferenceEquals(volumes[i].Camera, camera))
+                    found = volumes[i];
+                else if (volumes[i].Camera == null)
+                {
+                    volumes[i].Destroy();
+                    volumes.RemoveAt(i);
+                }
+            }
+            return found;
+        }
+
+        // Of HDRP's textures, which are as large as the largest camera needs, this one uses the first texels.
+        static FluidViews ViewsOf(HDCamera seen, SurfaceVolume volume)
+        {
+            FluidViews views = FluidViews.Of(seen.camera);
+            views.width = Mathf.Max(seen.actualWidth, 1);
+            views.height = Mathf.Max(seen.actualHeight, 1);
+            views.sceneSize = new Vector2(views.width, views.height);
+            views.sceneIsArray = TextureXR.useTexArray;
+            // That of the frame before: the draw is submitted before HDRP finds the camera's lights.
+            if (volume != null && volume.Pass.ToLight != Vector3.zero)
+                views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);
+            else if (RenderSettings.sun is Light sun && sun != null && sun.isActiveAndEnabled)
+                views.light = new FluidViews.Light(-sun.transform.forward, sun.color.linear * sun.intensity);
+            return views;
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.Rendering.HighDefinition;
+
+namespace Rill.HighDefinition
+{
+    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque draws and the copy of them that the water refracts.</summary>
+    [Serializable]
+    sealed class SurfacePass : CustomPass
+    {
+        FluidViews views;
+        bool isReady;
+
+        /// <summary>Towards the brightest directional light that the camera saw last, world, unit; zero before it was first drawn.</summary>
+        public Vector3 ToLight { get; private set; }
+
+        /// <summary>Of that light, linear, lux.</summary>
+        public Color LightColor { get; private set; }
+
+        public SurfacePass()
+        {
+            name = "Rill.Surface";
+            // It draws into textures of its own.
+            targetColorBuffer = targetDepthBuffer = TargetBuffer.None;
+        }
+
+        /// <summary>For the camera of these views, in this frame.</summary>
+        public void Prepare(in FluidViews camera)
+        {
+            views = camera;
+            isReady = true;
+        }
+
+        /// <summary>The camera has been drawn, or does not see the water.</summary>
+        public void Invalidate()
+        {
+            views = default;
+            isReady = false;
+        }
+
+        /// <inheritdoc/>
+        protected override void Execute(CustomPassContext ctx)
+        {
+            FindLight(ctx.cameraCullingResults);
+            if (!isReady)
+                return;
+            isReady = false;
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+                FluidSurface.Active[i].Record(ctx.cmd, views);
+        }
+
+        // HDRP binds its lights in buffers whose layout differs from version to version.
+        void FindLight(CullingResults culled)
+        {
+            ToLight = Vector3.up;
+            LightColor = Color.clear;
+            foreach (VisibleLight light in culled.visibleLights)
+                if (light.lightType == LightType.Directional && light.finalColor.maxColorComponent > LightColor.maxColorComponent)
+                {
+                    ToLight = -light.localToWorldMatrix.GetColumn(2);
+                    LightColor = light.finalColor;
+                }
+        }
+    }
+}
