@@ -7,6 +7,7 @@ namespace Rill
     sealed partial class PbfSolver
     {
         SurfaceParticles surface;
+        int substepsSinceSurface;
 
         /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
         public SurfaceParticles Surface => surface;
@@ -18,7 +19,7 @@ namespace Rill
         public bool SurfaceIsCurrent { get; private set; }
 
         /// <summary>Differs once <see cref="Surface"/> is that of another state.</summary>
-        public int SurfaceVersion { get; private set; }
+        public int SurfaceVersion { get; private set; } = 1;
 
         /// <summary>Records the surface of the current state; not after <see cref="RecordStatistics"/> of that state, which sorts anew.</summary>
         /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
@@ -27,8 +28,16 @@ namespace Rill
             surface ??= new SurfaceParticles(Layout);
             bool hasSteps = lastSubsteps > 0;
             float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
-            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, substepTime, hasSteps ? restingRegions : null);
+            SurfaceVersion++;
+            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null);
             SurfaceIsCurrent = true;
+            substepsSinceSurface = 0;
+        }
+
+        // What comes next has nothing to do with what was drawn before.
+        void ForgetSurface()
+        {
+            SurfaceIsCurrent = false;
             SurfaceVersion++;
         }
 

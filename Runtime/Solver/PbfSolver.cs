@@ -108,7 +108,7 @@ namespace Rill
         {
             stepIndex = 0;
             lastSubsteps = 0;
-            SurfaceIsCurrent = false;
+            ForgetSurface();
             statistics?.Forget();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided anew
@@ -188,6 +188,7 @@ namespace Rill
                 particles.Advance();
             }
             lastSubsteps = input.settings.substeps;
+            substepsSinceSurface += lastSubsteps;
             FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity));
             RecordEmission(cmd, input, resting);
             if (!VorticityConfinement.IsNeeded(input))

@@ -28,7 +28,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
         readonly int addNew, estimate, storeDrawn, smooth, shape;
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer surface, counters, arguments, planes, smoothPlanes;
+        GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this capacity is more than the device can bind.</exception>
         public SurfaceParticles(SolverLayout layout)
@@ -45,9 +45,11 @@ namespace Rill
                 surface = GpuBuffer.Structured<Element>("Rill.Surface", CapacityFor(layout));
                 planes = GpuBuffer.Structured<uint2>("Rill.Surface.Planes", layout.Capacity);
                 smoothPlanes = GpuBuffer.Structured<uint2>("Rill.Surface.SmoothPlanes", layout.Capacity);
+                planesBefore = GpuBuffer.Structured<uint4>("Rill.Surface.PlanesBefore", layout.Capacity);
                 counters = GpuBuffer.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length);
                 arguments = GpuBuffer.Arguments("Rill.Surface.Arguments");
                 BufferClear.Now(counters);
+                BufferClear.Now(planesBefore);
             }
             catch
             {
@@ -77,8 +79,10 @@ namespace Rill
         /// <param name="constants">Those of the last step; null where there was none since the fluid was cleared.</param>
         /// <param name="search">As the last substep left it; read for what sleeps.</param>
         /// <param name="substepTime">Length of a substep, s.</param>
+        /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
+        /// <param name="substepsSince">Substeps since the surface before.</param>
         /// <param name="resting">Null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, float substepTime, RestingRegions resting = null)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, float substepTime, int version, int substepsSince, RestingRegions resting = null)
         {
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
@@ -94,7 +98,7 @@ namespace Rill
             if (constants != null)
             {
                 RecordSmoothing(cmd, particles, lists, search, resting);
-                RecordShape(cmd, particles, lists, search, resting);
+                RecordShape(cmd, particles, lists, search, version, substepsSince, resting);
             }
             cmd.EndSample(Marker);
         }
@@ -104,6 +108,7 @@ namespace Rill
             GpuBuffer.Release(ref surface);
             GpuBuffer.Release(ref planes);
             GpuBuffer.Release(ref smoothPlanes);
+            GpuBuffer.Release(ref planesBefore);
             GpuBuffer.Release(ref counters);
             GpuBuffer.Release(ref arguments);
         }
@@ -125,6 +130,7 @@ namespace Rill
             description.Buffer("Rill.Surface", stage.surface);
             description.Buffer("Rill.Surface.Planes", stage.planes);
             description.Buffer("Rill.Surface.SmoothPlanes", stage.smoothPlanes);
+            description.Buffer("Rill.Surface.PlanesBefore", stage.planesBefore);
             description.Buffer("Rill.Surface.Counters", stage.counters);
             description.Buffer("Rill.Surface.Arguments", stage.arguments);
             return description;
@@ -169,10 +175,14 @@ namespace Rill
             }
         }
 
-        void RecordShape(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        void RecordShape(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, int version, int substepsSince, RestingRegions resting)
         {
             BindNeighbors(cmd, shape, particles, lists, search, resting);
             cmd.SetComputeBufferParam(shader, shape, Ids.Planes, planes);
+            cmd.SetComputeIntParam(shader, Ids.SurfaceVersion, version);
+            cmd.SetComputeFloatParam(shader, Ids.SinceSurface, substepsSince);
+            cmd.SetComputeBufferParam(shader, shape, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, shape, Ids.PlanesBefore, planesBefore);
             cmd.DispatchCompute(shader, shape, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
@@ -200,6 +210,10 @@ namespace Rill
             public static readonly int Surface = Shader.PropertyToID("_Surface");
             public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
             public static readonly int SurfaceArguments = Shader.PropertyToID("_SurfaceArguments");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int PlanesBefore = Shader.PropertyToID("_PlanesBefore");
+            public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");
+            public static readonly int SinceSurface = Shader.PropertyToID("_SinceSurface");
             public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");
             public static readonly int SubstepTime = Shader.PropertyToID("_SubstepTime");
         }
