@@ -14,6 +14,7 @@ namespace Rill
             public Camera camera;
             public CommandBuffer commands;
             public RenderTexture sceneColor;
+            public bool hasOurDepth;        // that nothing else asked for before
         }
 
         static List<CameraBuffer> buffers = new List<CameraBuffer>();
@@ -55,7 +56,7 @@ namespace Rill
                 if (!surface.Prepare(views))
                     continue;
                 buffer ??= Add(camera);
-                views.camera.depthTextureMode |= DepthTextureMode.Depth;
+                AskForDepth(buffer);
                 if (surface.Refraction && !isCopied)
                 {
                     CopyScene(buffer, views);
@@ -64,6 +65,14 @@ namespace Rill
                 surface.Record(buffer.commands, views);
                 surface.Submit(views, buffer.sceneColor);
             }
+        }
+
+        static void AskForDepth(CameraBuffer buffer)
+        {
+            if ((buffer.camera.depthTextureMode & DepthTextureMode.Depth) != 0)
+                return;
+            buffer.camera.depthTextureMode |= DepthTextureMode.Depth;
+            buffer.hasOurDepth = true;
         }
 
         // The opaque scene, for surfaces that refract. Before the first of them is recorded: that draws elsewhere.
@@ -119,7 +128,11 @@ namespace Rill
         static void Release(CameraBuffer buffer)
         {
             if (buffer.camera != null)
+            {
                 buffer.camera.RemoveCommandBuffer(Event, buffer.commands);
+                if (buffer.hasOurDepth)
+                    buffer.camera.depthTextureMode &= ~DepthTextureMode.Depth;
+            }
             buffer.commands.Dispose();
             EngineObject.Release(ref buffer.sceneColor);
         }
