@@ -3,7 +3,7 @@
 #ifndef RILL_PARTICLE_TAGS_INCLUDED
 #define RILL_PARTICLE_TAGS_INCLUDED
 
-static const uint kTagSteps = 0x00FFFFFFu;
+static const uint kTagSteps = 0x00FFFFFFu, kTagPhaseShift = 24;
 
 bool IsOver(uint tag, uint step)
 {

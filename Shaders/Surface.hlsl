@@ -3,7 +3,7 @@
 //
 //   _SurfaceDepth       in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
 //   _SurfaceNormals     in  xyz unit normal, world; w variance of the normals around
-//   _SurfaceThickness   in  water along the ray in front of the scene, m
+//   _SurfaceThickness   in  water along the ray in front of the scene, m, or of each of four phases
 //   _SurfaceFoam        in  see FoamLayer.hlsl; where RILL_FOAM is on
 //   the scene's colour and depth as the pipeline gives them; where RILL_REFRACTION is on
 #include "MainLight.hlsl"
@@ -16,7 +16,7 @@
 
 Texture2DArray<float> _SurfaceDepth;
 Texture2DArray<float4> _SurfaceNormals;
-Texture2DArray<float> _SurfaceThickness;
+Texture2DArray<float4> _SurfaceThickness;
 SamplerState rill_linear_clamp_sampler;
 
 #ifdef RILL_REFRACTION
@@ -57,6 +57,9 @@ float2 InColorPyramid(float2 uv)
 
 float4 _Absorption;         // rgb 1/m
 float4 _Scattering;         // rgb colour, linear; w 1/m
+float _HasPhases;           // 1 where each phase has a look of its own, the next two; else 0: a keyword would double the variants
+float4 _PhaseAbsorption[4]; // as above
+float4 _PhaseScattering[4];
 float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
 float4 _PictureBounds;      // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
 
@@ -164,6 +167,42 @@ float3 Refracted(SurfacePoint p, float2 picture, float thickness)
 }
 #endif
 
+// What light goes through on its way.
+struct Medium
+{
+    float thickness;        // m
+    float3 absorption;      // 1/m
+    float3 color;           // that is scattered, linear
+    float scattering;       // 1/m
+};
+
+Medium MediumAt(float2 picture)
+{
+    float3 at = float3(picture * 0.5 + 0.5, eyeIndex);
+    Medium m;
+    m.absorption = _Absorption.rgb;
+    m.color = _Scattering.rgb;
+    m.scattering = _Scattering.w;
+    float4 thickness = max(_SurfaceThickness.SampleLevel(rill_linear_clamp_sampler, at, 0), 0.0);
+    m.thickness = _HasPhases > 0.5 ? dot(thickness, 1.0) : thickness.x;
+    if (_HasPhases > 0.5 && m.thickness > 1e-6)
+    {
+        // The mean of those along the ray, as if they were stirred: exact for what is absorbed.
+        float3 absorbed = 0.0, scattered = 0.0;
+        float rate = 0.0;
+        for (uint i = 0; i < 4; i++)
+        {
+            absorbed += _PhaseAbsorption[i].rgb * thickness[i];
+            scattered += _PhaseScattering[i].rgb * (_PhaseScattering[i].w * thickness[i]);
+            rate += _PhaseScattering[i].w * thickness[i];
+        }
+        m.absorption = absorbed / m.thickness;
+        m.color = scattered / max(rate, 1e-9);
+        m.scattering = rate / m.thickness;
+    }
+    return m;
+}
+
 // Reflectance of a dielectric (Schlick 1994).
 float Fresnel(float cosine, float roughness)
 {
@@ -230,10 +269,10 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float facing = dot(p.normal, toEye);
     p.normal = normalize(p.normal + toEye * max(0.05 - facing, 0.0));       // none of those that are seen looks away
     facing = saturate(dot(p.normal, toEye));
-    float thickness = max(_SurfaceThickness.SampleLevel(rill_linear_clamp_sampler, float3(picture * 0.5 + 0.5, eyeIndex), 0), 0.0);
+    Medium medium = MediumAt(picture);
 #ifdef RILL_REFRACTION
     // The textures of thickness are coarse: what stands in the water keeps its edges by its own depth.
-    thickness = min(thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
+    medium.thickness = min(medium.thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
 #endif
 
     MainLight light = LightOfSurface();
@@ -242,18 +281,18 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float reflectance = Fresnel(facing, p.roughness);
     float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye, light.direction, p.roughness);
 
-    float3 through = exp(-(_Absorption.rgb + _Scattering.w) * thickness);
-    float3 lit = (around + lightColor * (0.5 * saturate(dot(p.normal, light.direction)) + 0.25)) * _Scattering.rgb;
-    float3 scattered = lit * (1.0 - exp(-_Scattering.w * thickness));
+    float3 through = exp(-(medium.absorption + medium.scattering) * medium.thickness);
+    float3 lit = (around + lightColor * (0.5 * saturate(dot(p.normal, light.direction)) + 0.25)) * medium.color;
+    float3 scattered = lit * (1.0 - exp(-medium.scattering * medium.thickness));
 #ifdef RILL_FOAM
     // Under water it hides what is behind it, and is seen through what is in front of it.
     float3 foamLight = LitFoam(around, lightColor, dot(p.normal, light.direction));
-    float3 under = foamLight * exp(-(_Absorption.rgb + _Scattering.w) * foam.below) + lit * (1.0 - exp(-_Scattering.w * foam.below));
+    float3 under = foamLight * exp(-(medium.absorption + medium.scattering) * foam.below) + lit * (1.0 - exp(-medium.scattering * foam.below));
     scattered = lerp(scattered, under, foam.under);
     through *= 1.0 - foam.under;
 #endif
 #ifdef RILL_REFRACTION
-    float3 color = (Refracted(p, picture, thickness) * through + scattered) * (1.0 - reflectance) + mirrored;
+    float3 color = (Refracted(p, picture, medium.thickness) * through + scattered) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
     float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);

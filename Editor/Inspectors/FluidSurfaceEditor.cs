@@ -20,6 +20,7 @@ namespace Rill.Editor
                 new InspectorField("look.scatteringDepth", "m", IsCustom),
                 new InspectorField("look.refractionIndex", when: IsCustom),
                 new InspectorField("look.roughness", when: IsCustom),
+                new InspectorField("phaseLooks"),
                 new InspectorField("refraction"),
                 new InspectorField("material")),
             new InspectorSection("Quality", true,

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -20,6 +21,9 @@ namespace Rill
         [SerializeField] SurfacePreset preset = SurfacePreset.Water;
 
         [SerializeField] SurfaceLook look = SurfaceLook.Water;
+
+        [Tooltip("Looks of phases 1 to 3, which emitters give: what they absorb and scatter. A phase beyond those that are here has the last. Empty: all phases look as above.")]
+        [SerializeField] SurfaceLook[] phaseLooks = Array.Empty<SurfaceLook>();
 
         [Tooltip("What the surface costs on the screen. Low is for mobile devices and untethered headsets.")]
         [SerializeField] SurfaceQuality quality = SurfaceQuality.Medium;
@@ -53,6 +57,7 @@ namespace Rill
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
         readonly SurfaceWatch watch = new SurfaceWatch();
+        readonly Vector4[] phaseAbsorption = new Vector4[PhaseFrame.Max], phaseScattering = new Vector4[PhaseFrame.Max];
         SurfaceFrame frame;
         bool hasFrame;
 
@@ -66,6 +71,12 @@ namespace Rill
 
         /// <summary>How it treats light. Setting it makes the preset Custom; values out of range are brought back with a warning.</summary>
         public SurfaceLook Look { get => look; set { preset = SurfacePreset.Custom; look = value; Validate(); } }
+
+        /// <summary>
+        /// Looks of phases 1 to 3, which emitters give: what they absorb and scatter; index of refraction and roughness are those of <see cref="Look"/>.
+        /// A phase beyond those that are here has the last. Empty: all phases have <see cref="Look"/>. More than 3 are left out with a warning.
+        /// </summary>
+        public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Validate(); } }
 
         /// <summary>What the surface costs on the screen.</summary>
         public SurfaceQuality Quality { get => quality; set => quality = value; }
@@ -186,6 +197,8 @@ namespace Rill
             frame.lastDomainToWorld = LastDomainToWorld;
             if (DrawsFoam && TryGetComponent(out FluidFoam foam))
                 frame.foam = foam.Frame;
+            if (phaseLooks.Length > 0 && material == null)
+                frame.phases = new PhaseFrame(solver.Tags);
             if (CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f)
                 shadow.Draw(Parameters(shadow.Properties), frame, shadowOpacity);
             SetKeyword(RefractionKeyword, refraction);
@@ -206,6 +219,24 @@ namespace Rill
             look.Validate(out string problem);
             if (problem != null)
                 Debug.LogWarning($"Rill: FluidSurface '{name}': {problem}", this);
+            ValidatePhases();
+        }
+
+        void ValidatePhases()
+        {
+            if (phaseLooks.Length >= PhaseFrame.Max)
+            {
+                Debug.LogWarning($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first {PhaseFrame.Max - 1} can be told apart, for phases 1 to {PhaseFrame.Max - 1}. The rest are removed; give emitters phases up to {PhaseFrame.Max - 1}.", this);
+                Array.Resize(ref phaseLooks, PhaseFrame.Max - 1);
+            }
+            for (int i = 0; i < phaseLooks.Length; i++)
+            {
+                if (phaseLooks[i].Equals(default(SurfaceLook)))
+                    phaseLooks[i] = SurfaceLook.Water;      // an element that was just added
+                phaseLooks[i].Validate(out string problem);
+                if (problem != null)
+                    Debug.LogWarning($"Rill: FluidSurface '{name}', look of phase {i + 1}: {problem}", this);
+            }
         }
 
         void ApplyPreset()
@@ -218,13 +249,33 @@ namespace Rill
         {
             SetSun(properties, sun);
             properties.SetVector(Ids.Absorption, look.Absorption);
-            Vector4 scattering = ShaderColor(look.scattering);
-            scattering.w = look.ScatteringRate;
-            properties.SetVector(Ids.Scattering, scattering);
+            properties.SetVector(Ids.Scattering, ScatteringOf(look));
+            properties.SetFloat(Ids.HasPhases, frame.phases.AreShown ? 1f : 0f);
+            if (frame.phases.AreShown)
+                SetPhases(properties);
             properties.SetVector(Ids.SurfaceOptics, new Vector4(look.refractionIndex, look.Reflectance, look.roughness, ShadowOffset * Simulation.ParticleSpacing));
             properties.SetFloat(Ids.ReflectionStrength, reflectionStrength);
             if (reflection != null)
                 properties.SetTexture(Ids.ReflectionCube, reflection);
+        }
+
+        void SetPhases(MaterialPropertyBlock properties)
+        {
+            for (int phase = 0; phase < PhaseFrame.Max; phase++)
+            {
+                SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];
+                phaseAbsorption[phase] = own.Absorption;
+                phaseScattering[phase] = ScatteringOf(own);
+            }
+            properties.SetVectorArray(Ids.PhaseAbsorption, phaseAbsorption);
+            properties.SetVectorArray(Ids.PhaseScattering, phaseScattering);
+        }
+
+        static Vector4 ScatteringOf(in SurfaceLook look)
+        {
+            Vector4 scattering = ShaderColor(look.scattering);
+            scattering.w = look.ScatteringRate;
+            return scattering;
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
@@ -235,6 +286,9 @@ namespace Rill
             public static readonly int SceneColor = Shader.PropertyToID("_SceneColor");
             public static readonly int Absorption = Shader.PropertyToID("_Absorption");
             public static readonly int Scattering = Shader.PropertyToID("_Scattering");
+            public static readonly int HasPhases = Shader.PropertyToID("_HasPhases");
+            public static readonly int PhaseAbsorption = Shader.PropertyToID("_PhaseAbsorption");
+            public static readonly int PhaseScattering = Shader.PropertyToID("_PhaseScattering");
             public static readonly int SurfaceOptics = Shader.PropertyToID("_SurfaceOptics");
             public static readonly int ReflectionStrength = Shader.PropertyToID("_ReflectionStrength");
             public static readonly int ReflectionCube = Shader.PropertyToID("_ReflectionCube");

@@ -81,7 +81,7 @@ namespace Rill
             float pixels = SurfaceConstants.PixelsPerMetre(camera.projection, camera.height);
             float scale = ScaleOf(fluid, pixels / box.NearestDepth);
             int divisor = SurfaceThickness.DivisorFor(scale * fluid.spacing * pixels / box.MiddleDepth);
-            view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor);
+            view.Prepare(Scaled(camera.width, scale), Scaled(camera.height, scale), camera.eyes, divisor, fluid.phases);
             view.PrepareFoam(fluid.foam.particles != null);
             view.PrepareMotion(camera.needsMotion);
             SetShading(view, camera, fluid.foam);
@@ -153,7 +153,7 @@ namespace Rill
                 stage.Draw("SurfaceRaster", eyes);
                 if (view.Chords != null)
                     stage.Draw("SurfaceMotion", 1);
-                thickness.Describe(stage, eyes);
+                SurfaceThickness.Describe(stage, eyes, view);
                 if (view.Foam != null)
                     SurfaceFoam.Describe(stage, eyes);
                 view.Describe(stage);

@@ -43,6 +43,9 @@ namespace Rill
         /// <summary>None where its buffers are null.</summary>
         public FoamFrame foam;
 
+        /// <summary>Those with a look of their own.</summary>
+        public PhaseFrame phases;
+
         /// <summary>Sets what DrawnSurface.hlsl reads.</summary>
         public readonly void SetOn(MaterialPropertyBlock block)
         {

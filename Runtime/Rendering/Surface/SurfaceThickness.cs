@@ -1,5 +1,6 @@
 using Unity.Profiling;
 using UnityEngine;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 
 namespace Rill
@@ -18,7 +19,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceThickness");
         readonly BufferClear clear = new BufferClear();
-        readonly int addParticles, blurThickness;
+        readonly int addParticles, addPhases, blurThickness, blurPhases;
         readonly LocalKeyword sceneArray;
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
 
@@ -26,7 +27,9 @@ namespace Rill
         public SurfaceThickness(Shader raster)
         {
             addParticles = shader.FindKernel("AddParticles");
+            addPhases = shader.FindKernel("AddPhases");
             blurThickness = shader.FindKernel("BlurThickness");
+            blurPhases = shader.FindKernel("BlurPhases");
             sceneArray = new LocalKeyword(raster, SceneArrayKeyword);
         }
 
@@ -45,6 +48,7 @@ namespace Rill
         public void Record(CommandBuffer cmd, Material raster, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view)
         {
             RecordScene(cmd, raster, camera, view);
+            int add = fluid.phases.AreShown ? addPhases : addParticles, blur = fluid.phases.AreShown ? blurPhases : blurThickness;
 
             cmd.BeginSample(ThicknessMarker);
             clear.Record(cmd, view.Amounts);
@@ -52,13 +56,15 @@ namespace Rill
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
-                cmd.SetComputeTextureParam(shader, addParticles, Ids.SceneDistance, view.SceneDistance);
-                cmd.SetComputeBufferParam(shader, addParticles, Ids.Amounts, view.Amounts);
-                cmd.SetComputeBufferParam(shader, addParticles, Ids.Positions, fluid.positions);
-                cmd.SetComputeBufferParam(shader, addParticles, Ids.StartPositions, fluid.startPositions);
-                cmd.SetComputeBufferParam(shader, addParticles, Ids.Velocities, fluid.velocities);
-                cmd.SetComputeBufferParam(shader, addParticles, Ids.Counters, fluid.counters);
-                cmd.DispatchCompute(shader, addParticles, fluid.particleArguments, GpuBuffer.DispatchArgumentsAt);
+                cmd.SetComputeTextureParam(shader, add, Ids.SceneDistance, view.SceneDistance);
+                cmd.SetComputeBufferParam(shader, add, Ids.Amounts, view.Amounts);
+                cmd.SetComputeBufferParam(shader, add, Ids.Positions, fluid.positions);
+                cmd.SetComputeBufferParam(shader, add, Ids.StartPositions, fluid.startPositions);
+                cmd.SetComputeBufferParam(shader, add, Ids.Velocities, fluid.velocities);
+                cmd.SetComputeBufferParam(shader, add, Ids.Counters, fluid.counters);
+                if (fluid.phases.AreShown)
+                    cmd.SetComputeBufferParam(shader, add, ParticleTags.Ids.Tags, fluid.phases.Tags);
+                cmd.DispatchCompute(shader, add, fluid.particleArguments, GpuBuffer.DispatchArgumentsAt);
             }
             cmd.EndSample(ThicknessMarker);
 
@@ -67,20 +73,21 @@ namespace Rill
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
                 cmd.SetComputeFloatParam(shader, Ids.BlurRadius, BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Thickness.height));
-                cmd.SetComputeBufferParam(shader, blurThickness, Ids.Amounts, view.Amounts);
-                cmd.SetComputeTextureParam(shader, blurThickness, SurfaceIds.Depth, view.Smoothed);
-                cmd.SetComputeTextureParam(shader, blurThickness, Ids.Thickness, view.Thickness);
-                SurfaceIds.Dispatch(cmd, shader, blurThickness, view.Thickness.width, view.Thickness.height);
+                cmd.SetComputeBufferParam(shader, blur, Ids.Amounts, view.Amounts);
+                cmd.SetComputeTextureParam(shader, blur, SurfaceIds.Depth, view.Smoothed);
+                cmd.SetComputeTextureParam(shader, blur, Ids.Thickness, view.Thickness);
+                SurfaceIds.Dispatch(cmd, shader, blur, view.Thickness.width, view.Thickness.height);
             }
             cmd.EndSample(BlurMarker);
         }
 
-        public void Describe(StageDescription stage, int eyes)
+        public static void Describe(StageDescription stage, int eyes, SurfaceView view)
         {
+            bool hasPhases = view.Thickness.graphicsFormat == GraphicsFormat.R16G16B16A16_SFloat;
             stage.Draw("SurfaceRaster", eyes);
             stage.Kernel("Clear", "ClearWords", 1);
-            stage.Kernel("SurfaceThickness", "AddParticles", eyes);
-            stage.Kernel("SurfaceThickness", "BlurThickness", eyes);
+            stage.Kernel("SurfaceThickness", hasPhases ? "AddPhases" : "AddParticles", eyes);
+            stage.Kernel("SurfaceThickness", hasPhases ? "BlurPhases" : "BlurThickness", eyes);
         }
 
         void RecordScene(CommandBuffer cmd, Material raster, in FluidViews camera, SurfaceView view)

@@ -25,7 +25,7 @@ namespace Rill
         /// <summary>Distance of the scene along the view, m; of the size of <see cref="Thickness"/>.</summary>
         public RenderTexture SceneDistance;
 
-        /// <summary>Water in front of the scene along the ray, m.</summary>
+        /// <summary>Water in front of the scene along the ray, m; of each phase where their looks differ.</summary>
         public RenderTexture Thickness;
 
         /// <summary>uint, of each texel of <see cref="Thickness"/>, slice after slice; see SurfaceThickness.compute.</summary>
@@ -67,10 +67,11 @@ namespace Rill
 
         /// <summary>Makes the textures where they are missing or of another size.</summary>
         /// <param name="thicknessDivisor">Width of the others over that of the textures of thickness.</param>
-        public void Prepare(int width, int height, int eyes, int thicknessDivisor)
+        /// <param name="phases">Whose thickness is told apart.</param>
+        public void Prepare(int width, int height, int eyes, int thicknessDivisor, in PhaseFrame phases)
         {
             PrepareSurface(width, height, eyes);
-            PrepareThickness((width + thicknessDivisor - 1) / thicknessDivisor, (height + thicknessDivisor - 1) / thicknessDivisor, eyes);
+            PrepareThickness((width + thicknessDivisor - 1) / thicknessDivisor, (height + thicknessDivisor - 1) / thicknessDivisor, eyes, phases.Components);
         }
 
         void PrepareSurface(int width, int height, int eyes)
@@ -84,14 +85,15 @@ namespace Rill
             Normals = Make("Rill.Surface.Normals", width, height, eyes, GraphicsFormat.R16G16B16A16_SFloat, true);
         }
 
-        void PrepareThickness(int width, int height, int eyes)
+        void PrepareThickness(int width, int height, int eyes, int components)
         {
-            if (Holds(Thickness, width, height, eyes))
+            GraphicsFormat format = components > 1 ? GraphicsFormat.R16G16B16A16_SFloat : GraphicsFormat.R32_SFloat;
+            if (Holds(Thickness, width, height, eyes) && Thickness.graphicsFormat == format)
                 return;
             ReleaseThickness();
             SceneDistance = Make("Rill.Surface.SceneDistance", width, height, eyes, GraphicsFormat.R32_SFloat, false);
-            Thickness = Make("Rill.Surface.Thickness", width, height, eyes, GraphicsFormat.R32_SFloat, true);
-            Amounts = GpuBuffer.Structured<uint>("Rill.Surface.Amounts", (long)width * height * eyes);
+            Thickness = Make("Rill.Surface.Thickness", width, height, eyes, format, true);
+            Amounts = GpuBuffer.Structured<uint>("Rill.Surface.Amounts", (long)width * height * eyes * components);
         }
 
         /// <summary>The same for foam, after <see cref="Prepare"/>; gives back what is not needed.</summary>

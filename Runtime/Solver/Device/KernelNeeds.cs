@@ -72,6 +72,7 @@ namespace Rill
                 case "CONFINE":
                 case "CORRECT":
                 case "COUNT":
+                case "PHASES":
                 case "EMIT":
                 case "ESTIMATE":
                 case "FIELDS":
