@@ -22,6 +22,8 @@ namespace UnityEngine.Headless
             fogColor = Id("unity_FogColor"), fogParams = Id("unity_FogParams"), baseCommand = Id("unity_BaseCommandID"),
             stereoV = Id("unity_StereoMatrixV"), stereoInvV = Id("unity_StereoMatrixInvV"), stereoP = Id("unity_StereoMatrixP"), stereoInvP = Id("unity_StereoMatrixInvP"), stereoVP = Id("unity_StereoMatrixVP");
 
+        static readonly (FogMode, string)[] fogKeywords = { (FogMode.Linear, "FOG_LINEAR"), (FogMode.Exponential, "FOG_EXP"), (FogMode.ExponentialSquared, "FOG_EXP2") };
+
         static PropertyTable Globals => Shader.Globals;
 
         public static void SetObject(in Matrix4x4 toWorld)
@@ -129,6 +131,8 @@ namespace UnityEngine.Headless
             else
                 SetGradient(sky, equator, ground);
 
+            foreach ((FogMode mode, string keyword) in fogKeywords)
+                GlobalKeywords.Set.Set(keyword, RenderSettings.fog && RenderSettings.fogMode == mode);
             Globals.SetVector(fogColor, Linear(RenderSettings.fogColor));
             float d = RenderSettings.fogDensity, span = Math.Max(1e-6f, RenderSettings.fogEndDistance - RenderSettings.fogStartDistance);
             Globals.SetVector(fogParams, new Vector4(d / Mathf.Sqrt(Mathf.Log(2)), d / Mathf.Log(2), -1 / span, RenderSettings.fogEndDistance / span));
