@@ -29,7 +29,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Foam");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Foam"), sources = StageShader.LoadCompute("FoamSources");
-        readonly int averageCells, move, compact, spawn, commit, findPotentials, countSpawned;
+        readonly int averageCells, move, moveWithColliders, compact, spawn, commit, findPotentials, countSpawned;
         readonly LocalKeyword twoLists;
         readonly int foamGroups, fluidGroups;
         readonly int cellTotal;
@@ -46,6 +46,7 @@ namespace Rill
             Budget = budget;
             averageCells = shader.FindKernel("AverageCells");
             move = shader.FindKernel("Move");
+            moveWithColliders = shader.FindKernel("MoveWithColliders");
             compact = shader.FindKernel("Compact");
             spawn = shader.FindKernel("Spawn");
             commit = shader.FindKernel("Commit");
@@ -119,19 +120,15 @@ namespace Rill
 
         /// <summary>Records the step of all foam, after the fluid's own. <see cref="Particles"/> is another buffer then.</summary>
         /// <param name="depth">Of the water, d.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborSearch search, NeighborLists lists, SolverLayout layout, in StepInput input, float depth)
+        /// <param name="colliders">As the last substep left them; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborSearch search, NeighborLists lists, SolverLayout layout, in StepInput input, float depth, Colliders colliders = null)
         {
             Scales = new FoamScales(input.foam, math.length(input.gravity), depth, layout.Spacing, input.timeStep, input.settings.substeps);
             cmd.BeginSample(Marker);
             RecordSources(cmd, constants, fluid, lists, input);
             RecordAverages(cmd, constants, fluid, search, layout, input);
 
-            cmd.SetComputeBufferParam(shader, move, Ids.FoamParticles, particles);
-            cmd.SetComputeBufferParam(shader, move, Ids.FoamCells, cells);
-            cmd.SetComputeBufferParam(shader, move, Ids.GroupCounts, groupCounts);
-            cmd.SetComputeBufferParam(shader, move, Ids.FoamCounters, readback.Buffer);
-            cmd.DispatchCompute(shader, move, arguments, GpuBuffer.DispatchArgumentsAt);
-
+            RecordMove(cmd, colliders);
             prefixSum.Record(cmd, groupCounts, sums, foamGroups + fluidGroups + 1);
 
             (particles, moved) = (moved, particles);
@@ -179,7 +176,7 @@ namespace Rill
             description.Kernel("FoamSources", "FindPotentials", 1, lists.Variant);
             description.Kernel("FoamSources", "CountSpawned", 1, lists.Variant);
             description.Kernel("Foam", "AverageCells", 1);
-            description.Kernel("Foam", "Move", 1);
+            description.Kernel("Foam", Colliders.IsNeeded(input) ? "MoveWithColliders" : "Move", 1);
             stage.prefixSum.Describe(description, 1);
             description.Kernel("Foam", "Compact", 1);
             description.Kernel("Foam", "Spawn", 1);
@@ -248,6 +245,17 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCells, cells);
             cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCounters, readback.Buffer);
             CoarseGrid.Dispatch(cmd, shader, averageCells, cellTotal);
+        }
+
+        void RecordMove(CommandBuffer cmd, Colliders colliders)
+        {
+            int kernel = colliders != null ? moveWithColliders : move;
+            colliders?.BindShapes(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.FoamParticles, particles);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.FoamCells, cells);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.GroupCounts, groupCounts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.FoamCounters, readback.Buffer);
+            cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordSpawn(CommandBuffer cmd, ParticleBuffers fluid)

@@ -189,7 +189,7 @@ namespace Rill
             }
             lastSubsteps = input.settings.substeps;
             substepsSinceSurface += lastSubsteps;
-            FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity));
+            FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity), obstacles);
             RecordEmission(cmd, input, resting);
             if (!VorticityConfinement.IsNeeded(input))
                 ReleaseVorticity();

@@ -136,6 +136,7 @@ namespace Rill
             new KernelNeed("Emitters", "Reset", "RILL_SLEEP", 1, 0, 2, 2, 0),
             new KernelNeed("Foam", "AverageCells", "AVERAGE", 128, 0, 4, 2, 0),
             new KernelNeed("Foam", "Move", "MOVE", 128, 16, 4, 3, 0),
+            new KernelNeed("Foam", "MoveWithColliders", "MOVE SOLIDS", 128, 16, 6, 3, 2),
             new KernelNeed("Foam", "Compact", "COMPACT", 128, 528, 4, 2, 0),
             new KernelNeed("Foam", "Spawn", "SPAWN", 128, 16, 8, 2, 0),
             new KernelNeed("Foam", "Commit", "", 1, 0, 3, 2, 0),

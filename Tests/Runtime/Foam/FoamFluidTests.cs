@@ -36,12 +36,14 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_foam_of_a_dam_is_that_of_half_the_spacing()
+        public void The_foam_of_a_dam_is_that_of_half_the_spacing_and_of_more_substeps()
         {
-            // The same slice of the flow, at the same number of spacings in a substep.
-            double coarse = OfWidth(0.025f, substeps: 1), fine = OfWidth(0.0125f, substeps: 2);
+            // The same slice of the flow, at the same number of spacings in a substep; and in shorter ones.
+            double coarse = OfWidth(0.025f, substeps: 1), fine = OfWidth(0.0125f, substeps: 2), often = OfWidth(0.025f, substeps: 4);
+            TestContext.Out.WriteLine($"{coarse:0} foam particles a metre; {fine / coarse:0.00} of it at half the spacing, {often / coarse:0.00} in four substeps");
             Assert.That(coarse, Is.GreaterThan(1000.0), "foam particles in 1.8 s of a metre of width");
             Assert.That(fine / coarse, Is.EqualTo(1.0).Within(0.3), $"{fine} where twice the spacing makes {coarse}");
+            Assert.That(often / coarse, Is.EqualTo(1.0).Within(0.3), $"{often} where one substep makes {coarse}");
 
             double OfWidth(float spacing, int substeps)
             {

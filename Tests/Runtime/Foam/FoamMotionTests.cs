@@ -49,6 +49,54 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void Spray_bounces_off_a_collider_however_fast_and_passes_beside_it()
+        {
+            ColliderMotion plate = ColliderTests.Still(ColliderShape.Box, new float3(0.5f, 10f, 10f), 20f, quaternion.identity);
+            FoamParticle[] drops = Fly(2, plate, (new float3(8f, 20f, 20f), new float3(600f, 60f, 0f)), (new float3(8f, 35f, 20f), new float3(600f, 0f, 0f)));
+            Assert.That(FoamStage.Velocity(drops[0]), Is.EqualTo(new float3(-120f, 48f, 0f)).Using<float3>((a, b) => math.distance(a, b) < 0.1f ? 0 : 1), "10 d in a step, and the plate is 1 d thick");
+            Assert.That(FoamStage.Position(drops[0]).x, Is.LessThan(19.5f));
+            Assert.That(FoamStage.Position(drops[1]).x, Is.EqualTo(28f).Within(0.1f));
+        }
+
+        [Test]
+        public void A_collider_that_moves_takes_spray_along()
+        {
+            ColliderMotion plate = ColliderTests.Still(ColliderShape.Box, new float3(1f, 10f, 10f), new float3(12f, 20f, 20f), quaternion.identity);
+            plate.end.position.x += 2f;
+            FoamParticle drop = Fly(1, plate, (new float3(14.2f, 20f, 20f), float3.zero)).Single();
+            Assert.That(FoamStage.Velocity(drop).x, Is.EqualTo(1.2f * 120f).Within(0.5f));
+            Assert.That(FoamStage.Position(drop).x, Is.EqualTo(15f).Within(0.2f));
+        }
+
+        [Test]
+        public void Spray_in_a_ball_that_is_hollow_stays_in_it()
+        {
+            ColliderMotion ball = ColliderTests.Still(ColliderShape.Sphere, new float3(8f, 0f, 0f), 20f, quaternion.identity);
+            ball.insideOut = true;
+            var random = new Unity.Mathematics.Random(6u);
+            float[] distances = Fly(30, ball, Enumerable.Range(0, 100).Select(_ => (new float3(20f), 300f * random.NextFloat3Direction())).ToArray())
+                .Where(drop => FoamStage.Kind(drop) == FoamKinds.Spray).Select(drop => math.distance(FoamStage.Position(drop), 20f)).ToArray();
+            Assert.That(distances.Length, Is.GreaterThan(80), "the others met what water there is");
+            Assert.That(distances.Max(), Is.InRange(5f, 8f));
+        }
+
+        // Spray in a box of 40 d with a collider and hardly any water, after so many steps of the whole solver.
+        static FoamParticle[] Fly(int steps, ColliderMotion collider, params (float3 position, float3 velocity)[] spray)
+        {
+            const float spacing = 0.05f;
+            using (var fluid = new TestFluid(40f * spacing, spacing, 8))
+            {
+                fluid.Input.gravity = 0f;
+                fluid.Input.foam = FoamStage.Settings(0f);
+                fluid.AddBlock((collider.insideOut ? new float3(19f, 13f, 19f) : 0f) * spacing, 2f * spacing).Step();
+                ColliderTests.Use(fluid, collider);
+                FoamStage.Plant(fluid.Solver.Foam, spray.Select(drop => (drop.position, drop.velocity, FoamKinds.Spray, 100f)).ToArray());
+                fluid.Step(steps);
+                return GpuTest.Read<FoamParticle>(fluid.Solver.Foam.Particles, (int)GpuTest.Read<uint>(fluid.Solver.Foam.Counters, Foam.CounterCount)[(int)FoamCounter.Alive]);
+            }
+        }
+
+        [Test]
         public void Spray_that_falls_into_water_becomes_foam()
         {
             using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f), Gravity))

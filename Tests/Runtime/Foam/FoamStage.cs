@@ -59,15 +59,20 @@ namespace Rill.Tests
         /// <summary>Puts particles in place of those that are there.</summary>
         public FoamStage Plant(params (float3 position, float3 velocity, FoamKinds kind, float lifetime)[] foam)
         {
+            Plant(Foam, foam);
+            return this;
+        }
+
+        public static void Plant(Foam stage, params (float3 position, float3 velocity, FoamKinds kind, float lifetime)[] foam)
+        {
             if (foam.Length > 0)
-                Foam.Particles.SetData(foam.Select(f => new FoamParticle
+                stage.Particles.SetData(foam.Select(f => new FoamParticle
                 {
                     a = new uint4(math.asuint(f.position), 0u),
                     b = new uint4(math.asuint(f.velocity), Number(f.kind) | (uint)(f.lifetime * 64f) << 2 | 255u << 16),
                 }).ToArray(), 0, 0, foam.Length);
-            Foam.Counters.SetData(new[] { (uint)foam.Length, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
-            Foam.Arguments.SetData(ParticleState.ArgumentsFor(foam.Length));
-            return this;
+            stage.Counters.SetData(new[] { (uint)foam.Length, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
+            stage.Arguments.SetData(ParticleState.ArgumentsFor(foam.Length));
         }
 
         public uint Counter(FoamCounter counter) => GpuTest.Read<uint>(Foam.Counters, Foam.CounterCount)[(int)counter];
