@@ -44,7 +44,70 @@ MainLight GetMainLight()
 
 // ---- shadow: 1 in the light, 0 in full shadow
 
-#if defined(RILL_BUILT_IN) && defined(SHADOWS_SCREEN)
+#if defined(RILL_BUILT_IN) && defined(RILL_SHADOW_COPY)
+
+// A transparent draw: of copies that were made before the opaque ones, see ShadowCopy.hlsl.
+static const uint kWorldToShadow = 0, kSplitSpheres = 16, kSplitSquaredRadii = 20, kSplitsFar = 21, kShadowData = 22, kShadowFade = 23, kShadowStamp = 24;
+
+Texture2D<float> _ShadowCopy;
+Texture2D<float4> _ShadowValues;
+float4 _ShadowReceived;         // x the stamp of this camera and frame, y cascades, z 1 where they are spheres; w unused
+float4 _ShadowLight;            // xyz towards the light whose shadow it is
+
+float4 ShadowValue(uint i)
+{
+    return _ShadowValues.Load(int3(i, 0, 0));
+}
+
+float IsLit(int2 texel, int2 last, float depth)
+{
+    float nearest = _ShadowCopy.Load(int3(clamp(texel, 0, last), 0));
+#if RILL_OPENGL
+    return depth <= nearest ? 1.0 : 0.0;
+#else
+    return depth >= nearest ? 1.0 : 0.0;
+#endif
+}
+
+float LightShadow(float3 world, float4 clip)
+{
+    // Another stamp: no shadow was drawn for this camera and frame.
+    if (ShadowValue(kShadowStamp).x != _ShadowReceived.x || dot(_ShadowLight.xyz, RILL_LIGHT_DIRECTION) < 0.999)
+        return 1.0;
+    float z = dot(RILL_EYE - world, RILL_VIEW_MATRIX[2].xyz);
+    uint cascade = 0, cascades = (uint)_ShadowReceived.y;
+    if (cascades > 1)
+    {
+        float4 far = ShadowValue(kSplitsFar), radii = ShadowValue(kSplitSquaredRadii);
+        for (uint i = 0; i < cascades; i++)
+        {
+            float3 offset = world - ShadowValue(kSplitSpheres + i).xyz;
+            bool isIn = _ShadowReceived.z > 0.5 ? dot(offset, offset) < radii[i] : z < far[i];
+            if (isIn)
+                break;
+            cascade++;
+        }
+        if (cascade == cascades)
+            return 1.0;
+    }
+    float4 point4 = float4(world, 1.0);
+    uint row = kWorldToShadow + 4 * cascade;
+    float3 at = float3(dot(ShadowValue(row), point4), dot(ShadowValue(row + 1), point4), dot(ShadowValue(row + 2), point4));
+    if (any(at <= 0.0) || any(at >= 1.0))
+        return 1.0;
+
+    uint width, height;
+    _ShadowCopy.GetDimensions(width, height);
+    float2 texels = at.xy * float2(width, height) - 0.5, part = frac(texels);
+    int2 texel = int2(floor(texels)), last = int2(width, height) - 1;
+    float lit = lerp(lerp(IsLit(texel, last, at.z), IsLit(texel + int2(1, 0), last, at.z), part.x),
+        lerp(IsLit(texel + int2(0, 1), last, at.z), IsLit(texel + int2(1, 1), last, at.z), part.x), part.y);
+    float4 data = ShadowValue(kShadowData), fade = ShadowValue(kShadowFade);
+    float away = fade.w > 0.5 ? distance(world, fade.xyz) : z;
+    return saturate(lerp(data.x, 1.0, lit) + saturate(away * data.z + data.w));
+}
+
+#elif defined(RILL_BUILT_IN) && defined(SHADOWS_SCREEN)
 
 #if defined(UNITY_NO_SCREENSPACE_SHADOWS)
 Texture2D _ShadowMapTexture;

@@ -95,6 +95,7 @@ Shader "Rill/Surface"
         Tags { "RenderType" = "Transparent" "Queue" = "Transparent-50" }
         HLSLINCLUDE
         #define RILL_BUILT_IN
+        #define RILL_SHADOW_COPY
         ENDHLSL
         Pass
         {

@@ -1,5 +1,5 @@
-// What FluidSurfaceRecorder draws into the textures of the water's surface, by pass number, see SurfaceRaster.hlsl and
-// SceneDistance.hlsl. No pipeline draws with it.
+// What FluidSurfaceRecorder draws into the textures of the water's surface, by pass number, see SurfaceRaster.hlsl,
+// SceneDistance.hlsl and ShadowCopy.hlsl. No pipeline draws with it.
 Shader "Hidden/Rill/SurfaceRaster"
 {
     SubShader
@@ -47,6 +47,35 @@ Shader "Hidden/Rill/SurfaceRaster"
             #pragma fragment ChordFragment
             #define RILL_CHORDS
             #include "SurfaceRaster.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowMapCopy"
+            Cull Off
+            ZWrite Off
+            ZTest Always
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ShadowCopyVertex
+            #pragma fragment ShadowMapFragment
+            #define RILL_SHADOW_MAP
+            #include "ShadowCopy.hlsl"
+            ENDHLSL
+        }
+        Pass
+        {
+            Name "ShadowValuesCopy"
+            Cull Off
+            ZWrite Off
+            ZTest Always
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex ShadowCopyVertex
+            #pragma fragment ShadowValueFragment
+            #include "ShadowCopy.hlsl"
             ENDHLSL
         }
     }

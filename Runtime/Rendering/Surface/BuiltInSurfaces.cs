@@ -18,6 +18,7 @@ namespace Rill
         }
 
         static List<CameraBuffer> buffers = new List<CameraBuffer>();
+        static ShadowCopy shadow;
 
         /// <summary>When a surface begins.</summary>
         public static void Begin()
@@ -40,7 +41,11 @@ namespace Rill
             foreach (CameraBuffer buffer in buffers)
                 Release(buffer);
             buffers = new List<CameraBuffer>();
+            shadow?.Dispose();
+            shadow = null;
         }
+
+        public static void Describe(StageDescription stage) => shadow?.Describe(stage);
 
         static void Cull(Camera camera)
         {
@@ -50,6 +55,7 @@ namespace Rill
             CameraBuffer buffer = Find(camera);
             buffer?.commands.Clear();
             bool isCopied = false;
+            PrepareShadow();
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
                 FluidSurface surface = FluidSurface.Active[i];
@@ -63,7 +69,7 @@ namespace Rill
                     isCopied = true;
                 }
                 surface.Record(buffer.commands, views);
-                surface.Submit(views, buffer.sceneColor);
+                surface.Submit(views, buffer.sceneColor, shadow);
             }
         }
 
@@ -73,6 +79,26 @@ namespace Rill
                 return;
             buffer.camera.depthTextureMode |= DepthTextureMode.Depth;
             buffer.hasOurDepth = true;
+        }
+
+        // Of one light, which is the main one for all.
+        static void PrepareShadow()
+        {
+            Light light = null;
+            for (int i = 0; i < FluidSurface.Active.Count && light == null; i++)
+                if (FluidSurface.Active[i].ReceiveShadows)
+                    light = FluidSurface.Active[i].KnownLight;
+            if (light != null && (light.type != LightType.Directional || light.shadows == LightShadows.None))
+                light = null;
+            if (shadow != null && !shadow.IsOf(light))
+            {
+                shadow.Dispose();
+                shadow = null;
+            }
+            if (light == null)
+                return;
+            shadow ??= new ShadowCopy(light);
+            shadow.Begin();
         }
 
         // The opaque scene, for surfaces that refract. Before the first of them is recorded: that draws elsewhere.

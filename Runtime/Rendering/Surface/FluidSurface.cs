@@ -105,6 +105,9 @@ namespace Rill
         /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own knows nothing of foam.</summary>
         internal bool DrawsFoam => isActiveAndEnabled && material == null;
 
+        /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
+        internal Light KnownLight => sun != null ? sun : RenderSettings.sun;
+
         private protected override StageSet Stage => StageSet.Surface;
         private protected override string ShaderFile => "Surface";
 
@@ -136,7 +139,8 @@ namespace Rill
 
         /// <summary>Draws the surface for a camera in this frame, after <see cref="Prepare"/>.</summary>
         /// <param name="sceneColor">The opaque scene, in the Built-in pipeline; null where the pipeline has it as a global.</param>
-        internal void Submit(in FluidViews camera, Texture sceneColor)
+        /// <param name="shadowCopy">In the Built-in pipeline; null for none.</param>
+        internal void Submit(in FluidViews camera, Texture sceneColor, ShadowCopy shadowCopy = null)
         {
             MaterialPropertyBlock properties = recorder.ViewOf(camera.camera).Shading;
             SetLook(properties);
@@ -144,6 +148,10 @@ namespace Rill
                 SetSun(properties, light.Direction, light.Color, false);
             if (sceneColor != null)
                 properties.SetTexture(Ids.SceneColor, sceneColor);
+            if (shadowCopy != null)
+                shadowCopy.SetOn(properties);
+            else
+                ShadowCopy.SetNone(properties);
             RenderParams parameters = Parameters(properties);
             parameters.camera = camera.camera;
             parameters.shadowCastingMode = ShadowCastingMode.Off;
@@ -181,7 +189,7 @@ namespace Rill
         void Ask()
         {
             bool casts = CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
-            Light light = sun != null ? sun : RenderSettings.sun;
+            Light light = KnownLight;
             // Of a light that is not known, the shadow may fall anywhere.
             if (casts && light == null || watch.IsSeen(gameObject.layer, SurfaceFrame.BoxOf(Simulation), casts ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
                 Simulation.NeedsSurface = true;
@@ -211,6 +219,7 @@ namespace Rill
             description.Draw(ShaderFile, 1);
             description.Draw("SurfaceShadow", 0);       // in shadow maps alone
             recorder?.Describe(description, frame.filterPasses);
+            BuiltInSurfaces.Describe(description);
         }
 
         private protected override void Validate()

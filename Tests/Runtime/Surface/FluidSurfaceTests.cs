@@ -342,6 +342,59 @@ namespace Rill.Tests
             return sun;
         }
 
+        // Half of it under a roof, whose light comes from straight above. The floor under it is what Unity draws shadows for.
+        [UnityTest]
+        public IEnumerator The_shadow_of_the_main_light_falls_on_it()
+        {
+            Light sun = new GameObject("Sun").AddComponent<Light>();
+            sun.type = LightType.Directional;
+            sun.transform.rotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);
+            sun.shadows = LightShadows.Hard;
+            sun.shadowStrength = 0.75f;
+            Light before = RenderSettings.sun;
+            RenderSettings.sun = sun;
+            AmbientMode mode = RenderSettings.ambientMode;
+            Color sky = RenderSettings.ambientSkyColor;
+            (RenderSettings.ambientMode, RenderSettings.ambientSkyColor) = (AmbientMode.Flat, Color.black);
+            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Plane), roof = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            floor.transform.position = new Vector3(0f, -0.6f, 0f);
+            roof.transform.position = new Vector3(-1f, 3.5f, 0f);      // behind the camera
+            roof.transform.localScale = new Vector3(2f, 0.1f, 4f);
+            SurfaceLook milk = SurfaceLook.Of(SurfacePreset.Milk);
+            milk.roughness = 1f;
+            surface.Look = milk;
+            ShadowResolution resolution = QualitySettings.shadowResolution;
+            QualitySettings.shadowResolution = ShadowResolution.Low;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(3);
+            float shaded = Mean(target, 8, 24, 8, 56).g, lit = Mean(target, 40, 56, 8, 56).g;
+            // Where nothing casts, the pipeline draws no map: the last one must not be taken for it.
+            roof.SetActive(false);
+            floor.GetComponent<MeshRenderer>().shadowCastingMode = surface.CastShadows = ShadowCastingMode.Off;
+            yield return Frames(2);
+            float nothingCasts = Mean(target, 8, 24, 8, 56).g;
+            roof.SetActive(true);
+            surface.ReceiveShadows = false;
+            yield return Frames(2);
+            float receivesNone = Mean(target, 8, 24, 8, 56).g;
+            surface.ReceiveShadows = true;
+            // Its shadow is no longer drawn.
+            sun.shadows = LightShadows.None;
+            yield return Frames(2);
+            float castsNone = Mean(target, 8, 24, 8, 56).g;
+            int buffers = sun.commandBufferCount;
+            (RenderSettings.ambientMode, RenderSettings.ambientSkyColor, RenderSettings.sun) = (mode, sky, before);
+            QualitySettings.shadowResolution = resolution;
+            foreach (Object one in new Object[] { floor, roof, sun.gameObject })
+                Object.Destroy(one);
+            TestContext.Out.WriteLine($"in the light {lit:F3}, in the shade {shaded:F3}, receiving none {receivesNone:F3}, without shadows {castsNone:F3}");
+            Assert.That(shaded / lit, Is.EqualTo(0.25f).Within(0.02f), "three quarters of the light are gone");
+            Assert.That(nothingCasts, Is.EqualTo(lit).Within(0.02f * lit));
+            Assert.That(receivesNone, Is.EqualTo(lit).Within(0.02f * lit));
+            Assert.That(castsNone, Is.EqualTo(lit).Within(0.02f * lit));
+            Assert.That(buffers, Is.Zero, "the light is as it was");
+        }
+
         [UnityTest]
         public IEnumerator Off_it_leaves_nothing_behind()
         {

@@ -55,6 +55,9 @@ namespace UnityEngine.Rendering
         public void SetGlobalBuffer(string name, GraphicsBuffer value) => SetGlobalBuffer(Shader.PropertyToID(name), value);
         public void SetGlobalConstantBuffer(GraphicsBuffer buffer, int nameID, int offset, int size) => GlobalConstants(nameID, buffer?.Storage, offset, size);
         public void SetGlobalConstantBuffer(GraphicsBuffer buffer, string name, int offset, int size) => GlobalConstants(Shader.PropertyToID(name), buffer?.Storage, offset, size);
+        /// <summary>On Direct3D 11 the sampler alone says whether a read compares.</summary>
+        public void SetShadowSamplingMode(RenderTargetIdentifier shadowmap, ShadowSamplingMode mode) { }
+
         public void SetGlobalTexture(int nameID, RenderTargetIdentifier value) => SetGlobalTexture(nameID, value, RenderTextureSubElement.Default);
         public void SetGlobalTexture(string name, RenderTargetIdentifier value) => SetGlobalTexture(Shader.PropertyToID(name), value);
         public void SetGlobalTexture(string name, RenderTargetIdentifier value, RenderTextureSubElement element) => SetGlobalTexture(Shader.PropertyToID(name), value, element);

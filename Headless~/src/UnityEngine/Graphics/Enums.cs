@@ -20,6 +20,7 @@ namespace UnityEngine
     [Flags] public enum DepthTextureMode { None = 0, Depth = 1, DepthNormals = 2, MotionVectors = 4 }
     public enum LightType { Spot, Directional, Point, Rectangle, Disc }
     public enum LightShadows { None, Hard, Soft }
+    public enum ShadowProjection { CloseFit = 0, StableFit = 1 }
     public enum LightRenderMode { Auto, ForcePixel, ForceVertex }
     public enum FogMode { Linear = 1, Exponential, ExponentialSquared }
     public enum ColorSpace { Uninitialized = -1, Gamma, Linear }

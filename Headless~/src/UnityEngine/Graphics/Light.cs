@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
@@ -59,7 +60,44 @@ namespace UnityEngine
         public int renderingLayerMask { get; set; } = 1;
         public Texture cookie { get; set; }
         public float cookieSize { get; set; } = 10;
-        public int commandBufferCount => 0;
+        readonly Dictionary<LightEvent, List<CommandBuffer>> commandBuffers = new Dictionary<LightEvent, List<CommandBuffer>>();
+
+        /// <summary>Runs where the Built-in pipeline draws this light's shadow; of the events those after the map and before the mask on the screen.</summary>
+        public void AddCommandBuffer(LightEvent evt, CommandBuffer buffer)
+        {
+            if (buffer == null)
+                throw new ArgumentNullException(nameof(buffer));
+            if (evt != LightEvent.AfterShadowMap && evt != LightEvent.BeforeScreenspaceMask)
+                throw new NotSupportedException($"Light.AddCommandBuffer: the headless host runs none at LightEvent.{evt}.");
+            if (!commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
+                commandBuffers.Add(evt, list = new List<CommandBuffer>());
+            list.Add(buffer);
+        }
+
+        public void RemoveCommandBuffer(LightEvent evt, CommandBuffer buffer)
+        {
+            if (commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
+                list.RemoveAll(b => b == buffer);
+        }
+
+        public int commandBufferCount
+        {
+            get
+            {
+                int count = 0;
+                foreach (List<CommandBuffer> list in commandBuffers.Values)
+                    count += list.Count;
+                return count;
+            }
+        }
+
+        internal void Execute(LightEvent evt)
+        {
+            if (!commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
+                return;
+            for (int i = 0; i < list.Count; i++)
+                list[i].Execute();
+        }
     }
 
     /// <summary>Light probes light nothing here; the type stands in signatures.</summary>

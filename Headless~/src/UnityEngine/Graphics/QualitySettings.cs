@@ -20,6 +20,7 @@ namespace UnityEngine
         public static ShadowResolution shadowResolution { get; set; } = ShadowResolution.High;
         public static float shadowDistance { get; set; } = 150;
         public static int shadowCascades { get; set; } = 4;
+        public static ShadowProjection shadowProjection { get; set; } = ShadowProjection.StableFit;
         public static bool softParticles { get; set; }
         public static bool realtimeReflectionProbes { get; set; }
         public static bool billboardsFaceCameraPosition { get; set; }

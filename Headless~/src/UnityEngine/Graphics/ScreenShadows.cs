@@ -18,10 +18,13 @@ namespace UnityEngine.Headless
         static readonly int
             mask = Shader.PropertyToID("_ShadowMapTexture"), map = Shader.PropertyToID("_ShadowMap"),
             mapSize = Shader.PropertyToID("_ShadowMapSize"), bias = Shader.PropertyToID("unity_LightShadowBias"),
-            data = Shader.PropertyToID("_LightShadowData"), worldToShadow = Shader.PropertyToID("unity_WorldToShadow"), eye = Shader.PropertyToID("_Eye");
+            data = Shader.PropertyToID("_LightShadowData"), worldToShadow = Shader.PropertyToID("unity_WorldToShadow"),
+            splitSpheres = Shader.PropertyToID("unity_ShadowSplitSpheres"), splitRadii = Shader.PropertyToID("unity_ShadowSplitSqRadii"), splitsFar = Shader.PropertyToID("_LightSplitsFar"),
+            fadeCenter = Shader.PropertyToID("unity_ShadowFadeCenterAndType"), eye = Shader.PropertyToID("_Eye");
 
         static readonly Vector3[] corners = new Vector3[8];
         static readonly Matrix4x4[] worldToShadows = new Matrix4x4[4];
+        static readonly Vector4[] spheres = new Vector4[4];
         static RenderTexture mapTexture, maskTexture;
         static Material resolve;
 
@@ -59,14 +62,25 @@ namespace UnityEngine.Headless
             foreach (QueuedDraw draw in all)
                 if (draw.Shadows != ShadowCastingMode.Off)
                     ShadowCasters.Draw(draw);
+            light.Execute(LightEvent.AfterShadowMap);       // the map is the active target
 
             Shader.Globals.SetVector(bias, Vector4.zero);
             Matrix4x4 toTexture = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1));
+            // The first cascade holds all.
             worldToShadows[0] = toTexture * GL.GetGPUProjectionMatrix(projection, renderIntoTexture: false) * view;
+            spheres[0] = camera.transform.position;
+            Shader.Globals.SetArray(splitSpheres, PropertyKind.Vector, spheres, spheres.Length);
+            Shader.Globals.SetVector(splitRadii, new Vector4(float.MaxValue, -1, -1, -1));
+            Shader.Globals.SetVector(splitsFar, new Vector4(float.MaxValue, 0, 0, 0));
+            Shader.Globals.SetVector(fadeCenter, spheres[0]);
             Shader.Globals.SetArray(worldToShadow, PropertyKind.Matrix, worldToShadows, worldToShadows.Length);
             Shader.Globals.SetVector(data, new Vector4(1 - light.shadowStrength, 0, 0, 0));
             Shader.Globals.SetVector(mapSize, new Vector4(texels, light.shadows == LightShadows.Soft && QualitySettings.shadows == ShadowQuality.All ? 1 : 0, QualitySettings.shadowDistance, 0));
             Shader.Globals.SetTexture(map, mapTexture, RenderTextureSubElement.Depth);
+            // LightEvent.BeforeScreenspaceMask of the scripting reference (2019.2): the mask is the target and the parameters of the cascades are set.
+            BuiltinVariables.SetCamera(camera, pixels, camera.pixelHeight);
+            RenderState.SetTarget(maskTexture);
+            light.Execute(LightEvent.BeforeScreenspaceMask);
             if (eyes > 1)
                 resolve.EnableKeyword(EyesKeyword);
             else

@@ -1,0 +1,117 @@
+using System;
+using UnityEngine;
+using UnityEngine.Experimental.Rendering;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// The shadow of a directional light for transparent draws of the Built-in pipeline, which gives it to opaque ones alone: its map and
+    /// what belongs to it, copied as each camera draws them.
+    /// </summary>
+    /// <remarks>
+    /// The pipeline draws the map and runs <see cref="LightEvent.BeforeScreenspaceMask"/> only where opaque receivers are seen, so a
+    /// stamp in the copy says for which camera and frame it holds.
+    /// </remarks>
+    sealed class ShadowCopy : IDisposable
+    {
+        const int MapPass = 3, ValuesPass = 4;      // of SurfaceRaster.shader
+        const int Values = 25, MaxSize = 2048, Stamps = 1 << 20;
+
+        static readonly Vector4 NoStamp = new Vector4(-1f, 0f, 0f, 0f);
+
+        readonly Light light;
+        readonly CommandBuffer copy = new CommandBuffer { name = "Rill.Surface.ShadowMap" }, values = new CommandBuffer { name = "Rill.Surface.ShadowValues" };
+        Material material = new Material(StageShader.Load("SurfaceViews").Shader) { hideFlags = HideFlags.HideAndDontSave };
+        RenderTexture map = Make("Rill.Surface.ShadowMap", Size, Size, GraphicsFormat.R32_SFloat);
+        RenderTexture valueTexels = Make("Rill.Surface.ShadowValues", Values, 1, GraphicsFormat.R32G32B32A32_SFloat);
+        int stamp;
+
+        public ShadowCopy(Light light)
+        {
+            this.light = light;
+            copy.SetShadowSamplingMode(BuiltinRenderTextureType.CurrentActive, ShadowSamplingMode.RawDepth);
+            copy.SetGlobalTexture(Ids.ShadowMapSource, BuiltinRenderTextureType.CurrentActive);
+            copy.SetGlobalVector(Ids.ShadowCopySize, new Vector4(map.width, map.height, 0f, 0f));
+            copy.SetRenderTarget(map);
+            copy.DrawProcedural(Matrix4x4.identity, material, MapPass, MeshTopology.Triangles, 3);
+            light.AddCommandBuffer(LightEvent.AfterShadowMap, copy);
+            light.AddCommandBuffer(LightEvent.BeforeScreenspaceMask, values);
+        }
+
+        // As large as the pipeline's map gets at most, up to a limit.
+        static int Size => Mathf.Min(512 << (int)QualitySettings.shadowResolution, MaxSize);
+
+        /// <summary>Whether it is that of this light, which is still there, at the quality of now.</summary>
+        public bool IsOf(Light other) => light != null && ReferenceEquals(light, other) && map.width == Size;
+
+        /// <summary>As a camera begins.</summary>
+        public void Begin()
+        {
+            stamp = stamp % Stamps + 1;
+            values.Clear();
+            values.SetGlobalVector(Ids.ShadowStamp, new Vector4(stamp, 0f, 0f, 0f));
+            values.SetRenderTarget(valueTexels);
+            values.DrawProcedural(Matrix4x4.identity, material, ValuesPass, MeshTopology.Triangles, 3);
+        }
+
+        /// <summary>For a draw of the camera that has begun.</summary>
+        public void SetOn(MaterialPropertyBlock block)
+        {
+            block.SetTexture(Ids.Copy, map);
+            block.SetTexture(Ids.ShadowValues, valueTexels);
+            block.SetVector(Ids.ShadowReceived, new Vector4(stamp, QualitySettings.shadowCascades, QualitySettings.shadowProjection == ShadowProjection.StableFit ? 1f : 0f, 0f));
+            block.SetVector(Ids.ShadowLight, -light.transform.forward);
+        }
+
+        /// <summary>For a draw without.</summary>
+        public static void SetNone(MaterialPropertyBlock block)
+        {
+            block.SetTexture(Ids.Copy, Texture2D.blackTexture);
+            block.SetTexture(Ids.ShadowValues, Texture2D.blackTexture);
+            block.SetVector(Ids.ShadowReceived, NoStamp);
+        }
+
+        public void Dispose()
+        {
+            if (light != null)
+            {
+                light.RemoveCommandBuffer(LightEvent.AfterShadowMap, copy);
+                light.RemoveCommandBuffer(LightEvent.BeforeScreenspaceMask, values);
+            }
+            copy.Dispose();
+            values.Dispose();
+            EngineObject.Release(ref map);
+            EngineObject.Release(ref valueTexels);
+            EngineObject.Destroy(ref material);
+        }
+
+        public void Describe(StageDescription stage)
+        {
+            stage.Draw("SurfaceRaster", 2);
+            stage.Texture(map.name, 4L * map.width * map.height);
+            stage.Texture(valueTexels.name, 16L * valueTexels.width);
+        }
+
+        static RenderTexture Make(string name, int width, int height, GraphicsFormat format)
+        {
+            var texture = new RenderTexture(new RenderTextureDescriptor(width, height, format, GraphicsFormat.None))
+            {
+                name = name, hideFlags = HideFlags.HideAndDontSave, filterMode = FilterMode.Point, wrapMode = TextureWrapMode.Clamp,
+            };
+            texture.Create();
+            return texture;
+        }
+
+        static class Ids
+        {
+            public static readonly int ShadowMapSource = Shader.PropertyToID("_ShadowMapSource");
+            public static readonly int ShadowCopySize = Shader.PropertyToID("_ShadowCopySize");
+            public static readonly int ShadowStamp = Shader.PropertyToID("_ShadowStamp");
+            public static readonly int Copy = Shader.PropertyToID("_ShadowCopy");
+            public static readonly int ShadowValues = Shader.PropertyToID("_ShadowValues");
+            public static readonly int ShadowReceived = Shader.PropertyToID("_ShadowReceived");
+            public static readonly int ShadowLight = Shader.PropertyToID("_ShadowLight");
+        }
+    }
+}
