@@ -266,6 +266,89 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_camera_shows_the_same_beside_another_as_alone()
+        {
+            fluid.gameObject.SetActive(true);
+            yield return Frames(10);
+            fluid.Paused = true;
+            yield return Frames(2);
+            float4[] alone = Picture(target);
+            var other = new RenderTexture(2 * Pixels, Pixels, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
+            Camera aside = Look(new Vector3(0f, -0.2f, -3f), other);
+            yield return Frames(2);
+            float4[] together = Picture(target), asideTogether = Picture(other);
+            camera.enabled = false;
+            yield return Frames(2);
+            float4[] asideAlone = Picture(other);
+            Object.DestroyImmediate(aside.gameObject);
+            other.Release();
+            Assert.That(together, Is.EqualTo(alone));
+            Assert.That(asideTogether, Is.EqualTo(asideAlone));
+        }
+
+        [UnityTest]
+        public IEnumerator Of_two_waters_that_overlap_the_nearer_one_hides_the_other([Values(true, false)] bool nearerIsFirst)
+        {
+            // A copy of it, clear, half a metre aside and a metre up or down.
+            GameObject copy = Object.Instantiate(fluid.gameObject);
+            copy.transform.position = new Vector3(0.5f, nearerIsFirst ? -1f : 1f, 0f);
+            SurfaceLook clear = surface.Look;
+            clear.colorAtDepth = Color.white;
+            copy.GetComponent<FluidSurface>().Look = clear;
+            fluid.gameObject.SetActive(true);
+            copy.SetActive(true);
+            yield return Frames(20);
+            float left = Mean(target, 4, 28, 16, 48).g, right = Mean(target, 36, 60, 16, 48).g;
+            Object.Destroy(copy);
+            yield return null;
+            TestContext.Out.WriteLine($"{left:0.000} of one, {right:0.000} of both");
+            float dark = 0.98f * Mathf.Pow(0.5f, 1.2f);
+            Assert.That(left, Is.EqualTo(dark).Within(0.02f), "one alone");
+            Assert.That(right, nearerIsFirst ? Is.EqualTo(dark).Within(0.02f) : Is.GreaterThan(0.9f), "the nearer one before the opaque scene, without the other");
+        }
+
+        [UnityTest]
+        public IEnumerator Glass_before_the_water_tints_it_and_glass_behind_it_vanishes_where_it_refracts([Values(3000, 2900)] int queue, [Values(true, false)] bool refracts)
+        {
+            surface.Refraction = refracts;
+            fluid.gameObject.SetActive(true);
+            yield return Frames(10);
+            fluid.Paused = true;
+            GameObject pane = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            pane.transform.rotation = Quaternion.LookRotation(Vector3.down);
+            pane.transform.localScale = new Vector3(4f, 4f, 1f);
+            var glass = new Material(Shader.Find("Sprites/Default")) { color = new Color(1f, 0f, 0f, 0.5f), renderQueue = queue };
+            pane.GetComponent<MeshRenderer>().sharedMaterial = glass;
+            pane.SetActive(false);
+            yield return Frames(2);
+            float without = Mean(target).g;
+            pane.SetActive(true);
+            pane.transform.position = new Vector3(0f, 1f, 0f);
+            yield return Frames(2);
+            float before = Mean(target).g;
+            pane.transform.position = new Vector3(0f, -0.7f, 0f);
+            yield return Frames(2);
+            float behind = Mean(target).g;
+            // Steep, through the surface at the picture's middle: its upper half is on the right.
+            pane.transform.position = new Vector3(0f, Depth - 0.5f, 0f);
+            pane.transform.rotation = Quaternion.Euler(0f, 0f, 30f) * Quaternion.LookRotation(Vector3.down);
+            yield return Frames(2);
+            float left = Mean(target, 8, 24, 16, 48).g, right = Mean(target, 40, 56, 16, 48).g;
+            Object.DestroyImmediate(pane);
+            Object.DestroyImmediate(glass);
+            TestContext.Out.WriteLine($"{without:0.000} without, {before:0.000} before, {behind:0.000} behind, {left:0.000} and {right:0.000} through");
+            float tinted = 0.5f * without;
+            bool isDrawnAfter = queue > 2950;
+            // What is drawn before the water is what the water blends over, or refracts away; wherever it stands.
+            Assert.That(before, isDrawnAfter ? Is.EqualTo(tinted).Within(0.02f) : refracts ? Is.EqualTo(without).Within(0.02f) : Is.LessThan(0.8f * without));
+            Assert.That(behind, isDrawnAfter || refracts ? Is.EqualTo(without).Within(0.02f) : Is.LessThan(0.8f * without));
+            if (!isDrawnAfter)
+                yield break;
+            Assert.That(right, Is.EqualTo(tinted).Within(0.03f), "above the water");
+            Assert.That(left, Is.EqualTo(without).Within(0.03f), "below");
+        }
+
+        [UnityTest]
         public IEnumerator What_has_not_changed_is_not_drawn_again()
         {
             fluid.gameObject.SetActive(true);
