@@ -211,7 +211,7 @@ namespace Rill
             new KernelNeed("SurfaceThickness", "AddParticles", "ADD", 128, 3076, 5, 1, 1),
             new KernelNeed("SurfaceThickness", "AddPhases", "ADD PHASES", 128, 3588, 6, 1, 1),
             new KernelNeed("SurfaceThickness", "BlurThickness", "BLUR", 256, 7680, 1, 1, 2),
-            new KernelNeed("SurfaceThickness", "BlurPhases", "BLUR PHASES", 256, 19200, 1, 1, 2),
+            new KernelNeed("SurfaceThickness", "BlurPhases", "BLUR PHASES", 256, 11520, 1, 1, 2),
             new KernelNeed("VelocityUpdate", "UpdateVelocity", "", 128, 0, 5, 3, 0),
             new KernelNeed("VelocityUpdate", "UpdateVelocity", "RILL_SLEEP", 128, 0, 6, 3, 0),
             new KernelNeed("VelocityUpdate", "UpdateVelocity", "RILL_TWO_LISTS", 128, 0, 5, 3, 0),
