@@ -55,7 +55,7 @@ namespace Host.Pipelines
         }
 
         /// <summary>For the stand-ins' sources.</summary>
-        internal IEnumerable<string> StandInDefines => !HasRenderGraph ? Array.Empty<string>() : ListedAs == "6000.3" ? new[] { "URP_17", "URP_17_3" } : new[] { "URP_17" };
+        internal IEnumerable<string> StandInDefines => !HasRenderGraph ? Array.Empty<string>() : ListedAs == "6000.3" ? new[] { "SRP_17", "SRP_17_3" } : new[] { "SRP_17" };
 
         public override string ToString() => $"Unity {Unity} with URP {Package}{(AsksForCompatibility ? " and URP_COMPATIBILITY_MODE" : "")}";
     }

@@ -27,6 +27,7 @@ namespace Rill.Tests
             depths[step] = Far;
             for (int i = 1; i < 8; i++)
                 depths[step + i * along] = 0.3f;
+            depths[3 * along + 13 * across] = 0.49f;        // a dent of 0.04 m, within the range
 
             float[] filtered = Filter(kernel, depths);
             Assert.That(filtered[far], Is.EqualTo(Near), "water far behind");

@@ -1,4 +1,4 @@
-#if URP_17
+#if SRP_17
 using System;
 using System.Collections.Generic;
 

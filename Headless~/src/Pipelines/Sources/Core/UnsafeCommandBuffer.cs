@@ -1,4 +1,4 @@
-#if URP_17
+#if SRP_17
 namespace UnityEngine.Rendering
 {
     public class BaseCommandBuffer

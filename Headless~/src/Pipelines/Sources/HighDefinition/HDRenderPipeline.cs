@@ -39,10 +39,10 @@ namespace UnityEngine.Rendering.HighDefinition
             GraphicsSettings.lightsUseLinearIntensity = GraphicsSettings.lightsUseColorTemperature = true;
         }
 
-#if URP_17
+#if SRP_17
         [Obsolete("Of arrays")]
 #endif
-#if URP_17_3
+#if SRP_17_3
         protected override void Render(ScriptableRenderContext context, Camera[] cameras) => Render(context, new List<Camera>(cameras));
 #else
         protected override void Render(ScriptableRenderContext renderContext, Camera[] cameras) => Render(renderContext, new List<Camera>(cameras));

@@ -12,7 +12,7 @@ namespace UnityEngine.Rendering.HighDefinition
     {
         const int Bytes = 8192;
 
-#if URP_17
+#if SRP_17
         const int Matrices = 12;
 #else
         const int Matrices = 11;
@@ -33,7 +33,7 @@ namespace UnityEngine.Rendering.HighDefinition
             Matrix4x4 both = projection * view;
             Array.Fill(values, Vector4.one * float.NaN);
             // View, of the camera, inverse; projection, inverse; both, of the camera, inverse; unjittered, in 17 its inverse; of the last frame, its inverse.
-#if URP_17
+#if SRP_17
             Write(view, view, view.inverse, projection, projection.inverse, both, both, both.inverse, both, both.inverse, both, both.inverse);
 #else
             Write(view, view, view.inverse, projection, projection.inverse, both, both, both.inverse, both, both, both.inverse);

@@ -1,11 +1,11 @@
 using UnityEngine.Experimental.Rendering;
-#if URP_17
+#if SRP_17
 using UnityEngine.Rendering.RenderGraphModule;
 #endif
 
 namespace UnityEngine.Rendering.Universal
 {
-#if URP_17
+#if SRP_17
     public class UniversalCameraData : ContextItem
     {
         public Camera camera, baseCamera;

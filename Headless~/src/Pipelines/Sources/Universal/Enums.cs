@@ -53,7 +53,7 @@ namespace UnityEngine.Rendering.Universal
         Linear,
         Point,
         FSR,
-#if URP_17
+#if SRP_17
         STP,
 #endif
     }

@@ -1,11 +1,11 @@
 using System;
-#if URP_17
+#if SRP_17
 using UnityEngine.Rendering.RenderGraphModule;
 #endif
 
 namespace UnityEngine.Rendering.Universal
 {
-#if URP_17
+#if SRP_17
     public abstract class ScriptableRenderPass : IRenderGraphRecorder
 #else
     public abstract class ScriptableRenderPass
@@ -20,7 +20,7 @@ namespace UnityEngine.Rendering.Universal
 
         public virtual void OnCameraCleanup(CommandBuffer cmd) { }
 
-#if URP_17
+#if SRP_17
         internal const string Compatibility = "This rendering path is for compatibility mode only (when Render Graph is disabled). Use Render Graph API instead.";
 
         public bool requiresIntermediateTexture { get; set; }

@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-#if URP_17
+#if SRP_17
 using UnityEngine.Rendering.RenderGraphModule;
 #endif
 
@@ -30,7 +30,7 @@ namespace UnityEngine.Rendering.Universal
 
         public void EnqueuePass(ScriptableRenderPass pass) => queue.Add(pass);
 
-#if URP_17
+#if SRP_17
         [Obsolete(ScriptableRenderPass.Compatibility, false)]
         public RTHandle cameraColorTargetHandle => InPass(color);
 

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Headless;
-#if URP_17
+#if SRP_17
 using UnityEngine.Rendering.RenderGraphModule;
 #endif
 
@@ -28,10 +28,10 @@ namespace UnityEngine.Rendering.Universal
         /// <summary>Of 17: whether passes run by Execute.</summary>
         internal static bool IsCompatibilityMode;
 
-#if URP_17
+#if SRP_17
         [System.Obsolete("Of arrays")]
 #endif
-#if URP_17_3
+#if SRP_17_3
         protected override void Render(ScriptableRenderContext context, Camera[] cameras) => Render(context, new List<Camera>(cameras));
 #else
         protected override void Render(ScriptableRenderContext renderContext, Camera[] cameras) => Render(renderContext, new List<Camera>(cameras));

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Headless;
-#if URP_17
+#if SRP_17
 using UnityEngine.Rendering.RenderGraphModule;
 #endif
 
@@ -52,7 +52,7 @@ namespace UnityEngine.Rendering.Universal
             public int next, earliestDepth;
             public bool needsDepth, needsColor, needsMotion, isJittered, isLast, isOverlay;
             public RenderingData legacy;
-#if URP_17
+#if SRP_17
             public ContextContainer items;
             public RenderGraph graph;
             public UniversalResourceData resources;
@@ -71,7 +71,7 @@ namespace UnityEngine.Rendering.Universal
             SetTargets(frame.color, frame.depth);
             try
             {
-#if URP_17
+#if SRP_17
                 if (!UniversalRenderPipeline.IsCompatibilityMode)
                     RecordAndExecuteGraph();
                 else
@@ -83,7 +83,7 @@ namespace UnityEngine.Rendering.Universal
             finally
             {
                 FinishRendering();
-#if URP_17
+#if SRP_17
                 frame.items.Dispose();
 #endif
                 frame = default;
@@ -103,7 +103,7 @@ namespace UnityEngine.Rendering.Universal
             frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = jitter * camera.projectionMatrix, xr = new XRPass() };
             CameraRenderType type = frame.isOverlay ? CameraRenderType.Overlay : CameraRenderType.Base;
             AntialiasingMode antialiasing = frame.data != null ? frame.data.antialiasing : AntialiasingMode.None;
-#if URP_17
+#if SRP_17
             frame.items = new ContextContainer();
             UniversalCameraData to = frame.items.Create<UniversalCameraData>();
             frame.resources = frame.items.Create<UniversalResourceData>();
@@ -150,7 +150,7 @@ namespace UnityEngine.Rendering.Universal
             frame.earliestDepth = Math.Min(frame.earliestDepth, (int)MotionEvent);
         }
 
-#if URP_17
+#if SRP_17
         const RenderPassEvent MotionEvent = RenderPassEvent.AfterRenderingSkybox + 1;       // one after the copy of depth, as a renderer is made
 #else
         const RenderPassEvent MotionEvent = RenderPassEvent.BeforeRenderingPostProcessing;
@@ -247,7 +247,7 @@ namespace UnityEngine.Rendering.Universal
             BindNow(color, depth);
         }
 
-#if URP_17
+#if SRP_17
         // ---- by the render graph
 
         void RecordAndExecuteGraph()
@@ -409,7 +409,7 @@ namespace UnityEngine.Rendering.Universal
         void SetGlobalDepth()
         {
             Shader.Globals.SetTexture(depthTextureId, depthTexture.rt, RenderTextureSubElement.Depth);
-#if URP_17
+#if SRP_17
             if (frame.graph != null)
             {
                 frame.graph.MarkWritten(frame.resources.cameraDepthTexture);
@@ -433,7 +433,7 @@ namespace UnityEngine.Rendering.Universal
             Shader.SetGlobalVector(motionParams, Vector4.zero);
             Shader.SetGlobalTexture(motionTextureId, motionColor.rt);
             Shader.Globals.SetTexture(motionDepthId, motionDepth.rt, RenderTextureSubElement.Depth);
-#if URP_17
+#if SRP_17
             if (frame.graph == null)
                 return;
             frame.graph.MarkWritten(frame.resources.motionVectorColor);
@@ -447,7 +447,7 @@ namespace UnityEngine.Rendering.Universal
             Headless.Blitter.Blit(frame.color.rt, opaqueTexture.rt, null, -1);
             (boundColor, boundDepth) = (opaqueTexture.rt, null);
             Shader.SetGlobalTexture(opaqueTextureId, opaqueTexture.rt);
-#if URP_17
+#if SRP_17
             if (frame.graph != null)
             {
                 frame.graph.MarkWritten(frame.resources.cameraOpaqueTexture);
