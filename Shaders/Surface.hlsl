@@ -125,7 +125,8 @@ SurfacePoint PointOn(float2 picture)
 }
 
 #ifdef RILL_REFRACTION
-static const int kRefractionSteps = 5;      // that halve how much of the bend is known to be hidden
+static const int kRefractionSteps = 8;      // that halve how much of the bend is known to be hidden
+static const float kRefractionReach = 0.8;
 
 float SceneDepthAt(float2 picture)
 {
@@ -133,35 +134,45 @@ float SceneDepthAt(float2 picture)
     return FromSurfaceDepth(FlipDepth(RILL_SCENE_DEPTH(texel)), eyeIndex);
 }
 
-// Whether the scene that a filtered sample takes in lies behind the water: what stands in front must not show in it.
+// Whether the scene that a filtered sample takes in is as far away as the ray there: what hides it must not show in its place.
 bool IsBehind(float2 picture, float z)
 {
     float2 texel = 1.0 / _SceneSize.xy;      // half of one, on the picture
     float nearest = min(min(SceneDepthAt(picture - texel), SceneDepthAt(picture + texel)),
         min(SceneDepthAt(picture + float2(texel.x, -texel.y)), SceneDepthAt(picture + float2(-texel.x, texel.y))));
-    return all(abs(picture) <= 1.0) && nearest >= z;
+    return nearest >= z;
 }
 
-// The scene behind, along the refracted ray for as long as there is water. Where something in front hides that, as far along as
-// the scene is seen.
-float3 Refracted(SurfacePoint p, float2 picture, float thickness)
+// Along the view, m; of a point in the clip space of the surface's matrices.
+float DepthOf(float4 clip)
 {
-    float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
-    // As deep below the surface as the straight ray gets, which is where a floor is.
-    float reach = thickness * dot(p.ray, p.normal) / min(dot(bent, p.normal), -0.05);
-    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * reach, 1.0));
+    return _SurfaceDepths[eyeIndex].z < 0.5 ? clip.w : FromSurfaceDepth(clip.z, eyeIndex);
+}
+
+// The scene behind, along the refracted ray for as long as there is water. Where something in front hides that, or the ray hits
+// something, only as far along as that: the path is then shorter.
+float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
+{
+    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * path, 1.0));
     float2 shift = clip.w > 0.0 ? clip.xy / max(clip.w, 1e-6) - picture : 0.0;
-    if (!IsBehind(picture + shift, p.z))
+    // As far as the picture goes.
+    float2 room = (1.0 - abs(picture) * sign(picture * shift)) / max(abs(shift), 1e-6);
+    float inside = saturate(min(room.x, room.y));
+    shift *= inside;
+    // How far the ray gets along the view; short of it, since the floor need not be flat.
+    float reach = kRefractionReach * inside * (DepthOf(clip) - p.z);
+    if (!IsBehind(picture + shift, p.z + reach))
     {
         float seen = 0.0, hidden = 1.0;
         for (int i = 0; i < kRefractionSteps; i++)
         {
             float middle = 0.5 * (seen + hidden);
-            bool isSeen = IsBehind(picture + shift * middle, p.z);
+            bool isSeen = IsBehind(picture + shift * middle, p.z + reach * middle);
             seen = isSeen ? middle : seen;
             hidden = isSeen ? hidden : middle;
         }
         shift *= seen;
+        path *= seen;
     }
     return RILL_SCENE_COLOR((picture + shift) * 0.5 + 0.5).rgb;
 }
@@ -281,9 +292,16 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float reflectance = Fresnel(facing, p.roughness);
     float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye, light.direction, p.roughness);
 
-    float3 through = exp(-(medium.absorption + medium.scattering) * medium.thickness);
+    float path = medium.thickness;
+#ifdef RILL_REFRACTION
+    // As deep below the surface as the straight ray gets, which is where a floor is.
+    float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
+    path *= dot(p.ray, p.normal) / min(dot(bent, p.normal), -0.05);
+    float3 behind = Refracted(p, picture, bent, path);
+#endif
+    float3 through = exp(-(medium.absorption + medium.scattering) * path);
     float3 lit = (around + lightColor * (0.5 * saturate(dot(p.normal, light.direction)) + 0.25)) * medium.color;
-    float3 scattered = lit * (1.0 - exp(-medium.scattering * medium.thickness));
+    float3 scattered = lit * (1.0 - exp(-medium.scattering * path));
 #ifdef RILL_FOAM
     // Under water it hides what is behind it, and is seen through what is in front of it.
     float3 foamLight = LitFoam(around, lightColor, dot(p.normal, light.direction));
@@ -292,7 +310,7 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     through *= 1.0 - foam.under;
 #endif
 #ifdef RILL_REFRACTION
-    float3 color = (Refracted(p, picture, medium.thickness) * through + scattered) * (1.0 - reflectance) + mirrored;
+    float3 color = (behind * through + scattered) * (1.0 - reflectance) + mirrored;
     float coverage = 1.0;
 #else
     float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);

@@ -2,7 +2,7 @@
 // into a pipeline's texture of motion. The SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
 //
 //   _SurfaceDepth   in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
-//   _SurfaceChords  in  xyz displacement of the nearest particle in the last substep, d, in the domain's frame
+//   _SurfaceChords  in  xyz displacement of the nearest particle in the last substep, d, in the domain's frame; w its depth as it was drawn
 #include "ScreenMotion.hlsl"
 #include "SurfaceView.hlsl"
 
@@ -13,6 +13,8 @@ float4 _PictureBounds;          // lowest x, y and highest x, y of the fluid's b
 float4 _FrameLag;               // time of this frame, x, and of the frame before, z, since the newest state, substeps
 float4x4 _WorldToDomain;        // from world, metres, to the domain's frame in d
 float4x4 _LastDomainToWorld;    // back, at the frame before
+static const float kDrawnThere = 0.98;      // of the surface's depth: what was drawn with less lies behind it
+
 float4x4 _DomainMotion;         // the same of this frame minus that: exactly 0 where the domain stands still
 
 struct MotionVaryings
@@ -46,6 +48,22 @@ float3 MotionOfWater(float3 world, float3 chord)
     return mul((float3x3)_LastDomainToWorld, chord * (_FrameLag.x - _FrameLag.z)) + mul(_DomainMotion, inDomain).xyz;
 }
 
+// In a gap that the filter has closed, that of the water beside it.
+float3 ChordAt(int2 texel, float surface)
+{
+    float4 chord = _SurfaceChords.Load(int4(texel, eyeIndex, 0));
+    if (chord.w >= kDrawnThere * surface)
+        return chord.xyz;
+    static const int2 kBeside[4] = { int2(1, 0), int2(-1, 0), int2(0, 1), int2(0, -1) };
+    for (uint i = 0; i < 4; i++)
+    {
+        float4 beside = _SurfaceChords.Load(int4(clamp(texel + kBeside[i], 0, int2(_SurfaceSize.xy) - 1), eyeIndex, 0));
+        if (beside.w > chord.w)
+            chord = beside;
+    }
+    return chord.xyz;
+}
+
 float4 MotionFragment(MotionVaryings input, out float depth : SV_Depth) : SV_Target
 {
     RestoreView(input);
@@ -57,5 +75,5 @@ float4 MotionFragment(MotionVaryings input, out float depth : SV_Depth) : SV_Tar
     SurfaceRay ray = RayThrough(picture, eyeIndex);
     float3 world = ray.origin + ray.direction * FromSurfaceDepth(surface, eyeIndex);
     depth = DeviceDepth(WorldToClip(world));
-    return MotionOnScreen(world, world - MotionOfWater(world, _SurfaceChords.Load(int4(texel, eyeIndex, 0)).xyz));
+    return MotionOnScreen(world, world - MotionOfWater(world, ChordAt(texel, surface)));
 }

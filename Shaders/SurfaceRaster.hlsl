@@ -53,7 +53,7 @@ float DepthOfHit(RasterVaryings input)
 float4 ChordFragment(RasterVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH) : SV_Target
 {
     depth = DepthOfHit(input);
-    return float4(input.chord, 0.0);
+    return float4(input.chord, FlipDepth(depth));
 }
 #else
 void DepthFragment(RasterVaryings input, out float depth : RILL_CONSERVATIVE_DEPTH)
