@@ -47,7 +47,7 @@ MainLight GetMainLight()
 #if defined(RILL_BUILT_IN) && defined(RILL_SHADOW_COPY)
 
 // A transparent draw: of copies that were made before the opaque ones, see ShadowCopy.hlsl.
-static const uint kWorldToShadow = 0, kSplitSpheres = 16, kSplitSquaredRadii = 20, kSplitsFar = 21, kShadowData = 22, kShadowFade = 23, kShadowStamp = 24;
+#include "ShadowValues.hlsl"
 
 Texture2D<float> _ShadowCopy;
 Texture2D<float4> _ShadowValues;

@@ -2,8 +2,9 @@
 //
 //   _ShadowMapSource   in   the light's map of depths, after it was drawn
 //   the uniforms of UnityShadows, before the mask on the screen is made of them
-//   target             out  the map; or a texel for each of the uniforms, see kWorldToShadow and its like in MainLight.hlsl
+//   target             out  the map; or a texel for each of the uniforms, see ShadowValues.hlsl
 #include "Platform.hlsl"
+#include "ShadowValues.hlsl"
 
 float4 ShadowCopyVertex(uint vertex : SV_VertexID) : SV_Position
 {
@@ -32,10 +33,11 @@ float4 _ShadowStamp;
 float4 ShadowValueFragment(float4 clip : SV_Position) : SV_Target
 {
     uint i = (uint)clip.x;
-    if (i < 16)
-        return unity_WorldToShadow[i / 4][i % 4];
-    if (i < 20)
-        return unity_ShadowSplitSpheres[i - 16];
-    return i == 20 ? unity_ShadowSplitSqRadii : i == 21 ? _LightSplitsFar : i == 22 ? _LightShadowData : i == 23 ? unity_ShadowFadeCenterAndType : _ShadowStamp;
+    if (i < kSplitSpheres)
+        return unity_WorldToShadow[(i - kWorldToShadow) / 4][i % 4];
+    if (i < kSplitSquaredRadii)
+        return unity_ShadowSplitSpheres[i - kSplitSpheres];
+    return i == kSplitSquaredRadii ? unity_ShadowSplitSqRadii : i == kSplitsFar ? _LightSplitsFar : i == kShadowData ? _LightShadowData
+        : i == kShadowFade ? unity_ShadowFadeCenterAndType : _ShadowStamp;
 }
 #endif

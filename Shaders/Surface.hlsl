@@ -8,6 +8,7 @@
 //   the scene's colour and depth as the pipeline gives them; where RILL_REFRACTION is on
 #include "MainLight.hlsl"
 #include "SurfaceView.hlsl"
+#include "SurfaceRectangle.hlsl"
 #include "Environment.hlsl"
 #include "Fog.hlsl"
 #ifdef RILL_FOAM
@@ -61,33 +62,6 @@ float _HasPhases;           // 1 where each phase has a look of its own, the nex
 float4 _PhaseAbsorption[4]; // as above
 float4 _PhaseScattering[4];
 float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
-float4 _PictureBounds;      // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
-
-struct SurfaceVaryings
-{
-    float4 clip : SV_Position;
-    float4 picture : TEXCOORD0;     // xy
-    RILL_VIEW_OUTPUT
-};
-
-SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
-{
-    static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
-    SurfaceVaryings result = (SurfaceVaryings)0;
-    bool drawn = SelectView(instance);
-    PassViewOn(result);
-    result.clip = kNowhere;
-    if (!drawn)
-        return result;
-
-    // By way of a point of the world: whichever way up the pipeline draws, and into whatever part of its target.
-    float2 picture = lerp(_PictureBounds.xy, _PictureBounds.zw, kCorners[vertex % 6]);
-    SurfaceRay ray = RayThrough(picture, eyeIndex);
-    float4 clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
-    result.clip = clip;
-    result.picture = float4(picture, 0.0, 0.0);
-    return result;
-}
 
 struct SurfacePoint
 {
@@ -126,7 +100,7 @@ SurfacePoint PointOn(float2 picture)
 
 #ifdef RILL_REFRACTION
 static const int kRefractionSteps = 8;      // that halve how much of the bend is known to be hidden
-static const float kRefractionReach = 0.8;
+static const float kRefractionReach = 0.8;  // of the depth that a ray should reach: the scene there may be nearer by the rest, as no floor is flat
 
 float SceneDepthAt(float2 picture)
 {
@@ -143,12 +117,6 @@ bool IsBehind(float2 picture, float z)
     return nearest >= z;
 }
 
-// Along the view, m; of a point in the clip space of the surface's matrices.
-float DepthOf(float4 clip)
-{
-    return _SurfaceDepths[eyeIndex].z < 0.5 ? clip.w : FromSurfaceDepth(clip.z, eyeIndex);
-}
-
 // The scene behind, along the refracted ray for as long as there is water. Where something in front hides that, or the ray hits
 // something, only as far along as that: the path is then shorter.
 float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
@@ -160,7 +128,7 @@ float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
     float inside = saturate(min(room.x, room.y));
     shift *= inside;
     // How far the ray gets along the view; short of it, since the floor need not be flat.
-    float reach = kRefractionReach * inside * (DepthOf(clip) - p.z);
+    float reach = kRefractionReach * inside * (DepthAlongView(clip, eyeIndex) - p.z);
     if (!IsBehind(picture + shift, p.z + reach))
     {
         float seen = 0.0, hidden = 1.0;
@@ -178,7 +146,7 @@ float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
 }
 #endif
 
-// What light goes through on its way.
+// The water along a ray.
 struct Medium
 {
     float thickness;        // m

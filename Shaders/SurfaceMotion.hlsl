@@ -5,41 +5,17 @@
 //   _SurfaceChords  in  xyz displacement of the nearest particle in the last substep, d, in the domain's frame; w its depth as it was drawn
 #include "ScreenMotion.hlsl"
 #include "SurfaceView.hlsl"
+#include "SurfaceRectangle.hlsl"
 
 Texture2DArray<float> _SurfaceDepth;
 Texture2DArray<float4> _SurfaceChords;
 
-float4 _PictureBounds;          // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
 float4 _FrameLag;               // time of this frame, x, and of the frame before, z, since the newest state, substeps
 float4x4 _WorldToDomain;        // from world, metres, to the domain's frame in d
 float4x4 _LastDomainToWorld;    // back, at the frame before
-static const float kDrawnThere = 0.98;      // of the surface's depth: what was drawn with less lies behind it
-
 float4x4 _DomainMotion;         // the same of this frame minus that: exactly 0 where the domain stands still
 
-struct MotionVaryings
-{
-    float4 clip : SV_Position;
-    float4 picture : TEXCOORD0;     // xy
-    RILL_VIEW_OUTPUT
-};
-
-MotionVaryings MotionVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
-{
-    static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
-    MotionVaryings result = (MotionVaryings)0;
-    bool drawn = SelectView(instance);
-    PassViewOn(result);
-    result.clip = kNowhere;
-    if (!drawn)
-        return result;
-
-    float2 picture = lerp(_PictureBounds.xy, _PictureBounds.zw, kCorners[vertex % 6]);
-    SurfaceRay ray = RayThrough(picture, eyeIndex);
-    result.clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
-    result.picture = float4(picture, 0.0, 0.0);
-    return result;
-}
+static const float kDrawnThere = 0.98;      // of the surface's depth: what was drawn with less lies further away
 
 // How far a point of the water, world, has come since the frame before, m: along the chord of its particle, and with the domain.
 float3 MotionOfWater(float3 world, float3 chord)
@@ -54,17 +30,17 @@ float3 ChordAt(int2 texel, float surface)
     float4 chord = _SurfaceChords.Load(int4(texel, eyeIndex, 0));
     if (chord.w >= kDrawnThere * surface)
         return chord.xyz;
-    static const int2 kBeside[4] = { int2(1, 0), int2(-1, 0), int2(0, 1), int2(0, -1) };
+    static const int2 kNeighbors[4] = { int2(1, 0), int2(-1, 0), int2(0, 1), int2(0, -1) };
     for (uint i = 0; i < 4; i++)
     {
-        float4 beside = _SurfaceChords.Load(int4(clamp(texel + kBeside[i], 0, int2(_SurfaceSize.xy) - 1), eyeIndex, 0));
-        if (beside.w > chord.w)
-            chord = beside;
+        float4 neighbor = _SurfaceChords.Load(int4(clamp(texel + kNeighbors[i], 0, int2(_SurfaceSize.xy) - 1), eyeIndex, 0));
+        if (neighbor.w > chord.w)
+            chord = neighbor;
     }
     return chord.xyz;
 }
 
-float4 MotionFragment(MotionVaryings input, out float depth : SV_Depth) : SV_Target
+float4 MotionFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
 {
     RestoreView(input);
     float2 picture = input.picture.xy;

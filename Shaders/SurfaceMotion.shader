@@ -20,7 +20,7 @@ Shader "Hidden/Rill/SurfaceMotion"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex MotionVertex
+            #pragma vertex SurfaceVertex
             #pragma fragment MotionFragment
             #include "SurfaceMotion.hlsl"
             ENDHLSL
@@ -42,7 +42,7 @@ Shader "Hidden/Rill/SurfaceMotion"
 
             HLSLPROGRAM
             #pragma target 5.0
-            #pragma vertex MotionVertex
+            #pragma vertex SurfaceVertex
             #pragma fragment MotionFragment
             #include "SurfaceMotion.hlsl"
             ENDHLSL

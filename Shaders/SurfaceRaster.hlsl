@@ -23,7 +23,6 @@ struct RasterVaryings
 
 RasterVaryings RasterVertex(uint vertex : SV_VertexID)
 {
-    static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
     RasterVaryings result = (RasterVaryings)0;
     result.clip = float4(2, 2, 2, 1);
     float3 chord;
@@ -32,7 +31,7 @@ RasterVaryings RasterVertex(uint vertex : SV_VertexID)
     if (!bounds.isSeen)
         return result;
 
-    float2 picture = lerp(bounds.low, bounds.high, kCorners[vertex % 6]);
+    float2 picture = RectangleCorner(vertex, bounds.low, bounds.high);
     RayInBall(e, RayThrough(picture, _SurfaceEye), result.origin, result.direction);
     result.clip = SurfacePosition(picture, bounds.nearest);
 #ifdef RILL_CHORDS

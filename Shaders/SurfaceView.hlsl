@@ -43,6 +43,12 @@ float FromSurfaceDepth(float depth, uint eye)
     return p.z > 0.5 ? (depth - p.x) / p.y : p.y / max(depth - p.x, 1e-12);
 }
 
+// Depth along the view, m, of a point in the clip space of _SurfaceWorldToClip.
+float DepthAlongView(float4 clip, uint eye)
+{
+    return _SurfaceDepths[eye].z < 0.5 ? clip.w : FromSurfaceDepth(clip.z, eye);
+}
+
 // Between the device's depth and that of the surface's textures; its own inverse.
 float FlipDepth(float depth)
 {
@@ -61,6 +67,13 @@ float4 SurfacePosition(float2 picture, float depth)
 #else
     return float4(picture.x, -picture.y, depth, 1.0);
 #endif
+}
+
+// Of a rectangle as two triangles, on the picture.
+float2 RectangleCorner(uint vertex, float2 low, float2 high)
+{
+    static const float2 kCorners[6] = { float2(0, 0), float2(0, 1), float2(1, 1), float2(0, 0), float2(1, 1), float2(1, 0) };
+    return lerp(low, high, kCorners[vertex % 6]);
 }
 
 // The middle of a texel on the picture.

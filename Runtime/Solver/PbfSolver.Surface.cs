@@ -35,7 +35,7 @@ namespace Rill
         }
 
         // What comes next has nothing to do with what was drawn before.
-        void ForgetSurface()
+        void InvalidateSurface()
         {
             SurfaceIsCurrent = false;
             SurfaceVersion++;

@@ -108,7 +108,7 @@ namespace Rill
         {
             stepIndex = 0;
             lastSubsteps = 0;
-            ForgetSurface();
+            InvalidateSurface();
             statistics?.Forget();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided anew

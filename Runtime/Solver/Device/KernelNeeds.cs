@@ -72,7 +72,6 @@ namespace Rill
                 case "CONFINE":
                 case "CORRECT":
                 case "COUNT":
-                case "PHASES":
                 case "EMIT":
                 case "ESTIMATE":
                 case "FIELDS":
@@ -82,6 +81,7 @@ namespace Rill
                 case "NORMALS":
                 case "PASS":
                 case "PATHS":
+                case "PHASES":
                 case "PROJECTION":
                 case "REDUCE":
                 case "RILL_BUILD_LIST":

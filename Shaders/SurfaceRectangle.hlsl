@@ -1,0 +1,32 @@
+// One rectangle over what the water's box covers on the picture, for passes that read the surface's textures. Include after View.hlsl
+// and SurfaceView.hlsl.
+#ifndef RILL_SURFACE_RECTANGLE_INCLUDED
+#define RILL_SURFACE_RECTANGLE_INCLUDED
+
+float4 _PictureBounds;      // lowest x, y and highest x, y of the fluid's box on the picture, of both eyes
+
+struct SurfaceVaryings
+{
+    float4 clip : SV_Position;
+    float4 picture : TEXCOORD0;     // xy
+    RILL_VIEW_OUTPUT
+};
+
+SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_InstanceID)
+{
+    SurfaceVaryings result = (SurfaceVaryings)0;
+    bool drawn = SelectView(instance);
+    PassViewOn(result);
+    result.clip = kNowhere;
+    if (!drawn)
+        return result;
+
+    // By way of a point of the world: whichever way up the pipeline draws, and into whatever part of its target.
+    float2 picture = RectangleCorner(vertex, _PictureBounds.xy, _PictureBounds.zw);
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    result.clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
+    result.picture = float4(picture, 0.0, 0.0);
+    return result;
+}
+
+#endif
