@@ -11,7 +11,7 @@ Texture2DArray _CameraDepthTexture;
 #else
 Texture2D _CameraDepthTexture;
 #endif
-float4 _SceneSize;          // width and height of what is in use, texels
+float4 _SceneSize;          // width and height of what is in use, texels; 0: all
 
 static const uint kSamples = 4;      // along x and y
 
@@ -29,14 +29,27 @@ SceneVaryings SceneVertex(uint vertex : SV_VertexID)
     return result;
 }
 
+float2 SceneSize()
+{
+    uint width, height;
+#ifdef RILL_SCENE_ARRAY
+    uint slices;
+    _CameraDepthTexture.GetDimensions(width, height, slices);
+#else
+    _CameraDepthTexture.GetDimensions(width, height);
+#endif
+    return _SceneSize.x > 0.0 ? _SceneSize.xy : float2(width, height);
+}
+
 float SceneFragment(SceneVaryings input) : SV_Target
 {
+    float2 size = SceneSize();
     float farthest = 0.0;
     for (uint i = 0; i < kSamples * kSamples; i++)
     {
         float2 offset = (float2(i % kSamples, i / kSamples) + 0.5) / kSamples * 2.0 - 1.0;
         float2 picture = input.picture + offset * _SurfaceSize.zw;
-        int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SceneSize.xy, 0.0, _SceneSize.xy - 1.0));
+        int2 texel = int2(clamp((picture * 0.5 + 0.5) * size, 0.0, size - 1.0));
 #ifdef RILL_SCENE_ARRAY
         float depth = _CameraDepthTexture.Load(int4(texel, _SurfaceEye, 0)).r;
 #else

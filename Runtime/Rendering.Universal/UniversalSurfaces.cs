@@ -41,7 +41,7 @@ namespace Rill.Universal
             camera.TryGetComponent(out UniversalAdditionalCameraData data);
             if (data != null && data.renderType == CameraRenderType.Overlay || !(RendererOf(camera, data, asset) is UniversalRenderer renderer))
                 return;
-            FluidViews views = ViewsOf(camera, asset);
+            FluidViews views = ViewsOf(camera, data, asset);
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
@@ -68,13 +68,12 @@ namespace Rill.Universal
             return own ?? asset.scriptableRenderer;
         }
 
-        static FluidViews ViewsOf(Camera camera, UniversalRenderPipelineAsset asset)
+        static FluidViews ViewsOf(Camera camera, UniversalAdditionalCameraData data, UniversalRenderPipelineAsset asset)
         {
-            FluidViews views = FluidViews.Of(camera);
+            FluidViews views = FluidViews.Of(camera, data == null || data.allowXRRendering);
             float scale = UniversalRenderPipeline.IsGameCamera(camera) && Mathf.Abs(1f - asset.renderScale) >= ScaleThreshold ? asset.renderScale : 1f;
             views.width = Mathf.Max((int)(views.width * scale), 1);
             views.height = Mathf.Max((int)(views.height * scale), 1);
-            views.sceneSize = new Vector2(views.width, views.height);
             // URP sets it once it draws motion vectors for the camera, and leaves it.
             views.needsMotion = pass.IsInGraph.HasValue && (camera.depthTextureMode & DepthTextureMode.MotionVectors) != 0;
             return views;

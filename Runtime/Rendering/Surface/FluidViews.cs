@@ -21,7 +21,7 @@ namespace Rill
         /// <summary>Of the picture of one eye, pixels.</summary>
         public int width, height;
 
-        /// <summary>What is in use of the scene's depth texture, texels.</summary>
+        /// <summary>What is in use of the scene's depth texture, texels; zero for all, whose size the pipeline knows: with a headset, a camera does not.</summary>
         public Vector2 sceneSize;
 
         /// <summary>Whether the scene's textures are arrays with a slice for each eye.</summary>
@@ -58,19 +58,19 @@ namespace Rill
         public Matrix4x4 ProjectionOf(int eye) => eye == 0 ? projection : rightProjection;
 
         /// <summary>Of a camera as Unity has it: two eyes where it is stereo.</summary>
-        public static FluidViews Of(Camera camera)
+        /// <param name="isForHeadset">False where the pipeline draws one eye, whether the camera is stereo or not.</param>
+        public static FluidViews Of(Camera camera, bool isForHeadset = true)
         {
-            if (camera.stereoEnabled)
+            if (isForHeadset && camera.stereoEnabled)
                 return new FluidViews
                 {
-                    camera = camera, eyes = 2, width = camera.pixelWidth, height = camera.pixelHeight, sceneSize = new Vector2(camera.pixelWidth, camera.pixelHeight), sceneIsArray = true,
+                    camera = camera, eyes = 2, width = camera.pixelWidth, height = camera.pixelHeight, sceneIsArray = true,
                     view = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Left), projection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Left),
                     rightView = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Right), rightProjection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Right),
                 };
             return new FluidViews
             {
                 camera = camera, eyes = 1, view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, width = camera.pixelWidth, height = camera.pixelHeight,
-                sceneSize = new Vector2(camera.pixelWidth, camera.pixelHeight),
             };
         }
     }

@@ -52,10 +52,16 @@ namespace UnityEngine.Headless
         /// <param name="target">With a slice for each eye; null for what the camera draws.</param>
         public static void SetSinglePass(bool isOn, RenderTexture target = null)
         {
-            RenderState.InstanceMultiplier = isOn ? 2 : 1;
-            GlobalKeywords.Set.Set(Keyword, isOn);
+            SetInstancing(isOn);
             if (isOn)
                 RenderState.SetTarget(target is object ? target : eyes, 0, RenderTargetIdentifier.AllDepthSlices);
+        }
+
+        /// <summary>The same without a target: of a scriptable pipeline's own (XRPass.StartSinglePass, StopSinglePass).</summary>
+        public static void SetInstancing(bool isOn)
+        {
+            RenderState.InstanceMultiplier = isOn ? 2 : 1;
+            GlobalKeywords.Set.Set(Keyword, isOn);
         }
 
         /// <summary>For what has no variant for two eyes: one after the other.</summary>

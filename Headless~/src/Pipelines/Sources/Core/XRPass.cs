@@ -1,18 +1,61 @@
+using UnityEngine.Headless;
 using UnityEngine.Rendering;
 
 namespace UnityEngine.Experimental.Rendering
 {
     /// <summary>The eyes that a pass over the frame draws: none where there is no headset, two in one pass here.</summary>
+    /// <remarks>
+    /// Read in SRP Core 17.2.0, Runtime/XR: a camera that draws on a texture, that is no game's or whose component forbids it has no headset
+    /// (XRLayout.AddCamera); between StartSinglePass and StopSinglePass every draw that is not indirect has the instances of both eyes, and every
+    /// program the keyword (XRPass).
+    /// </remarks>
     public class XRPass
     {
-        internal Matrix4x4[] views, projections;
+        internal static readonly XRPass Empty = new XRPass();
+
+        /// <summary>Of the headset's textures over the size that a camera says: nothing tells that a device keeps to it.</summary>
+        internal static float TextureScale = 1;
+
+        Matrix4x4[] views, projections;
 
         public bool enabled => views != null;
         public int viewCount => views?.Length ?? 0;
         public bool singlePassEnabled => viewCount > 1;
         public int multipassId => 0;
 
+        /// <summary>Of the headset's textures, with a slice for each eye.</summary>
+        public RenderTextureDescriptor renderTargetDesc
+        {
+            get
+            {
+                RenderTextureDescriptor desc = StereoView.Eyes.descriptor;
+                (desc.width, desc.height) = (System.Math.Max((int)(desc.width * TextureScale), 1), System.Math.Max((int)(desc.height * TextureScale), 1));
+                return desc;
+            }
+        }
+
         public Matrix4x4 GetViewMatrix(int viewIndex = 0) => views[viewIndex];
         public Matrix4x4 GetProjMatrix(int viewIndex = 0) => projections[viewIndex];
+
+        /// <param name="isAllowed">By the camera's component.</param>
+        internal static XRPass Of(Camera camera, bool isAllowed)
+        {
+            if (!isAllowed || !camera.stereoEnabled || camera.cameraType != CameraType.Game && camera.cameraType != CameraType.VR)
+                return Empty;
+            StereoView.Begin(camera);
+            return new XRPass { views = (Matrix4x4[])StereoView.Views.Clone(), projections = (Matrix4x4[])StereoView.Projections.Clone() };
+        }
+
+        internal void StartSinglePass()
+        {
+            if (singlePassEnabled)
+                StereoView.SetInstancing(true);
+        }
+
+        internal void StopSinglePass()
+        {
+            if (singlePassEnabled)
+                StereoView.SetInstancing(false);
+        }
     }
 }

@@ -117,10 +117,11 @@ namespace UnityEngine.Rendering.Universal
     /// <summary>Of one eye, or of those of a headset.</summary>
     internal struct CameraMatrices
     {
-        public Matrix4x4 view, projection;
+        public Matrix4x4 view, projection, jitter;
         public XRPass xr;
 
         public Matrix4x4 View(int index) => xr.enabled ? xr.GetViewMatrix(index) : view;
-        public Matrix4x4 Projection(int index) => xr.enabled ? xr.GetProjMatrix(index) : projection;
+        public Matrix4x4 Projection(int index) => jitter * ProjectionNoJitter(index);
+        public Matrix4x4 ProjectionNoJitter(int index) => xr.enabled ? xr.GetProjMatrix(index) : projection;
     }
 }

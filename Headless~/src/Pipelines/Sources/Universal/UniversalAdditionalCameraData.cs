@@ -11,6 +11,7 @@ namespace UnityEngine.Rendering.Universal
         public CameraRenderType renderType { get; set; }
         public AntialiasingMode antialiasing { get; set; }
         public bool renderPostProcessing { get; set; }
+        public bool allowXRRendering { get; set; } = true;
         public bool requiresDepthTexture { get; set; }
         public bool requiresColorTexture { get; set; }
         public bool clearDepth { get; internal set; } = true;

@@ -44,7 +44,7 @@ namespace UnityEngine.Rendering.Universal
                 if (IsGameCamera(camera))
                     RenderStack(renderContext, camera);
                 else
-                    RenderOne(renderContext, camera, camera, true);
+                    RenderOne(renderContext, camera, camera, XRPass.Empty, true);
             EndContextRendering(renderContext, cameras);
         }
 
@@ -57,15 +57,19 @@ namespace UnityEngine.Rendering.Universal
             foreach (Camera camera in data != null ? data.cameraStack : new List<Camera>())
                 if (camera != null && camera.isActiveAndEnabled && camera.TryGetComponent(out UniversalAdditionalCameraData own) && own.renderType == CameraRenderType.Overlay)
                     overlays.Add(camera);
-            RenderOne(context, baseCamera, baseCamera, overlays.Count == 0);
+            // The eyes are known before a camera begins, and are those of the base camera in the whole stack.
+            XRPass xr = XRPass.Of(baseCamera, data == null || data.allowXRRendering);
+            RenderOne(context, baseCamera, baseCamera, xr, overlays.Count == 0);
             for (int i = 0; i < overlays.Count; i++)
-                RenderOne(context, overlays[i], baseCamera, i == overlays.Count - 1);
+                RenderOne(context, overlays[i], baseCamera, xr, i == overlays.Count - 1);
+            if (xr.enabled)
+                StereoView.Show();
         }
 
-        void RenderOne(ScriptableRenderContext context, Camera camera, Camera baseCamera, bool isLast)
+        void RenderOne(ScriptableRenderContext context, Camera camera, Camera baseCamera, XRPass xr, bool isLast)
         {
             BeginCameraRendering(context, camera);
-            RenderSingleCamera(context, camera, baseCamera, isLast);
+            RenderSingleCamera(context, camera, baseCamera, xr, isLast);
             EndCameraRendering(context, camera);
         }
 
@@ -77,7 +81,7 @@ namespace UnityEngine.Rendering.Universal
             return own == null || camera.cameraType == CameraType.SceneView ? settings.scriptableRenderer : own;
         }
 
-        void RenderSingleCamera(ScriptableRenderContext context, Camera camera, Camera baseCamera, bool isLast)
+        void RenderSingleCamera(ScriptableRenderContext context, Camera camera, Camera baseCamera, XRPass xr, bool isLast)
         {
             if (!(RendererOf(camera) is UniversalRenderer renderer))
             {
@@ -90,10 +94,11 @@ namespace UnityEngine.Rendering.Universal
             try
             {
                 FrameRenderer.Cull(camera);
-                renderer.Render(context, settings, camera, baseCamera, baseCamera == camera ? renderer : RendererOf(baseCamera) as UniversalRenderer, isLast);
+                renderer.Render(context, settings, camera, baseCamera, baseCamera == camera ? renderer : RendererOf(baseCamera) as UniversalRenderer, xr, isLast);
             }
             finally
             {
+                xr.StopSinglePass();
                 FrameRenderer.EndCulled();
                 Gpu.ClosePass();
                 RenderState.SetCameraTarget(null);

@@ -19,6 +19,8 @@ namespace UnityEngine.Rendering.Universal
     /// Runtime/ScriptableRenderer.cs, 17.1.0): who binds one of his own and leaves it spoils the next draws.
     /// Render graph: OnMainRendering in Runtime/UniversalRendererRenderGraph.cs (17.1.0): all passes from one event up to
     /// the next run there; every pass of URP's binds its own targets.
+    /// Two eyes: RenderCameraStack and UpdateCameraData in Runtime/UniversalRenderPipeline.cs (17.1.0): textures are those of the headset, arrays of two
+    /// slices; BeginXRRendering in Runtime/ScriptableRenderer.cs: single pass from after the shadows on, passes of users included.
     /// Motion vectors: Runtime/Passes/MotionVectorRenderPass.cs (17.1.0 and one of 14): drawn where temporal antialiasing or a pass asks,
     /// before the post processing in 14, after the copy of depth in 17; the depth that it tests is the scene's; objects of the opaque
     /// queue alone; sets DepthTextureMode.MotionVectors on the camera and never clears it. The motion of the camera itself, which URP
@@ -50,6 +52,7 @@ namespace UnityEngine.Rendering.Universal
             public CameraMatrices matrices;
             public RenderTextureDescriptor shape;
             public int next, earliestDepth;
+            public XRPass xr;
             public bool needsDepth, needsColor, needsMotion, isJittered, isLast, isOverlay;
             public RenderingData legacy;
 #if SRP_17
@@ -59,10 +62,10 @@ namespace UnityEngine.Rendering.Universal
 #endif
         }
 
-        internal void Render(ScriptableRenderContext context, UniversalRenderPipelineAsset settings, Camera camera, Camera baseCamera, UniversalRenderer baseRenderer, bool isLast)
+        internal void Render(ScriptableRenderContext context, UniversalRenderPipelineAsset settings, Camera camera, Camera baseCamera, UniversalRenderer baseRenderer, XRPass xr, bool isLast)
         {
             camera.TryGetComponent(out UniversalAdditionalCameraData data);
-            frame = new Frame { context = context, settings = settings, camera = camera, baseCamera = baseCamera, data = data, isLast = isLast, isOverlay = camera != baseCamera };
+            frame = new Frame { context = context, settings = settings, camera = camera, baseCamera = baseCamera, data = data, xr = xr, isLast = isLast, isOverlay = camera != baseCamera };
             SetCamera();
             AddRenderPasses(ref frame.legacy);
             SortPasses();
@@ -97,10 +100,13 @@ namespace UnityEngine.Rendering.Universal
             // A scale within 0.05 of 1 is 1, and so is that of cameras that are not the game's (InitializeStackedCameraData).
             float asked = frame.settings.renderScale, scale = Math.Abs(1 - asked) < 0.05f || !UniversalRenderPipeline.IsGameCamera(camera) ? 1 : asked;
             int width = Math.Max((int)(camera.pixelWidth * scale), 1), height = Math.Max((int)(camera.pixelHeight * scale), 1);
-            frame.shape = new RenderTextureDescriptor(width, height, frame.settings.supportsHDR && camera.allowHDR ? GraphicsFormat.R16G16B16A16_SFloat : Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
+            // The headset's, which are scaled by all of renderScale, near 1 or not (XRSystem.SetRenderScale).
+            if (frame.xr.enabled)
+                (width, height) = (Math.Max((int)(frame.xr.renderTargetDesc.width * asked), 1), Math.Max((int)(frame.xr.renderTargetDesc.height * asked), 1));
+            frame.shape = Shape(width, height, frame.settings.supportsHDR && camera.allowHDR ? GraphicsFormat.R16G16B16A16_SFloat : Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
             frame.isJittered = TemporalJitter.IsOn(camera, frame.data);
             Matrix4x4 jitter = frame.isJittered ? TemporalJitter.MatrixOf(Time.frameCount, width, height) : Matrix4x4.identity;
-            frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = jitter * camera.projectionMatrix, xr = new XRPass() };
+            frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, jitter = jitter, xr = frame.xr };
             CameraRenderType type = frame.isOverlay ? CameraRenderType.Overlay : CameraRenderType.Base;
             AntialiasingMode antialiasing = frame.data != null ? frame.data.antialiasing : AntialiasingMode.None;
 #if SRP_17
@@ -185,11 +191,19 @@ namespace UnityEngine.Rendering.Universal
         // In a graph of 17 there are handles to them in every frame; memory where a pass uses them.
         void MakeMotionTargets()
         {
-            RTHandle.Need(ref motionColor, "_MotionVectorTexture", new RenderTextureDescriptor(frame.shape.width, frame.shape.height, GraphicsFormat.R16G16_SFloat, GraphicsFormat.None), FilterMode.Point);
+            RTHandle.Need(ref motionColor, "_MotionVectorTexture", Shape(frame.shape.width, frame.shape.height, GraphicsFormat.R16G16_SFloat, GraphicsFormat.None), FilterMode.Point);
             RTHandle.Need(ref motionDepth, "_MotionVectorDepthTexture", DepthShape(frame.shape), FilterMode.Point);
         }
 
-        static RenderTextureDescriptor DepthShape(RenderTextureDescriptor shape) => new RenderTextureDescriptor(shape.width, shape.height, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
+        RenderTextureDescriptor DepthShape(RenderTextureDescriptor shape) => Shape(shape.width, shape.height, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
+
+        RenderTextureDescriptor Shape(int width, int height, GraphicsFormat color, GraphicsFormat depth)
+        {
+            var shape = new RenderTextureDescriptor(width, height, color, depth);
+            if (frame.xr.enabled)
+                (shape.dimension, shape.volumeDepth) = (TextureDimension.Tex2DArray, frame.xr.viewCount);
+            return shape;
+        }
 
         // ---- by Execute
 
@@ -202,6 +216,7 @@ namespace UnityEngine.Rendering.Universal
             var steps = new List<(int At, Action Run)>
             {
                 ((int)RenderPassEvent.BeforeRenderingShadows, DrawShadows),
+                ((int)RenderPassEvent.BeforeRenderingPrePasses - 1, frame.xr.StartSinglePass),
                 ((int)RenderPassEvent.BeforeRenderingPrePasses, () => { if (frame.needsDepth && copiesDepth < 0) DrawDepth(); }),
                 ((int)RenderPassEvent.BeforeRenderingOpaques, () => { Bind(frame.color.rt, frame.depth.rt); Clear(); DrawOpaque(); }),
                 ((int)RenderPassEvent.BeforeRenderingSkybox, () => { Bind(frame.color.rt, frame.depth.rt); DrawSky(); }),
@@ -268,6 +283,7 @@ namespace UnityEngine.Rendering.Universal
             DrawShadows();
             RecordUpTo(RenderPassEvent.BeforeRenderingPrePasses);
             SetUpCameras();
+            frame.xr.StartSinglePass();
             RecordUpTo(RenderPassEvent.AfterRenderingPrePasses);
             if (frame.needsDepth && prepass)
             {
@@ -346,17 +362,25 @@ namespace UnityEngine.Rendering.Universal
             RenderState.SetCameraTarget(frame.baseCamera.targetTexture);
             BuiltinVariables.SetTime();
             UniversalVariables.SetLighting();
-            // The screen is as large as the camera says, what is drawn on as the render scale makes it.
-            BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
-            BuiltinVariables.SetViewProjection(frame.matrices.view, frame.matrices.projection);
+            SetMatrices();
             UniversalVariables.SetSize(frame.shape.width, frame.shape.height);
             if (frame.data == null)
                 return;
-            frame.data.motionVectorsPersistentData.Update(camera);
-            frame.data.motionVectorsPersistentData.SetGlobals();
+            frame.data.motionVectorsPersistentData.Update(frame.matrices);
+            frame.data.motionVectorsPersistentData.SetGlobals(frame.xr.singlePassEnabled);
         }
 
-        void DrawShadows() => shadows.Draw(frame.camera, frame.settings.shadowDistance, () => BuiltinVariables.SetCamera(frame.camera, frame.camera.pixelWidth, frame.camera.pixelHeight));
+        // PushBuiltinShaderConstantsXR in CameraData.cs: of two eyes the names that are not arrays hold the left one's.
+        void SetMatrices()
+        {
+            // The screen is as large as the camera says, what is drawn on as the render scale makes it.
+            BuiltinVariables.SetCamera(frame.camera, frame.camera.pixelWidth, frame.camera.pixelHeight);
+            BuiltinVariables.SetViewProjection(frame.matrices.View(0), frame.matrices.Projection(0));
+            if (frame.xr.singlePassEnabled)
+                BuiltinVariables.SetStereo(new[] { frame.matrices.View(0), frame.matrices.View(1) }, new[] { frame.matrices.Projection(0), frame.matrices.Projection(1) });
+        }
+
+        void DrawShadows() => shadows.Draw(frame.camera, frame.settings.shadowDistance, SetMatrices);
 
         // GetCameraClearFlag: Nothing and Skybox with a sky clear depth alone, everything else both.
         void Clear()
@@ -379,8 +403,27 @@ namespace UnityEngine.Rendering.Universal
                 return;
             // The engine draws the sky, in any pipeline, with the variables that its procedural sky reads.
             BuiltinVariables.SetSun();
-            Sky.Draw(frame.camera);
+            if (frame.xr.singlePassEnabled)
+                EachEye(eye =>
+                {
+                    BindNow(frame.color.rt, frame.depth.rt, eye);
+                    BuiltinVariables.SetViewProjection(frame.matrices.View(eye), frame.matrices.Projection(eye));
+                    Sky.Draw(frame.camera);
+                });
+            else
+                Sky.Draw(frame.camera);
             UniversalVariables.SetLighting();
+        }
+
+        // For what has no variant for two eyes here.
+        void EachEye(Action<int> draw)
+        {
+            frame.xr.StopSinglePass();
+            for (int eye = 0; eye < frame.xr.viewCount; eye++)
+                draw(eye);
+            SetMatrices();
+            BindNow(boundColor, boundDepth);
+            frame.xr.StartSinglePass();
         }
 
         static void DrawTransparent()
@@ -444,8 +487,11 @@ namespace UnityEngine.Rendering.Universal
 
         void CopyColor()
         {
-            Headless.Blitter.Blit(frame.color.rt, opaqueTexture.rt, null, -1);
             (boundColor, boundDepth) = (opaqueTexture.rt, null);
+            if (frame.xr.singlePassEnabled)
+                EachEye(eye => Headless.Blitter.BlitSlice(frame.color.rt, opaqueTexture.rt, eye, eye));
+            else
+                Headless.Blitter.Blit(frame.color.rt, opaqueTexture.rt, null, -1);
             Shader.SetGlobalTexture(opaqueTextureId, opaqueTexture.rt);
 #if SRP_17
             if (frame.graph != null)
@@ -456,16 +502,22 @@ namespace UnityEngine.Rendering.Universal
 #endif
         }
 
-        void Show() => Headless.Blitter.Blit(frame.color.rt, frame.baseCamera.targetTexture, null, -1);
+        void Show()
+        {
+            if (frame.xr.singlePassEnabled)
+                EachEye(eye => Headless.Blitter.BlitSlice(frame.color.rt, StereoView.Eyes, eye, eye));
+            else
+                Headless.Blitter.Blit(frame.color.rt, frame.baseCamera.targetTexture, null, -1);
+        }
 
         static readonly List<RenderTexture> colors = new List<RenderTexture>();
 
-        static void BindNow(RenderTexture color, RenderTexture depth)
+        static void BindNow(RenderTexture color, RenderTexture depth, int slice = RenderTargetIdentifier.AllDepthSlices)
         {
             colors.Clear();
             if (color is object)
                 colors.Add(color);
-            RenderState.SetTargets(colors, depth, 0, 0);
+            RenderState.SetTargets(colors, depth, 0, slice);
         }
 
         protected override void Dispose(bool disposing)

@@ -1,0 +1,107 @@
+using System;
+using System.Reflection;
+using Host.Pipelines;
+using NUnit.Framework;
+using Rill;
+using UnityEngine;
+
+namespace Host.Tests
+{
+    /// <summary>In URP each of two eyes in one pass sees the water that a camera there sees.</summary>
+    public class UniversalStereoTests : StereoSurfaceFixture
+    {
+        // Of ViewsOf in UniversalSurfaces.
+        const string Line = "views.width = Mathf.Max((int)(views.width * scale), 1);";
+
+        void Build(string version) => Build(PipelineKind.Universal, version);
+
+        [TestCase("14", Refracting)]
+        [TestCase("14", Blended)]
+        [TestCase("14", Milky)]
+        [TestCase("14", Foamy)]
+        [TestCase("17", Refracting)]
+        [TestCase("17", Foamy)]
+        [TestCase("17 by Execute", Refracting)]
+        [TestCase("17.3", Refracting)]
+        public void Each_eye_sees_what_a_camera_there_sees(string version, string look)
+        {
+            Build(version);
+            Arrange(look);
+            AssertEachEyeSeesWhatACameraThereSees();
+        }
+
+        [Test]
+        public void They_do_at_a_scale_of_the_headsets_textures([Values("14", "17")] string version)
+        {
+            Build(version);
+            Set(pipeline.Asset, "renderScale", 0.5f);
+            Arrange(Refracting);
+            AssertEachEyeSeesWhatACameraThereSees();
+        }
+
+        // The water's own textures follow what the camera says: Low makes them as large as those of the camera with one eye.
+        int UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(Action build)
+        {
+            build();
+            FieldInfo scale = pipeline["Unity.RenderPipelines.Core.Runtime"].GetType("UnityEngine.Experimental.Rendering.XRPass").GetField("TextureScale", BindingFlags.Static | BindingFlags.NonPublic);
+            scale.SetValue(null, 0.5f);
+            try
+            {
+                Arrange(Refracting);
+                Surface.Quality = SurfaceQuality.Low;
+                Play(1);
+                (int left, int right, _) = Compare(() =>
+                {
+                    Set(pipeline.Asset, "renderScale", 0.5f);
+                    Surface.Quality = SurfaceQuality.Medium;
+                });
+                return Math.Max(left, right);
+            }
+            finally
+            {
+                scale.SetValue(null, 1f);
+            }
+        }
+
+        [Test]
+        public void They_do_where_the_headsets_textures_are_smaller_than_the_camera_says([Values("14", "17")] string version) =>
+            Assert.That(UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(() => Build(version)), Is.LessThanOrEqualTo(Few));
+
+        [Test]
+        public void What_the_camera_says_for_what_is_there_is_seen() =>
+            Assert.That(UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(() => BuildWithFault(PipelineKind.Universal, "17", "UniversalSurfaces.cs", Line, "if (views.eyes == 2) views.sceneSize = new Vector2(views.width, views.height); " + Line)), Is.GreaterThan(2 * Few));
+
+        [Test]
+        public void A_camera_that_is_kept_from_the_headset_draws_one_eye([Values("14", "17")] string version)
+        {
+            Build(version);
+            Component data = camera.gameObject.AddComponent(pipeline.Asset.GetType().Assembly.GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData"));
+            Set(data, "allowXRRendering", false);
+            Arrange(Refracting);
+            int shown = PixelsOfWaterOnTheScreen();
+            Assert.That(Errors, Is.Empty);
+            Assert.That(shown, Is.GreaterThan(Width * Height / 20));
+        }
+
+        [TestCase("views.rightView = views.view;", TestName = "One_eyes_matrix_for_both_is_seen")]
+        [TestCase("views.eyes = 1;", TestName = "Textures_of_one_slice_are_seen")]
+        public void A_fault_in_the_adapter_is_seen(string added)
+        {
+            BuildWithFault(PipelineKind.Universal, "17", "UniversalSurfaces.cs", Line, Line + added);
+            Arrange(Refracting);
+            AssertTheFaultIsSeen();
+        }
+
+        [TestCase("_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)", "_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, 0), 0)", TestName = "The_scene_of_the_other_eye_is_seen")]
+        [TestCase("_CameraDepthTexture.Load(int4(texel, eyeIndex, 0))", "_CameraDepthTexture.Load(int4(texel, 0, 0))", TestName = "The_depth_of_the_other_eye_is_seen")]
+        [TestCase("float3 at = float3(picture * 0.5 + 0.5, eyeIndex);", "float3 at = float3(picture * 0.5 + 0.5, 0);", TestName = "The_thickness_of_the_other_eye_is_seen")]
+        [TestCase("float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));", "float depth = _SurfaceDepth.Load(int4(texel, 0, 0));", TestName = "The_surface_of_the_other_eye_is_seen")]
+        public void A_wrong_slice_is_seen(string line, string instead)
+        {
+            Build("17");
+            ShadeWithFault(line, instead);
+            Arrange(Refracting);
+            AssertTheFaultIsSeen();
+        }
+    }
+}
