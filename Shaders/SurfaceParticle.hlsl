@@ -5,8 +5,8 @@
 
 //   a.xyz  float bits of the centre at the newest state
 //   a.w    index of the particle, for what is kept by particle
-//   b.x    orientation, see PackRotation
-//   b.y    half2, semi-axes 0 and 1
+//   b.x    orientation, see PackRotation; of a disc its normal, see PackNormal
+//   b.y    half2, semi-axes 0 and 1; the second is negative where it is a disc, whose semi-axes 0 and 1 are equal
 //   b.z    half2, semi-axis 2 and x of the chord
 //   b.w    half2, y and z of the chord
 struct SurfaceParticle
@@ -25,6 +25,26 @@ uint PackHalves(float low, float high)
 float2 UnpackHalves(uint packed)
 {
     return float2(f16tof32(packed & 0xFFFFu), f16tof32(packed >> 16));
+}
+
+// A unit vector on an octahedron (Meyer et al. 2010), 16 bits each.
+uint PackNormal(float3 normal)
+{
+    float3 n = normal / max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1e-10);
+    float2 folded = (1.0 - abs(n.yx)) * float2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+    float2 unfolded = n.z < 0.0 ? folded : n.xy;
+    uint2 bits = uint2(int2(round(clamp(unfolded, -1.0, 1.0) * 32767.0))) & 0xFFFFu;
+    return bits.x | bits.y << 16;
+}
+
+float3 UnpackNormal(uint packed)
+{
+    int2 bits = int2(packed << 16, packed) >> 16;
+    float2 unfolded = float2(bits) / 32767.0;
+    float3 n = float3(unfolded, 1.0 - abs(unfolded.x) - abs(unfolded.y));
+    float fold = saturate(-n.z);
+    n.xy += float2(n.x < 0.0 ? fold : -fold, n.y < 0.0 ? fold : -fold);
+    return normalize(n);
 }
 
 // The quaternion of the rotation whose matrix has these rows: three perpendicular unit vectors, right-handed.
@@ -98,22 +118,52 @@ SurfaceParticle PackSurface(float3 center, uint index, float3x3 rows, float3 sem
     return particle;
 }
 
+// A disc turned around its normal looks the same: what the turn would take is left to the normal. In PackRotation's bits one step is
+// 0.16 degrees, which is seen where the normal moves slowly.
+SurfaceParticle PackDisc(float3 center, uint index, float3 normal, float radius, float height, float3 chord)
+{
+    SurfaceParticle particle;
+    particle.a = uint4(asuint(center), index);
+    particle.b = uint4(PackNormal(normal), PackHalves(radius, -radius), PackHalves(height, chord.x), PackHalves(chord.y, chord.z));
+    return particle;
+}
+
+// Two unit vectors at right angles to a third and to each other.
+void TangentsOf(float3 normal, out float3 x, out float3 y)
+{
+    float3 aside = abs(normal.x) < 0.6 ? float3(1, 0, 0) : float3(0, 1, 0);
+    x = normalize(cross(aside, normal));
+    y = cross(normal, x);
+}
+
 // axes: its rows are the semi-axes as vectors, d. chord: displacement in the last substep, d.
 void UnpackSurface(SurfaceParticle particle, out float3 center, out float3x3 axes, out uint index, out float3 chord)
 {
     center = asfloat(particle.a.xyz);
     index = particle.a.w;
-    float4 q = UnpackRotation(particle.b.x);
     float2 first = UnpackHalves(particle.b.y);
     float2 second = UnpackHalves(particle.b.z);
     chord = float3(second.y, UnpackHalves(particle.b.w));
-    float3 twice = 2.0 * q.xyz;
-    float3 squares = twice * q.xyz;
-    float3 products = float3(twice.x * q.y, twice.y * q.z, twice.z * q.x);     // 2xy, 2yz, 2zx
-    float3 turns = twice * q.w;
-    axes[0] = first.x * float3(1.0 - squares.y - squares.z, products.x + turns.z, products.z - turns.y);
-    axes[1] = first.y * float3(products.x - turns.z, 1.0 - squares.x - squares.z, products.y + turns.x);
-    axes[2] = second.x * float3(products.z + turns.y, products.y - turns.x, 1.0 - squares.x - squares.y);
+    float3 semiAxes = float3(first.x, abs(first.y), second.x);
+    if (first.y < 0.0)
+    {
+        axes[2] = UnpackNormal(particle.b.x);
+        TangentsOf(axes[2], axes[0], axes[1]);
+    }
+    else
+    {
+        float4 q = UnpackRotation(particle.b.x);
+        float3 twice = 2.0 * q.xyz;
+        float3 squares = twice * q.xyz;
+        float3 products = float3(twice.x * q.y, twice.y * q.z, twice.z * q.x);     // 2xy, 2yz, 2zx
+        float3 turns = twice * q.w;
+        axes[0] = float3(1.0 - squares.y - squares.z, products.x + turns.z, products.z - turns.y);
+        axes[1] = float3(products.x - turns.z, 1.0 - squares.x - squares.z, products.y + turns.x);
+        axes[2] = float3(products.z + turns.y, products.y - turns.x, 1.0 - squares.x - squares.y);
+    }
+    axes[0] *= semiAxes.x;
+    axes[1] *= semiAxes.y;
+    axes[2] *= semiAxes.z;
 }
 
 #endif

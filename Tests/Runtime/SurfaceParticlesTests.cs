@@ -24,8 +24,9 @@ namespace Rill.Tests
         [Test]
         public void Ellipsoids_of_a_block_in_the_middle_and_in_a_corner_are_those_of_the_reference([Values(0.5f, 5.5f)] float first)
         {
+            // A normal that is off by an angle changes the shape of its disc by 3.2 times that, d^2: 0.01 degrees.
             using (var found = new Found(ParticleState.Lattice(20f, first, new int3(12, 8, 10), jitter: 0.2f)))
-                found.AssertIsReference();
+                Assert.That(found.AssertIsReference(), Is.GreaterThan(0.0).And.LessThan(0.0005), "the smooth surface of thick water");
         }
 
         [Test]
@@ -187,12 +188,13 @@ namespace Rill.Tests
             }
         }
 
-        static void AssertAre(SurfaceShape[] shapes, double3[] points, double3 box)
+        // The largest error among the shapes of the discs that are not on a wall, d^2; above 0.
+        static double AssertAre(SurfaceShape[] shapes, double3[] points, double3 box)
         {
             var drawn = new HashSet<int>(shapes.Where(shape => !shape.IsOnWall(box)).Select(shape => shape.particle));
             var reference = new Surface(points, box, drawn.Contains);
             ILookup<int, SurfaceShape> byParticle = shapes.ToLookup(shape => shape.particle);
-            double worstCenter = 0.0, worstShape = 0.0;
+            double worstCenter = 0.0, worstShape = 0.0, worstDisc = 0.0;
             for (int i = 0; i < points.Length; i++)
             {
                 List<Surface.Ellipsoid> expected = reference.Ellipsoids(i);
@@ -207,9 +209,12 @@ namespace Rill.Tests
                     Assert.That(shapeError, Is.LessThan(ShapeTolerance), $"shape of particle {i} at {points[i]}: {nearest.Squares} instead of {ellipsoid.shape}");
                     worstCenter = Math.Max(worstCenter, center);
                     worstShape = Math.Max(worstShape, shapeError);
+                    if (nearest.isDisc && !nearest.IsOnWall(box))
+                        worstDisc = Math.Max(worstDisc, shapeError);
                 }
             }
-            TestContext.Out.WriteLine($"{shapes.Length:N0} ellipsoids of {points.Length:N0} particles, centers within {worstCenter:0.0000} d, shapes within {worstShape:0.0000} d²");
+            TestContext.Out.WriteLine($"{shapes.Length:N0} ellipsoids of {points.Length:N0} particles, centers within {worstCenter:0.0000} d, shapes within {worstShape:0.0000} d², discs within {worstDisc:0.00000} d²");
+            return worstDisc;
         }
 
         /// <summary>The stage run once over particles that no constraint has moved.</summary>
@@ -252,7 +257,7 @@ namespace Rill.Tests
                 return this;
             }
 
-            public void AssertIsReference() => AssertAre(Shapes, Points, Stages.Layout.DomainSize);
+            public double AssertIsReference() => AssertAre(Shapes, Points, Stages.Layout.DomainSize);
 
             public void Dispose()
             {

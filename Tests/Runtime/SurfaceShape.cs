@@ -14,6 +14,8 @@ namespace Rill.Tests
         public double3 x, y, z;
         public double3 semiAxes;
         public int particle;
+        /// <summary>Of thick water: its normal, z, is stored more finely than other shapes are.</summary>
+        public bool isDisc;
 
         /// <summary>Those that the solver has to draw, sorted by particle.</summary>
         public static SurfaceShape[] Read(PbfSolver solver) => Read(solver.Surface);
@@ -46,18 +48,36 @@ namespace Rill.Tests
 
         public static SurfaceShape Unpack(SurfaceParticles.Element element)
         {
-            double4 q = Rotation(element.b.x);
             double2 first = Halves(element.b.y), second = Halves(element.b.z), third = Halves(element.b.w);
-            return new SurfaceShape
+            var shape = new SurfaceShape
             {
                 center = math.asfloat(element.a.xyz),
                 particle = (int)element.a.w,
-                semiAxes = new double3(first, second.x),
+                isDisc = first.y < 0.0,
+                semiAxes = new double3(math.abs(first), second.x),
                 chord = new double3(second.y, third),
-                x = Turn(q, new double3(1, 0, 0)),
-                y = Turn(q, new double3(0, 1, 0)),
-                z = Turn(q, new double3(0, 0, 1)),
             };
+            if (shape.isDisc)
+            {
+                shape.z = Normal(element.b.x);
+                shape.x = math.normalize(math.cross(Math.Abs(shape.z.x) < 0.6 ? new double3(1, 0, 0) : new double3(0, 1, 0), shape.z));
+                shape.y = math.cross(shape.z, shape.x);
+                return shape;
+            }
+            double4 q = Rotation(element.b.x);
+            shape.x = Turn(q, new double3(1, 0, 0));
+            shape.y = Turn(q, new double3(0, 1, 0));
+            shape.z = Turn(q, new double3(0, 0, 1));
+            return shape;
+        }
+
+        static double3 Normal(uint packed)
+        {
+            double2 picture = new double2((short)packed, (short)(packed >> 16)) / 32767.0;
+            var n = new double3(picture, 1.0 - math.csum(math.abs(picture)));
+            if (n.z < 0.0)
+                n.xy = (1.0 - math.abs(n.yx)) * new double2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+            return math.normalize(n);
         }
 
         static double2 Halves(uint packed) => new double2(Mathf.HalfToFloat((ushort)packed), Mathf.HalfToFloat((ushort)(packed >> 16)));
