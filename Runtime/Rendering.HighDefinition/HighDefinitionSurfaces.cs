@@ -88,7 +88,8 @@ namespace Rill.HighDefinition
         // Of HDRP's textures, which are as large as the largest camera needs, this one uses the first texels.
         static FluidViews ViewsOf(HDCamera seen, SurfaceVolume volume)
         {
-            FluidViews views = FluidViews.Of(seen.camera);
+            seen.camera.TryGetComponent(out HDAdditionalCameraData data);
+            FluidViews views = FluidViews.Of(seen.camera, data == null || data.xrRendering);
             views.width = Mathf.Max(seen.actualWidth, 1);
             views.height = Mathf.Max(seen.actualHeight, 1);
             views.sceneSize = new Vector2(views.width, views.height);

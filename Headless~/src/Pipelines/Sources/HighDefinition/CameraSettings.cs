@@ -1,13 +1,16 @@
+using UnityEngine.Experimental.Rendering;
+
 namespace UnityEngine.Rendering.HighDefinition
 {
     public enum FrameSettingsField
     {
         None = -1,
         CustomPass = 6,
+        MotionVectors = 10,
         Refraction = 13,
     }
 
-    /// <summary>What a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): of a new project both fields are on.</summary>
+    /// <summary>What a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): of a new project all these fields are on.</summary>
     public struct FrameSettings
     {
         uint enabled;
@@ -16,6 +19,7 @@ namespace UnityEngine.Rendering.HighDefinition
         {
             var settings = new FrameSettings();
             settings.SetEnabled(FrameSettingsField.CustomPass, true);
+            settings.SetEnabled(FrameSettingsField.MotionVectors, true);
             settings.SetEnabled(FrameSettingsField.Refraction, true);
             return settings;
         }
@@ -29,6 +33,8 @@ namespace UnityEngine.Rendering.HighDefinition
         {
             if (!supported.supportCustomPass)
                 SetEnabled(FrameSettingsField.CustomPass, false);
+            if (!supported.supportMotionVectors)
+                SetEnabled(FrameSettingsField.MotionVectors, false);
         }
 
         static uint Bit(FrameSettingsField field) => field == FrameSettingsField.None ? 0u : 1u << (int)field;
@@ -37,9 +43,13 @@ namespace UnityEngine.Rendering.HighDefinition
     /// <summary>Beside a camera that has settings of its own; HDRP draws one that lacks it all the same.</summary>
     public class HDAdditionalCameraData : MonoBehaviour
     {
+        public enum AntialiasingMode { None, FastApproximateAntialiasing, TemporalAntialiasing, SubpixelMorphologicalAntiAliasing }
+
         FrameSettings own = FrameSettings.NewDefault();
 
         public bool customRenderingSettings;
+        public bool xrRendering = true;
+        public AntialiasingMode antialiasing;
 
         // Of every field here: HDRP has a mask beside it that says which of them count.
         public ref FrameSettings renderingPathCustomFrameSettings => ref own;
@@ -52,6 +62,12 @@ namespace UnityEngine.Rendering.HighDefinition
         static readonly System.Collections.Generic.Dictionary<Camera, HDCamera> all = new System.Collections.Generic.Dictionary<Camera, HDCamera>();
 
         HDCamera(Camera camera) => this.camera = camera;
+
+        /// <summary>Of the camera; of each eye.</summary>
+        internal readonly ViewMatrices main = new ViewMatrices();
+        internal readonly ViewMatrices[] eyes = { new ViewMatrices(), new ViewMatrices() };
+        internal XRPass xr = XRPass.Empty;
+        internal int Slices => System.Math.Max(xr.viewCount, 1);
 
         public Camera camera;
         public FrameSettings frameSettings { get; private set; }
@@ -67,8 +83,14 @@ namespace UnityEngine.Rendering.HighDefinition
 
         internal void Update(in RenderPipelineSettings supported)
         {
-            (actualWidth, actualHeight) = (camera.pixelWidth, camera.pixelHeight);
             camera.TryGetComponent(out HDAdditionalCameraData data);
+            xr = XRPass.Of(camera, data == null || data.xrRendering);
+            (actualWidth, actualHeight) = xr.enabled ? (xr.renderTargetDesc.width, xr.renderTargetDesc.height) : (camera.pixelWidth, camera.pixelHeight);
+            // Not with a headset, unless the project asks for it (GetJitteredProjectionMatrix).
+            bool isJittered = data != null && data.antialiasing == HDAdditionalCameraData.AntialiasingMode.TemporalAntialiasing && !xr.enabled;
+            main.Update(camera.worldToCameraMatrix, camera.projectionMatrix, isJittered ? Jitter.MatrixOf(Time.frameCount, actualWidth, actualHeight) : Matrix4x4.identity, camera.transform.position);
+            for (int eye = 0; eye < xr.viewCount; eye++)
+                eyes[eye].Update(xr.GetViewMatrix(eye), xr.GetProjMatrix(eye), Matrix4x4.identity, xr.GetViewMatrix(eye).inverse.GetColumn(3));
             FrameSettings settings = data != null && data.customRenderingSettings ? data.renderingPathCustomFrameSettings : FrameSettings.NewDefault();
             settings.Sanitize(supported);
             frameSettings = settings;

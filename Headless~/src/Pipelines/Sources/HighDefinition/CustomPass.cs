@@ -19,11 +19,11 @@ namespace UnityEngine.Rendering.HighDefinition
         public readonly CommandBuffer cmd;
         public readonly HDCamera hdCamera;
         public readonly CullingResults cameraCullingResults;
-        public readonly RTHandle cameraColorBuffer, cameraDepthBuffer;
+        public readonly RTHandle cameraColorBuffer, cameraDepthBuffer, cameraMotionVectorsBuffer;
 
-        internal CustomPassContext(ScriptableRenderContext context, CommandBuffer cmd, HDCamera camera, CullingResults culled, RTHandle color, RTHandle depth)
+        internal CustomPassContext(ScriptableRenderContext context, CommandBuffer cmd, HDCamera camera, CullingResults culled, RTHandle color, RTHandle depth, RTHandle motion)
         {
-            (renderContext, this.cmd, hdCamera, cameraCullingResults, cameraColorBuffer, cameraDepthBuffer) = (context, cmd, camera, culled, color, depth);
+            (renderContext, this.cmd, hdCamera, cameraCullingResults, cameraColorBuffer, cameraDepthBuffer, cameraMotionVectorsBuffer) = (context, cmd, camera, culled, color, depth, motion);
         }
     }
 

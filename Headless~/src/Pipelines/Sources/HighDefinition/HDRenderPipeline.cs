@@ -7,26 +7,27 @@ namespace UnityEngine.Rendering.HighDefinition
 {
     /// <summary>
     /// All cameras begin before the first is drawn. Of each: depth, opaque draws, sky, custom passes, draws before the refraction, the copy
-    /// of the colour for what refracts, custom passes, transparent draws, picture. Textures are arrays of one slice, larger than the camera, which
+    /// of the colour for what refracts, custom passes, transparent draws, picture. Textures are arrays with a slice for each eye, larger than the camera, which
     /// uses their first texels; what lies beyond is magenta. No shadow maps, lights or volumes of its own; no tone mapping.
     /// </summary>
     /// <remarks>
     /// HDRP 16.0: Runtime/RenderPipeline/HDRenderPipeline.cs (Render: BeginCameraRendering, culling and custom pass volumes of all cameras
     /// come before ExecuteRenderRequest), HDRenderPipeline.RenderGraph.cs (order of passes; the color pyramid is made
-    /// where refraction is on), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
+    /// where refraction is on; single pass from the prepass on, custom passes included), HDRenderPipeline.Prepass.cs (motion vectors come with the
+    /// prepass, those of the camera itself are left out here: they stay 0), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
     /// </remarks>
     public class HDRenderPipeline : RenderPipeline
     {
         const float Scale = 0.7f, HistoryScale = 0.8f;      // of what a camera uses of the textures, and of those that live on
         const int FirstBeforeRefraction = 2650, LastBeforeRefraction = 2850, FirstTransparent = 2900, LastTransparent = 3100;
 
-        static readonly int depthId = Shader.PropertyToID("_CameraDepthTexture"), pyramidId = Shader.PropertyToID("_ColorPyramidTexture");
+        static readonly int depthId = Shader.PropertyToID("_CameraDepthTexture"), pyramidId = Shader.PropertyToID("_ColorPyramidTexture"), motionId = Shader.PropertyToID("_CameraMotionVectorsTexture");
         static readonly Func<string, bool> depthOnly = mode => mode == "DepthForwardOnly" || mode == "DepthOnly";
         static readonly Func<string, bool> forward = mode => mode == "" || mode == "SRPDefaultUnlit" || mode == "ForwardOnly";
 
         readonly HDRenderPipelineAsset asset;
         readonly HighDefinitionVariables variables = new HighDefinitionVariables();
-        RTHandle color, depth, depthPyramid, colorPyramid, black;
+        RTHandle color, depth, motion, depthPyramid, colorPyramid, black;
 
         /// <summary>What the color buffer holds of one unit of light.</summary>
         internal static float Exposure = 1;
@@ -70,6 +71,7 @@ namespace UnityEngine.Rendering.HighDefinition
                 }
                 finally
                 {
+                    camera.xr.StopSinglePass();
                     FrameRenderer.EndCulled();
                     Gpu.ClosePass();
                     RenderState.SetCameraTarget(null);
@@ -88,12 +90,14 @@ namespace UnityEngine.Rendering.HighDefinition
             RenderState.SetCameraTarget(camera.targetTexture);
             BuiltinVariables.SetTime();
             variables.SetLighting(Exposure);
-            variables.SetCamera(camera);
+            variables.SetCamera(hd);
             HighDefinitionVariables.WithholdLoose();
             Shader.SetGlobalTexture(depthId, black.rt);
             Shader.SetGlobalTexture(pyramidId, black.rt);
 
             Run(CustomPassInjectionPoint.BeforeRendering, context, hd);
+            hd.xr.StartSinglePass();
+            ClearMotion(hd, viewport);
             Bind(null, depthPyramid, viewport);
             RenderState.Clear(true, false, default, 1);
             FrameRenderer.DrawCulled(0, FrameRenderer.LastOpaqueQueue, depthOnly);
@@ -103,7 +107,7 @@ namespace UnityEngine.Rendering.HighDefinition
             Bind(color, depth, viewport);
             RenderState.Clear(true, true, camera.backgroundColor, 1);
             FrameRenderer.DrawCulled(0, FrameRenderer.LastOpaqueQueue, forward);
-            DrawSky(camera);
+            DrawSky(hd, viewport);
             Run(CustomPassInjectionPoint.BeforePreRefraction, context, hd);
             Bind(color, depth, viewport);
             FrameRenderer.DrawCulled(FirstBeforeRefraction, LastBeforeRefraction, forward);
@@ -113,25 +117,51 @@ namespace UnityEngine.Rendering.HighDefinition
             Bind(color, depth, viewport);
             FrameRenderer.DrawCulled(FirstTransparent, LastTransparent, forward);
 
-            Headless.Blitter.BlitSlice(color.rt, camera.targetTexture, 0, 0, PartOf(color, hd));
+            hd.xr.StopSinglePass();
+            for (int slice = 0; slice < hd.Slices; slice++)
+                Headless.Blitter.BlitSlice(color.rt, hd.xr.enabled ? StereoView.Eyes : camera.targetTexture, slice, slice, PartOf(color, hd));
+            if (hd.xr.enabled)
+                StereoView.Show();
+        }
+
+        void ClearMotion(HDCamera hd, Rect viewport)
+        {
+            Shader.SetGlobalTexture(motionId, black.rt);
+            if (!hd.frameSettings.IsEnabled(FrameSettingsField.MotionVectors))
+                return;
+            Bind(motion, null, viewport);
+            RenderState.Clear(false, true, Color.clear, 1);
+            Shader.SetGlobalTexture(motionId, motion.rt);
         }
 
         // HDRP's own skies are volumes; the scene's stands for them.
-        void DrawSky(Camera camera)
+        void DrawSky(HDCamera hd, Rect viewport)
         {
+            Camera camera = hd.camera;
             if (RenderSettings.skybox == null || camera.clearFlags != CameraClearFlags.Skybox)
                 return;
             BuiltinVariables.SetSun();
             BuiltinVariables.SetCamera(camera, camera.pixelWidth, camera.pixelHeight);
-            Sky.Draw(camera);
+            hd.xr.StopSinglePass();
+            for (int slice = 0; slice < hd.Slices; slice++)
+            {
+                Bind(color, depth, viewport, slice);
+                if (hd.xr.enabled)
+                    BuiltinVariables.SetViewProjection(hd.xr.GetViewMatrix(slice), hd.xr.GetProjMatrix(slice));
+                Sky.Draw(camera);
+            }
+            hd.xr.StartSinglePass();
             HighDefinitionVariables.WithholdLoose();
         }
 
         void CopyColor(HDCamera hd, Rect viewport)
         {
-            RenderState.SetTarget(colorPyramid.rt);
+            RenderState.SetTarget(colorPyramid.rt, 0, RenderTargetIdentifier.AllDepthSlices);
             RenderState.Clear(false, true, Color.magenta, 1);
-            Headless.Blitter.BlitSlice(color.rt, colorPyramid.rt, 0, 0, PartOf(color, hd), viewport);
+            hd.xr.StopSinglePass();
+            for (int slice = 0; slice < hd.Slices; slice++)
+                Headless.Blitter.BlitSlice(color.rt, colorPyramid.rt, slice, slice, PartOf(color, hd), viewport);
+            hd.xr.StartSinglePass();
             Shader.SetGlobalTexture(pyramidId, colorPyramid.rt);
         }
 
@@ -153,7 +183,7 @@ namespace UnityEngine.Rendering.HighDefinition
                 bool hasColor = pass.targetColorBuffer == CustomPass.TargetBuffer.Camera, hasDepth = pass.targetDepthBuffer == CustomPass.TargetBuffer.Camera;
                 if (hasColor || hasDepth)
                     Bind(hasColor ? color : null, hasDepth ? depth : null, new Rect(0, 0, hd.actualWidth, hd.actualHeight));
-                pass.Run(new CustomPassContext(context, cmd, hd, CullingResults.OfScene(), color, depth));
+                pass.Run(new CustomPassContext(context, cmd, hd, CullingResults.OfScene(), color, depth, hd.frameSettings.IsEnabled(FrameSettingsField.MotionVectors) ? motion : black));
                 cmd.Execute();
             }
             finally
@@ -166,42 +196,43 @@ namespace UnityEngine.Rendering.HighDefinition
         {
             RTHandle.Need(ref color, "_CameraColorBuffer", Shape(hd, Scale, GraphicsFormat.R16G16B16A16_SFloat), FilterMode.Point);
             RTHandle.Need(ref depth, "_CameraDepthStencilBuffer", Shape(hd, Scale, GraphicsFormat.None), FilterMode.Point);
+            RTHandle.Need(ref motion, "Motion Vectors", Shape(hd, Scale, GraphicsFormat.R16G16_SFloat), FilterMode.Point);
             // The smaller mips lie below the first, in one texture.
             RenderTextureDescriptor packed = Shape(hd, Scale, GraphicsFormat.None);
             packed.height += packed.height / 2;
             RTHandle.Need(ref depthPyramid, "_CameraDepthBufferMipChain", packed, FilterMode.Point);
             RTHandle.Need(ref colorPyramid, "_CameraColorBufferMipChain", Shape(hd, HistoryScale, GraphicsFormat.R16G16B16A16_SFloat), FilterMode.Bilinear);
-            if (black != null)
+            if (black != null && black.rt.volumeDepth == hd.Slices)
                 return;
-            RTHandle.Need(ref black, "_BlackTexture", new RenderTextureDescriptor(1, 1, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = 1 }, FilterMode.Point);
-            RenderState.SetTarget(black.rt);
+            RTHandle.Need(ref black, "_BlackTexture", new RenderTextureDescriptor(1, 1, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = hd.Slices }, FilterMode.Point);
+            RenderState.SetTarget(black.rt, 0, RenderTargetIdentifier.AllDepthSlices);
             RenderState.Clear(false, true, Color.clear, 1);
         }
 
         static RenderTextureDescriptor Shape(HDCamera hd, float scale, GraphicsFormat format) =>
             new RenderTextureDescriptor(Mathf.CeilToInt(hd.actualWidth / scale), Mathf.CeilToInt(hd.actualHeight / scale), format, format == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
             {
-                dimension = TextureDimension.Tex2DArray, volumeDepth = 1,
+                dimension = TextureDimension.Tex2DArray, volumeDepth = hd.Slices,
             };
 
         static Vector2 PartOf(RTHandle handle, HDCamera hd) => new Vector2((float)hd.actualWidth / handle.rt.width, (float)hd.actualHeight / handle.rt.height);
 
         static readonly List<RenderTexture> colors = new List<RenderTexture>();
 
-        static void Bind(RTHandle color, RTHandle depth, Rect viewport)
+        static void Bind(RTHandle color, RTHandle depth, Rect viewport, int slice = RenderTargetIdentifier.AllDepthSlices)
         {
             colors.Clear();
             if (color != null)
                 colors.Add(color.rt);
-            RenderState.SetTargets(colors, depth?.rt, 0, 0);
+            RenderState.SetTargets(colors, depth?.rt, 0, slice);
             RenderState.SetViewport(viewport);
         }
 
         protected override void Dispose(bool disposing)
         {
-            foreach (RTHandle handle in new[] { color, depth, depthPyramid, colorPyramid, black })
+            foreach (RTHandle handle in new[] { color, depth, motion, depthPyramid, colorPyramid, black })
                 handle?.Release();
-            color = depth = depthPyramid = colorPyramid = black = null;
+            color = depth = motion = depthPyramid = colorPyramid = black = null;
             variables.Dispose();
             HDCamera.Forget();
             CommandBufferPool.Forget();

@@ -2,26 +2,12 @@ using UnityEngine.Headless;
 
 namespace UnityEngine.Rendering.Universal
 {
-    /// <summary>By how much a frame's projection is moved for temporal antialiasing. Read in URP 17.1.0, Runtime/TemporalAA.cs (CalculateJitterMatrix).</summary>
+    /// <summary>Whether a frame's projection is moved for temporal antialiasing. Read in URP 17.1.0, Runtime/TemporalAA.cs.</summary>
     internal static class TemporalJitter
     {
         /// <summary>IsTemporalAAEnabled of the camera's data: no stack, no dynamic resolution, with post processing.</summary>
         public static bool IsOn(Camera camera, UniversalAdditionalCameraData data) =>
             data != null && data.antialiasing == AntialiasingMode.TemporalAntiAliasing && data.renderPostProcessing
             && data.renderType != CameraRenderType.Overlay && data.cameraStack.Count == 0 && !camera.allowDynamicResolution;
-
-        public static Matrix4x4 MatrixOf(int frame, int width, int height)
-        {
-            int index = (frame & 1023) + 1;
-            return Matrix4x4.Translate(new Vector3((Halton(index, 2) - 0.5f) * 2 / width, (Halton(index, 3) - 0.5f) * 2 / height, 0));
-        }
-
-        static float Halton(int index, int radix)
-        {
-            float result = 0, fraction = 1f / radix;
-            for (; index > 0; index /= radix, fraction /= radix)
-                result += index % radix * fraction;
-            return result;
-        }
     }
 }

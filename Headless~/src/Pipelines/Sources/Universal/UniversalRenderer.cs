@@ -105,7 +105,7 @@ namespace UnityEngine.Rendering.Universal
                 (width, height) = (Math.Max((int)(frame.xr.renderTargetDesc.width * asked), 1), Math.Max((int)(frame.xr.renderTargetDesc.height * asked), 1));
             frame.shape = Shape(width, height, frame.settings.supportsHDR && camera.allowHDR ? GraphicsFormat.R16G16B16A16_SFloat : Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
             frame.isJittered = TemporalJitter.IsOn(camera, frame.data);
-            Matrix4x4 jitter = frame.isJittered ? TemporalJitter.MatrixOf(Time.frameCount, width, height) : Matrix4x4.identity;
+            Matrix4x4 jitter = frame.isJittered ? Jitter.MatrixOf(Time.frameCount, width, height) : Matrix4x4.identity;
             frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, jitter = jitter, xr = frame.xr };
             CameraRenderType type = frame.isOverlay ? CameraRenderType.Overlay : CameraRenderType.Base;
             AntialiasingMode antialiasing = frame.data != null ? frame.data.antialiasing : AntialiasingMode.None;
