@@ -15,7 +15,7 @@ namespace UnityEngine
 
         static readonly List<Camera> active = new List<Camera>();
 
-        readonly Dictionary<CameraEvent, List<CommandBuffer>> commandBuffers = new Dictionary<CameraEvent, List<CommandBuffer>>();
+        readonly EventCommands<CameraEvent> commandBuffers = new EventCommands<CameraEvent>();
         Matrix4x4? explicitView, explicitProjection, explicitCulling;
         float explicitAspect;
 
@@ -199,43 +199,13 @@ namespace UnityEngine
         /// <summary>Draws this camera now, enabled or not.</summary>
         public void Render() => FrameRenderer.Render(this);
 
-        public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer)
-        {
-            if (buffer == null)
-                throw new ArgumentNullException(nameof(buffer));
-            if (!commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
-                commandBuffers.Add(evt, list = new List<CommandBuffer>());
-            list.Add(buffer);
-        }
-
-        public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer)
-        {
-            if (commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
-                list.RemoveAll(b => b == buffer);
-        }
-
-        public void RemoveCommandBuffers(CameraEvent evt) => commandBuffers.Remove(evt);
+        public void AddCommandBuffer(CameraEvent evt, CommandBuffer buffer) => commandBuffers.Add(evt, buffer);
+        public void RemoveCommandBuffer(CameraEvent evt, CommandBuffer buffer) => commandBuffers.Remove(evt, buffer);
+        public void RemoveCommandBuffers(CameraEvent evt) => commandBuffers.RemoveAll(evt);
         public void RemoveAllCommandBuffers() => commandBuffers.Clear();
-        public CommandBuffer[] GetCommandBuffers(CameraEvent evt) => commandBuffers.TryGetValue(evt, out List<CommandBuffer> list) ? list.ToArray() : Array.Empty<CommandBuffer>();
-
-        public int commandBufferCount
-        {
-            get
-            {
-                int count = 0;
-                foreach (List<CommandBuffer> list in commandBuffers.Values)
-                    count += list.Count;
-                return count;
-            }
-        }
-
-        internal void Execute(CameraEvent evt)
-        {
-            if (!commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
-                return;
-            for (int i = 0; i < list.Count; i++)
-                list[i].Execute();
-        }
+        public CommandBuffer[] GetCommandBuffers(CameraEvent evt) => commandBuffers.Of(evt);
+        public int commandBufferCount => commandBuffers.Count;
+        internal void Execute(CameraEvent evt) => commandBuffers.Execute(evt);
 
         public static void SetupCurrent(Camera cur) => current = cur;
 

@@ -60,44 +60,19 @@ namespace UnityEngine
         public int renderingLayerMask { get; set; } = 1;
         public Texture cookie { get; set; }
         public float cookieSize { get; set; } = 10;
-        readonly Dictionary<LightEvent, List<CommandBuffer>> commandBuffers = new Dictionary<LightEvent, List<CommandBuffer>>();
+        readonly EventCommands<LightEvent> commandBuffers = new EventCommands<LightEvent>();
 
         /// <summary>Runs where the Built-in pipeline draws this light's shadow; of the events those after the map and before the mask on the screen.</summary>
         public void AddCommandBuffer(LightEvent evt, CommandBuffer buffer)
         {
-            if (buffer == null)
-                throw new ArgumentNullException(nameof(buffer));
             if (evt != LightEvent.AfterShadowMap && evt != LightEvent.BeforeScreenspaceMask)
                 throw new NotSupportedException($"Light.AddCommandBuffer: the headless host runs none at LightEvent.{evt}.");
-            if (!commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
-                commandBuffers.Add(evt, list = new List<CommandBuffer>());
-            list.Add(buffer);
+            commandBuffers.Add(evt, buffer);
         }
 
-        public void RemoveCommandBuffer(LightEvent evt, CommandBuffer buffer)
-        {
-            if (commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
-                list.RemoveAll(b => b == buffer);
-        }
-
-        public int commandBufferCount
-        {
-            get
-            {
-                int count = 0;
-                foreach (List<CommandBuffer> list in commandBuffers.Values)
-                    count += list.Count;
-                return count;
-            }
-        }
-
-        internal void Execute(LightEvent evt)
-        {
-            if (!commandBuffers.TryGetValue(evt, out List<CommandBuffer> list))
-                return;
-            for (int i = 0; i < list.Count; i++)
-                list[i].Execute();
-        }
+        public void RemoveCommandBuffer(LightEvent evt, CommandBuffer buffer) => commandBuffers.Remove(evt, buffer);
+        public int commandBufferCount => commandBuffers.Count;
+        internal void Execute(LightEvent evt) => commandBuffers.Execute(evt);
     }
 
     /// <summary>Light probes light nothing here; the type stands in signatures.</summary>
