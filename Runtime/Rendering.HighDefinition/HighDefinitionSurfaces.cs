@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.Rendering.HighDefinition;
@@ -12,7 +11,7 @@ namespace Rill.HighDefinition
     /// <remarks>HDRP begins all cameras of a frame before it draws the first: each has a pass of its own. Reflection probes show no surfaces.</remarks>
     static class HighDefinitionSurfaces
     {
-        static List<SurfaceVolume> volumes = new List<SurfaceVolume>();
+        static CameraParts<SurfaceVolume> volumes = new CameraParts<SurfaceVolume>();
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
 #if UNITY_EDITOR
@@ -21,7 +20,7 @@ namespace Rill.HighDefinition
         static void Listen()
         {
             Reset();
-            volumes = new List<SurfaceVolume>();
+            volumes = new CameraParts<SurfaceVolume>();
             RenderPipelineManager.beginCameraRendering -= Begin;
             RenderPipelineManager.beginCameraRendering += Begin;
             RenderPipelineManager.endCameraRendering -= End;
@@ -32,12 +31,7 @@ namespace Rill.HighDefinition
         }
 
         /// <summary>Cameras are as they were.</summary>
-        public static void Reset()
-        {
-            foreach (SurfaceVolume volume in volumes)
-                volume.Destroy();
-            volumes.Clear();
-        }
+        public static void Reset() => volumes.Clear();
 
         static void Begin(ScriptableRenderContext context, Camera camera)
         {
@@ -46,7 +40,7 @@ namespace Rill.HighDefinition
             HDCamera seen = HDCamera.GetOrCreate(camera);
             if (!seen.frameSettings.IsEnabled(FrameSettingsField.CustomPass))
                 return;
-            SurfaceVolume volume = Find(camera);
+            SurfaceVolume volume = volumes.Find(camera);
             FluidViews views = ViewsOf(seen, volume);
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
@@ -66,24 +60,7 @@ namespace Rill.HighDefinition
                 volume.Pass.Prepare(views);
         }
 
-        static void End(ScriptableRenderContext context, Camera camera) => Find(camera)?.Pass.Invalidate();
-
-        // Destroys those of cameras that are gone.
-        static SurfaceVolume Find(Camera camera)
-        {
-            SurfaceVolume found = null;
-            for (int i = volumes.Count - 1; i >= 0; i--)
-            {
-                if (ReferenceEquals(volumes[i].Camera, camera))
-                    found = volumes[i];
-                else if (volumes[i].Camera == null)
-                {
-                    volumes[i].Destroy();
-                    volumes.RemoveAt(i);
-                }
-            }
-            return found;
-        }
+        static void End(ScriptableRenderContext context, Camera camera) => volumes.Find(camera)?.Pass.Invalidate();
 
         // Of HDRP's textures, which are as large as the largest camera needs, this one uses the first texels.
         static FluidViews ViewsOf(HDCamera seen, SurfaceVolume volume)

@@ -4,12 +4,13 @@ using UnityEngine.Rendering.HighDefinition;
 namespace Rill.HighDefinition
 {
     /// <summary>The hidden custom pass volume of one camera: what HDRP has for passes without a step by hand before it had global ones.</summary>
-    sealed class SurfaceVolume
+    sealed class SurfaceVolume : ICameraPart
     {
         readonly GameObject hidden;
         readonly CustomPassVolume volume;
 
         public Camera Camera { get; }
+        public bool IsGone => Camera == null;
         public SurfacePass Pass { get; } = new SurfacePass();
 
         public SurfaceVolume(Camera camera)
@@ -32,7 +33,7 @@ namespace Rill.HighDefinition
             }
         }
 
-        public void Destroy()
+        public void Dispose()
         {
             GameObject gone = hidden;
             EngineObject.Destroy(ref gone);

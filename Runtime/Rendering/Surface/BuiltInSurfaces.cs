@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -9,15 +8,7 @@ namespace Rill
     {
         const CameraEvent Event = CameraEvent.BeforeForwardAlpha;
 
-        sealed class CameraBuffer
-        {
-            public Camera camera;
-            public CommandBuffer commands;
-            public RenderTexture sceneColor;
-            public bool hasOurDepth;        // that nothing else asked for before
-        }
-
-        static List<CameraBuffer> buffers = new List<CameraBuffer>();
+        static CameraParts<CameraBuffer> buffers = new CameraParts<CameraBuffer>();
         static ShadowCopy shadow;
 
         /// <summary>When a surface begins.</summary>
@@ -38,9 +29,8 @@ namespace Rill
         static void Reset()
         {
             Camera.onPreCull -= Cull;
-            foreach (CameraBuffer buffer in buffers)
-                Release(buffer);
-            buffers = new List<CameraBuffer>();
+            buffers.Clear();
+            buffers = new CameraParts<CameraBuffer>();
             shadow?.Dispose();
             shadow = null;
         }
@@ -52,7 +42,7 @@ namespace Rill
             if (camera.cameraType == CameraType.Preview)
                 return;
             FluidViews views = FluidViews.Of(camera);
-            CameraBuffer buffer = Find(camera);
+            CameraBuffer buffer = buffers.Find(camera);
             buffer?.commands.Clear();
             bool isCopied = false;
             PrepareShadow();
@@ -61,8 +51,9 @@ namespace Rill
                 FluidSurface surface = FluidSurface.Active[i];
                 if (!surface.Prepare(views))
                     continue;
-                buffer ??= Add(camera);
-                AskForDepth(buffer);
+                if (buffer == null)
+                    buffers.Add(buffer = new CameraBuffer(camera));
+                buffer.AskForDepth();
                 if (surface.Refraction && !isCopied)
                 {
                     CopyScene(buffer, views);
@@ -71,14 +62,6 @@ namespace Rill
                 surface.Record(buffer.commands, views);
                 surface.Submit(views, buffer.sceneColor, shadow);
             }
-        }
-
-        static void AskForDepth(CameraBuffer buffer)
-        {
-            if ((buffer.camera.depthTextureMode & DepthTextureMode.Depth) != 0)
-                return;
-            buffer.camera.depthTextureMode |= DepthTextureMode.Depth;
-            buffer.hasOurDepth = true;
         }
 
         // Of one light, which is the main one for all.
@@ -112,31 +95,6 @@ namespace Rill
                     buffer.commands.Blit(BuiltinRenderTextureType.CameraTarget, buffer.sceneColor, eye, eye);
         }
 
-        // Gives back those of cameras that are gone.
-        static CameraBuffer Find(Camera camera)
-        {
-            CameraBuffer found = null;
-            for (int i = buffers.Count - 1; i >= 0; i--)
-            {
-                if (ReferenceEquals(buffers[i].camera, camera))
-                    found = buffers[i];
-                else if (buffers[i].camera == null)
-                {
-                    Release(buffers[i]);
-                    buffers.RemoveAt(i);
-                }
-            }
-            return found;
-        }
-
-        static CameraBuffer Add(Camera camera)
-        {
-            var added = new CameraBuffer { camera = camera, commands = new CommandBuffer { name = "Rill.Surface" } };
-            camera.AddCommandBuffer(Event, added.commands);
-            buffers.Add(added);
-            return added;
-        }
-
         static void Prepare(ref RenderTexture texture, in FluidViews views)
         {
             RenderTextureFormat format = views.camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
@@ -151,16 +109,40 @@ namespace Rill
             texture.Create();
         }
 
-        static void Release(CameraBuffer buffer)
+        sealed class CameraBuffer : ICameraPart
         {
-            if (buffer.camera != null)
+            public readonly CommandBuffer commands = new CommandBuffer { name = "Rill.Surface" };
+            public RenderTexture sceneColor;
+            bool hasOurDepth;       // that nothing else asked for before
+
+            public CameraBuffer(Camera camera)
             {
-                buffer.camera.RemoveCommandBuffer(Event, buffer.commands);
-                if (buffer.hasOurDepth)
-                    buffer.camera.depthTextureMode &= ~DepthTextureMode.Depth;
+                Camera = camera;
+                camera.AddCommandBuffer(Event, commands);
             }
-            buffer.commands.Dispose();
-            EngineObject.Release(ref buffer.sceneColor);
+
+            public Camera Camera { get; }
+            public bool IsGone => Camera == null;
+
+            public void AskForDepth()
+            {
+                if ((Camera.depthTextureMode & DepthTextureMode.Depth) != 0)
+                    return;
+                Camera.depthTextureMode |= DepthTextureMode.Depth;
+                hasOurDepth = true;
+            }
+
+            public void Dispose()
+            {
+                if (Camera != null)
+                {
+                    Camera.RemoveCommandBuffer(Event, commands);
+                    if (hasOurDepth)
+                        Camera.depthTextureMode &= ~DepthTextureMode.Depth;
+                }
+                commands.Dispose();
+                EngineObject.Release(ref sceneColor);
+            }
         }
     }
 }

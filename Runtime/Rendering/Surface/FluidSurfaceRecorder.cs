@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -20,7 +19,6 @@ namespace Rill
         const string FilterFile = "SurfaceFilter";
         const int DepthPass = 0, ChordPass = 2; // of SurfaceRaster.shader
         const int MaxFilterRadius = 32;         // texels, kMaxRadius in SurfaceFilter.compute
-        const int FramesKept = 3;               // for which a camera may stay away
 
         readonly ComputeShader filter;
         Material raster;
@@ -28,7 +26,7 @@ namespace Rill
         SurfaceFoam foam;       // these two are made when first needed
         SurfaceMotion motion;
         readonly int filterRows, filterRowsAgain, filterColumns, findNormals;
-        readonly List<SurfaceView> views = new List<SurfaceView>();
+        readonly CameraParts<SurfaceView> views = new CameraParts<SurfaceView>();
         readonly MaterialPropertyBlock properties = new MaterialPropertyBlock();
         readonly SurfaceConstants constants = new SurfaceConstants();
 
@@ -47,21 +45,10 @@ namespace Rill
         /// <summary>The textures of a camera; made when it first asks. Those of cameras that draw no more are given back.</summary>
         public SurfaceView ViewOf(Camera camera)
         {
-            int frame = Time.frameCount;
-            SurfaceView found = null;
-            for (int i = views.Count - 1; i >= 0; i--)
-            {
-                if (ReferenceEquals(views[i].Camera, camera))
-                    found = views[i];
-                else if (views[i].Camera == null || frame - views[i].LastFrame > FramesKept)
-                {
-                    views[i].Dispose();
-                    views.RemoveAt(i);
-                }
-            }
+            SurfaceView found = views.Find(camera);
             if (found == null)
                 views.Add(found = new SurfaceView(camera));
-            found.LastFrame = frame;
+            found.LastFrame = Time.frameCount;
             return found;
         }
 
@@ -128,8 +115,6 @@ namespace Rill
 
         public void Dispose()
         {
-            foreach (SurfaceView view in views)
-                view.Dispose();
             views.Clear();
             motion?.Dispose();
             motion = null;
@@ -140,8 +125,9 @@ namespace Rill
         /// <param name="filterPasses">How often the filter runs.</param>
         public void Describe(StageDescription stage, int filterPasses)
         {
-            foreach (SurfaceView view in views)
+            for (int i = 0; i < views.Count; i++)
             {
+                SurfaceView view = views[i];
                 if (view.Smoothed == null)
                     continue;
                 int eyes = view.Smoothed.volumeDepth;

@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
@@ -6,8 +5,10 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>What one camera needs of one fluid's surface: its textures, with a slice for each eye, and what they show.</summary>
-    sealed class SurfaceView : IDisposable
+    sealed class SurfaceView : ICameraPart
     {
+        const int FramesKept = 3;       // for which a camera may stay away
+
         public readonly SurfaceConstants Constants = new SurfaceConstants();
 
         /// <summary>Of the draw that shades, which lives on until the frame is drawn.</summary>
@@ -46,6 +47,9 @@ namespace Rill
         public SurfaceView(Camera camera) => Camera = camera;
 
         public Camera Camera { get; }
+
+        /// <summary>Also where the camera has not drawn for some frames.</summary>
+        public bool IsGone => Camera == null || Time.frameCount - LastFrame > FramesKept;
 
         /// <summary>Frame in which the camera last asked for it.</summary>
         public int LastFrame { get; set; }

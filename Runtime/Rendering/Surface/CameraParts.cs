@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What one camera has of its own.</summary>
+    interface ICameraPart : IDisposable
+    {
+        Camera Camera { get; }
+
+        /// <summary>Whether it is needed no more: as a rule because the camera is destroyed.</summary>
+        bool IsGone { get; }
+    }
+
+    /// <summary>A part for each camera that has one.</summary>
+    sealed class CameraParts<T> where T : class, ICameraPart
+    {
+        readonly List<T> parts = new List<T>();
+
+        public int Count => parts.Count;
+        public T this[int index] => parts[index];
+
+        public void Add(T part) => parts.Add(part);
+
+        /// <summary>Disposes those of other cameras that are gone.</summary>
+        /// <returns>The camera's part; null where it has none.</returns>
+        public T Find(Camera camera)
+        {
+            T found = null;
+            for (int i = parts.Count - 1; i >= 0; i--)
+            {
+                if (ReferenceEquals(parts[i].Camera, camera))
+                    found = parts[i];
+                else if (parts[i].IsGone)
+                {
+                    parts[i].Dispose();
+                    parts.RemoveAt(i);
+                }
+            }
+            return found;
+        }
+
+        /// <summary>Disposes all.</summary>
+        public void Clear()
+        {
+            foreach (T part in parts)
+                part.Dispose();
+            parts.Clear();
+        }
+    }
+}
