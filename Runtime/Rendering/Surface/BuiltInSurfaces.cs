@@ -56,6 +56,7 @@ namespace Rill
                 buffer.AskForDepth();
                 if (surface.Refraction && !isCopied)
                 {
+                    buffer.AskForOwnTarget();
                     CopyScene(buffer, views);
                     isCopied = true;
                 }
@@ -113,7 +114,7 @@ namespace Rill
         {
             public readonly CommandBuffer commands = new CommandBuffer { name = "Rill.Surface" };
             public RenderTexture sceneColor;
-            bool hasOurDepth;       // that nothing else asked for before
+            bool hasOurDepth, hasOurTarget;     // that nothing else asked for before
 
             public CameraBuffer(Camera camera)
             {
@@ -132,6 +133,15 @@ namespace Rill
                 hasOurDepth = true;
             }
 
+            // A copy of the target of a camera that draws a part of the screen would be one of the whole screen; forced into a texture, its target is its part.
+            public void AskForOwnTarget()
+            {
+                if (Camera.forceIntoRenderTexture || Camera.rect == new Rect(0f, 0f, 1f, 1f))
+                    return;
+                Camera.forceIntoRenderTexture = true;
+                hasOurTarget = true;
+            }
+
             public void Dispose()
             {
                 if (Camera != null)
@@ -139,6 +149,8 @@ namespace Rill
                     Camera.RemoveCommandBuffer(Event, commands);
                     if (hasOurDepth)
                         Camera.depthTextureMode &= ~DepthTextureMode.Depth;
+                    if (hasOurTarget)
+                        Camera.forceIntoRenderTexture = false;
                 }
                 commands.Dispose();
                 EngineObject.Release(ref sceneColor);

@@ -173,11 +173,12 @@ namespace Rill
             int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1), top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
             SetFilter(cmd, view);
             cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(left, bottom, right, top));
+            int passes = camera.IsProbe ? 1 : fluid.filterPasses;
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 SetFilterEye(cmd, camera, fluid, view, eye);
                 cmd.BeginSample(FilterMarker);
-                for (int i = 0; i < fluid.filterPasses; i++)
+                for (int i = 0; i < passes; i++)
                 {
                     int rows = i == 0 ? filterRows : filterRowsAgain;
                     if (i == 0)
@@ -209,7 +210,7 @@ namespace Rill
         void SetFilterEye(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid, SurfaceView view, int eye)
         {
             cmd.SetComputeIntParam(filter, SurfaceIds.SurfaceEye, eye);
-            float texels = SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Height);
+            float texels = camera.IsProbe ? 0f : SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Height);
             cmd.SetComputeVectorParam(filter, Ids.FilterRadius, new Vector4(fluid.filterRadius * texels, fluid.filterRange, 0f, 0f));
         }
 

@@ -30,6 +30,9 @@ namespace Rill
         /// <summary>Whether motion vectors of the surface are drawn: only where something asks for the camera's.</summary>
         public bool needsMotion;
 
+        /// <summary>Whether the picture is one of a reflection probe, for which it is not smoothed: that costs six times a camera's.</summary>
+        public bool IsProbe => camera.cameraType == CameraType.Reflection;
+
         /// <summary>The main light, where the pipeline's shaders cannot read it; null where they can.</summary>
         public Light? light;
 

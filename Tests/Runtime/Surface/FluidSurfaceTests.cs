@@ -6,72 +6,30 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.TestTools;
+using static Rill.Tests.WaterScene;
 
 namespace Rill.Tests
 {
     /// <summary>The surface as cameras show it.</summary>
     public class FluidSurfaceTests
     {
-        const float Spacing = 0.05f, Depth = 0.6f;
+        const float Depth = WaterScene.Depth;
         const int Pixels = 64;
-        static readonly Vector3 Box = new Vector3(1f, 1f, 1f);
 
+        WaterScene scene;
         FluidSimulation fluid;
         FluidSurface surface;
         Camera camera;
-        RenderTexture target;
 
         [SetUp]
         public void Make()
         {
-            target = new RenderTexture(Pixels, Pixels, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
-            camera = Look(new Vector3(0f, 3f, 0f), target);
-
-            var gameObject = new GameObject("Fluid");
-            gameObject.SetActive(false);
-            fluid = gameObject.AddComponent<FluidSimulation>();
-            fluid.Configure(Box, Spacing, 8000);
-            fluid.StatisticsInterval = 0;
-            var volume = new GameObject("Water").AddComponent<FluidVolume>();
-            volume.transform.SetParent(gameObject.transform, false);
-            volume.transform.localPosition = new Vector3(0f, 0.5f * (Depth - Box.y), 0f);
-            volume.Size = new Vector3(Box.x, Depth, Box.z);
-            surface = gameObject.AddComponent<FluidSurface>();
-            surface.ReflectionStrength = 0f;
-            SurfaceLook look = SurfaceLook.Water;
-            look.scatteringDepth = 0f;
-            look.colorAtDepth = Dark;
-            look.colorDepth = 0.5f;
-            surface.Look = look;
-        }
-
-        // The colour of a field is in sRGB; absorption is linear in what the project calculates in.
-        static Color Dark => QualitySettings.activeColorSpace == ColorSpace.Linear ? new Color(0.2f, 0.5f, 0.8f).gamma : new Color(0.2f, 0.5f, 0.8f);
-
-        static Camera Look(Vector3 from, RenderTexture target)
-        {
-            var camera = new GameObject("Camera").AddComponent<Camera>();
-            camera.transform.position = from;
-            camera.transform.LookAt(Vector3.zero, from.y > 1f ? Vector3.forward : Vector3.up);
-            camera.orthographic = true;
-            camera.orthographicSize = 0.3f;
-            camera.farClipPlane = 10f;
-            camera.clearFlags = CameraClearFlags.SolidColor;
-            camera.backgroundColor = Color.white;
-            camera.allowHDR = true;
-            camera.targetTexture = target;
-            return camera;
+            scene = new WaterScene(Pixels);
+            (fluid, surface, camera) = (scene.Fluid, scene.Surface, scene.Camera);
         }
 
         [UnityTearDown]
-        public IEnumerator LeaveNothing()
-        {
-            Object.Destroy(fluid.gameObject);
-            foreach (Camera one in Camera.allCameras)
-                Object.Destroy(one.gameObject);
-            yield return null;
-            target.Release();
-        }
+        public IEnumerator LeaveNothing() => scene.End();
 
         [UnityTest]
         public IEnumerator Light_is_absorbed_on_its_way_through([Values(true, false)] bool refracts)
@@ -79,9 +37,9 @@ namespace Rill.Tests
             surface.Refraction = refracts;
             fluid.gameObject.SetActive(true);
             yield return Frames(20);
-            Color color = Mean(target);
+            Color color = scene.Mean();
             float transmitted = 1f - 0.0204f;       // Fresnel's equations at normal incidence on water
-            float3 seen = new float3(color.r, color.g, color.b), expected = transmitted * math.pow(new float3(0.2f, 0.5f, 0.8f), Depth / 0.5f);
+            float3 seen = new float3(color.r, color.g, color.b), expected = transmitted * math.pow(Left, Depth / 0.5f);
             TestContext.Out.WriteLine($"seen {seen}, Beer and Lambert {expected}");
             if (refracts)
                 Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(0.03f));
@@ -98,17 +56,13 @@ namespace Rill.Tests
             camera.transform.rotation = Quaternion.identity;
             camera.orthographicSize = 2.6f;
             camera.transform.position = new Vector3(0f, 0f, -3f);
-            GameObject dark = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            GameObject dark = scene.NewUnlit(PrimitiveType.Quad, 0f);
             dark.transform.position = new Vector3(-1.5f, 0f, 2f);
             dark.transform.localScale = new Vector3(3f, 10f, 1f);
-            var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
-            dark.GetComponent<MeshRenderer>().sharedMaterial = material;
             fluid.gameObject.SetActive(true);
             yield return Frames(4);
             // The water is a metre wide in a picture of 5.2 m and reaches from half a metre below its middle to 0.1 m above.
-            float left = Mean(target, 28, 30, 27, 31).g, right = Mean(target, 34, 36, 27, 31).g;
-            Object.DestroyImmediate(dark);
-            Object.DestroyImmediate(material);
+            float left = scene.Mean(28, 30, 27, 31).g, right = scene.Mean(34, 36, 27, 31).g;
             Assert.That(left, Is.LessThan(0.1f));
             Assert.That(right, Is.GreaterThan(0.9f));
         }
@@ -124,20 +78,16 @@ namespace Rill.Tests
             float slope = Mathf.Tan(Mathf.Asin(Mathf.Sqrt(0.5f) / clear.refractionIndex)), edge = entry + Depth * slope;
             camera.transform.position = new Vector3(0f, Depth - 0.5f + 2f, entry - 2f);
             camera.transform.LookAt(new Vector3(0f, Depth - 0.5f, entry));
-            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            GameObject floor = scene.NewUnlit(PrimitiveType.Quad, 0f);
             floor.transform.rotation = Quaternion.LookRotation(Vector3.down);
             floor.transform.position = new Vector3(0f, -0.5f, edge + 2f);
             floor.transform.localScale = new Vector3(4f, 4f, 1f);
-            var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
-            floor.GetComponent<MeshRenderer>().sharedMaterial = material;
             fluid.gameObject.SetActive(true);
             yield return Frames(20);
             const int rows = 7;
             int middle = Pixels / 2;
-            float white = Mean(target, 24, 40, middle - rows - 2, middle - rows).g, black = Mean(target, 24, 40, middle + rows, middle + rows + 2).g;
-            float found = (Mean(target, 24, 40, middle - rows, middle + rows).g - black) / (white - black);
-            Object.DestroyImmediate(floor);
-            Object.DestroyImmediate(material);
+            float white = scene.Mean(24, 40, middle - rows - 2, middle - rows).g, black = scene.Mean(24, 40, middle + rows, middle + rows + 2).g;
+            float found = (scene.Mean(24, 40, middle - rows, middle + rows).g - black) / (white - black);
             float pixel = 2f * camera.orthographicSize / Pixels, along = (found - 0.5f) * 2f * rows * pixel * Mathf.Sqrt(2f);       // on the water, m
             TestContext.Out.WriteLine($"{along / (Depth * (1f - slope)):0.000} of the offset too far");
             Assert.That(white - black, Is.GreaterThan(0.8f));
@@ -163,7 +113,7 @@ namespace Rill.Tests
             camera.orthographicSize = 0.1f;
             fluid.gameObject.SetActive(true);
             yield return Frames(20);
-            float seen = Mean(target).g, cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), expected = 0.0204f + (1f - 0.0204f) * Mathf.Pow(1f - cosine, 5f);
+            float seen = scene.Mean().g, cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), expected = 0.0204f + (1f - 0.0204f) * Mathf.Pow(1f - cosine, 5f);
             surface.Reflection = null;
             Object.DestroyImmediate(white);
             TestContext.Out.WriteLine($"seen {seen:0.00000}, Schlick {expected:0.00000}");
@@ -179,27 +129,23 @@ namespace Rill.Tests
             camera.transform.position = new Vector3(0f, Depth + 0.5f, -1.2f);
             camera.transform.LookAt(new Vector3(0f, Depth - 0.5f, -0.2f));
             // A black plate before white: edges of the highest contrast, which no picture without antialiasing moves by less than a pixel.
-            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Quad);
+            GameObject floor = scene.NewUnlit(PrimitiveType.Quad, 0f);
             floor.transform.rotation = Quaternion.LookRotation(Vector3.down) * Quaternion.Euler(0f, 0f, 30f);
             floor.transform.position = new Vector3(0f, -0.5f, 0.175f);
             floor.transform.localScale = new Vector3(0.3f, 0.3f, 1f);
-            var material = new Material(Shader.Find("Unlit/Color")) { color = Color.black };
-            floor.GetComponent<MeshRenderer>().sharedMaterial = material;
             fluid.gameObject.SetActive(true);
             yield return Frames(150);
-            float4[] last = Picture(target);
+            float4[] last = scene.Pixels();
             int version = fluid.Solver.SurfaceVersion;
             var differences = new List<float>();
             for (int frame = 0; frame < 8; frame++)
             {
                 yield return Frames(1);
-                float4[] next = Picture(target);
+                float4[] next = scene.Pixels();
                 for (int i = 0; i < next.Length; i++)
                     differences.Add(255f * math.cmax(math.abs(math.saturate(next[i].xyz) - math.saturate(last[i].xyz))));
                 last = next;
             }
-            Object.DestroyImmediate(floor);
-            Object.DestroyImmediate(material);
             (float rms, float high) = RmsAndHigh(differences);
             TestContext.Out.WriteLine($"{rms:0.000} of 255 rms, {high:0.00} at the 99.9th percentile");
             Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 8), "awake");
@@ -218,13 +164,13 @@ namespace Rill.Tests
             fluid.gameObject.SetActive(true);
             // Straight down on a plain white ground, so that what is seen is a matter of depth and slope alone. By a pixel a frame: the last picture is the next one, shifted.
             yield return Frames(150);
-            float4[] last = Picture(target);
+            float4[] last = scene.Pixels();
             var differences = new List<float>();
             for (int frame = 0; frame < 8; frame++)
             {
                 camera.transform.position += 2f * camera.orthographicSize / Pixels * Vector3.right;
                 yield return Frames(1);
-                float4[] next = Picture(target);
+                float4[] next = scene.Pixels();
                 for (int y = 0; y < Pixels; y++)
                     for (int x = 1; x < Pixels; x++)
                         differences.Add(255f * math.cmax(math.abs(math.saturate(next[y * Pixels + x - 1].xyz) - math.saturate(last[y * Pixels + x].xyz))));
@@ -235,76 +181,6 @@ namespace Rill.Tests
             Assert.That(last[0].x, Is.LessThan(0.9f), "water everywhere");
             Assert.That(rms, Is.LessThan(0.5f));
             Assert.That(high, Is.LessThan(3f));
-        }
-
-        [UnityTest]
-        public IEnumerator A_camera_that_leaves_out_its_layer_does_not_see_it()
-        {
-            fluid.gameObject.SetActive(true);
-            camera.cullingMask = ~(1 << fluid.gameObject.layer);
-            yield return Frames(4);
-            Assert.That(Mean(target), Is.EqualTo(Color.white));
-            Assert.That(Textures(), Is.Zero, "nothing is made for it");
-            camera.cullingMask = ~0;
-            yield return Frames(4);
-            Assert.That(Mean(target).r, Is.LessThan(0.5f));
-        }
-
-        [UnityTest]
-        public IEnumerator Two_cameras_see_it_each_from_its_own_side()
-        {
-            var other = new RenderTexture(Pixels, Pixels, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
-            Camera aside = Look(new Vector3(0f, -0.2f, -3f), other);
-            fluid.gameObject.SetActive(true);
-            yield return Frames(20);
-            Color fromAbove = Mean(target), fromTheSide = Mean(other);
-            Object.DestroyImmediate(aside.gameObject);
-            other.Release();
-            // 0.6 m from above; a metre from the side, where it reaches up to the middle of the picture and beyond.
-            Assert.That(fromAbove.g, Is.EqualTo(0.98f * Mathf.Pow(0.5f, 1.2f)).Within(0.02f));
-            Assert.That(fromTheSide.g, Is.LessThan(fromAbove.g));
-        }
-
-        [UnityTest]
-        public IEnumerator A_camera_shows_the_same_beside_another_as_alone()
-        {
-            fluid.gameObject.SetActive(true);
-            yield return Frames(10);
-            fluid.Paused = true;
-            yield return Frames(2);
-            float4[] alone = Picture(target);
-            var other = new RenderTexture(2 * Pixels, Pixels, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
-            Camera aside = Look(new Vector3(0f, -0.2f, -3f), other);
-            yield return Frames(2);
-            float4[] together = Picture(target), asideTogether = Picture(other);
-            camera.enabled = false;
-            yield return Frames(2);
-            float4[] asideAlone = Picture(other);
-            Object.DestroyImmediate(aside.gameObject);
-            other.Release();
-            Assert.That(together, Is.EqualTo(alone));
-            Assert.That(asideTogether, Is.EqualTo(asideAlone));
-        }
-
-        [UnityTest]
-        public IEnumerator Of_two_waters_that_overlap_the_nearer_one_hides_the_other([Values(true, false)] bool nearerIsFirst)
-        {
-            // A copy of it, clear, half a metre aside and a metre up or down.
-            GameObject copy = Object.Instantiate(fluid.gameObject);
-            copy.transform.position = new Vector3(0.5f, nearerIsFirst ? -1f : 1f, 0f);
-            SurfaceLook clear = surface.Look;
-            clear.colorAtDepth = Color.white;
-            copy.GetComponent<FluidSurface>().Look = clear;
-            fluid.gameObject.SetActive(true);
-            copy.SetActive(true);
-            yield return Frames(20);
-            float left = Mean(target, 4, 28, 16, 48).g, right = Mean(target, 36, 60, 16, 48).g;
-            Object.Destroy(copy);
-            yield return null;
-            TestContext.Out.WriteLine($"{left:0.000} of one, {right:0.000} of both");
-            float dark = 0.98f * Mathf.Pow(0.5f, 1.2f);
-            Assert.That(left, Is.EqualTo(dark).Within(0.02f), "one alone");
-            Assert.That(right, nearerIsFirst ? Is.EqualTo(dark).Within(0.02f) : Is.GreaterThan(0.9f), "the nearer one before the opaque scene, without the other");
         }
 
         [UnityTest]
@@ -321,19 +197,19 @@ namespace Rill.Tests
             pane.GetComponent<MeshRenderer>().sharedMaterial = glass;
             pane.SetActive(false);
             yield return Frames(2);
-            float without = Mean(target).g;
+            float without = scene.Mean().g;
             pane.SetActive(true);
             pane.transform.position = new Vector3(0f, 1f, 0f);
             yield return Frames(2);
-            float before = Mean(target).g;
+            float before = scene.Mean().g;
             pane.transform.position = new Vector3(0f, -0.7f, 0f);
             yield return Frames(2);
-            float behind = Mean(target).g;
+            float behind = scene.Mean().g;
             // Steep, through the surface at the picture's middle: its upper half is on the right.
             pane.transform.position = new Vector3(0f, Depth - 0.5f, 0f);
             pane.transform.rotation = Quaternion.Euler(0f, 0f, 30f) * Quaternion.LookRotation(Vector3.down);
             yield return Frames(2);
-            float left = Mean(target, 8, 24, 16, 48).g, right = Mean(target, 40, 56, 16, 48).g;
+            float left = scene.Mean(8, 24, 16, 48).g, right = scene.Mean(40, 56, 16, 48).g;
             Object.DestroyImmediate(pane);
             Object.DestroyImmediate(glass);
             TestContext.Out.WriteLine($"{without:0.000} without, {before:0.000} before, {behind:0.000} behind, {left:0.000} and {right:0.000} through");
@@ -392,7 +268,7 @@ namespace Rill.Tests
             camera.transform.position = above;
             yield return Frames(1);
             Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 1));
-            Assert.That(Mean(target).g, Is.LessThan(0.6f), "in the first frame that shows it");
+            Assert.That(scene.Mean().g, Is.LessThan(0.6f), "in the first frame that shows it");
             Object.Destroy(sun.gameObject);
         }
 
@@ -450,21 +326,21 @@ namespace Rill.Tests
             QualitySettings.shadowResolution = ShadowResolution.Low;
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
-            float shaded = Mean(target, 8, 24, 8, 56).g, lit = Mean(target, 40, 56, 8, 56).g;
+            float shaded = scene.Mean(8, 24, 8, 56).g, lit = scene.Mean(40, 56, 8, 56).g;
             // Where nothing casts, the pipeline draws no map: the last one must not be taken for it.
             roof.SetActive(false);
             floor.GetComponent<MeshRenderer>().shadowCastingMode = surface.CastShadows = ShadowCastingMode.Off;
             yield return Frames(2);
-            float nothingCasts = Mean(target, 8, 24, 8, 56).g;
+            float nothingCasts = scene.Mean(8, 24, 8, 56).g;
             roof.SetActive(true);
             surface.ReceiveShadows = false;
             yield return Frames(2);
-            float receivesNone = Mean(target, 8, 24, 8, 56).g;
+            float receivesNone = scene.Mean(8, 24, 8, 56).g;
             surface.ReceiveShadows = true;
             // Its shadow is no longer drawn.
             sun.shadows = LightShadows.None;
             yield return Frames(2);
-            float castsNone = Mean(target, 8, 24, 8, 56).g;
+            float castsNone = scene.Mean(8, 24, 8, 56).g;
             int buffers = sun.commandBufferCount;
             (RenderSettings.ambientMode, RenderSettings.ambientSkyColor, RenderSettings.sun) = (mode, sky, before);
             QualitySettings.shadowResolution = resolution;
@@ -489,7 +365,7 @@ namespace Rill.Tests
             Assert.That(Textures(), Is.Zero);
             Assert.That(camera.commandBufferCount, Is.Zero);
             Assert.That(fluid.Solver.Surface, Is.Null, "nor does the solver look for it");
-            Assert.That(Mean(target), Is.EqualTo(Color.white));
+            Assert.That(scene.Mean(), Is.EqualTo(Color.white));
         }
 
         [UnityTest]
@@ -500,7 +376,7 @@ namespace Rill.Tests
             yield return Frames(3);
             camera.depthTextureMode |= DepthTextureMode.Depth;
             yield return Frames(2);
-            Assert.That(Mean(target).g, Is.LessThan(0.6f), "the water in the scene's depth would have no thickness");
+            Assert.That(scene.Mean().g, Is.LessThan(0.6f), "the water in the scene's depth would have no thickness");
         }
 
         [Test]
@@ -535,12 +411,6 @@ namespace Rill.Tests
             return ((float)System.Math.Sqrt(squares / differences.Count), differences[(int)(0.999f * differences.Count)]);
         }
 
-        static IEnumerator Frames(int count)
-        {
-            for (int i = 0; i < count; i++)
-                yield return null;
-        }
-
         // Bytes of the camera's command buffer.
         int Recorded()
         {
@@ -554,29 +424,6 @@ namespace Rill.Tests
             foreach (RenderTexture texture in Resources.FindObjectsOfTypeAll<RenderTexture>())
                 count += texture.name.StartsWith("Rill.Surface") && texture.IsCreated() ? 1 : 0;
             return count;
-        }
-
-        static float4[] Picture(RenderTexture texture)
-        {
-            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture);
-            request.WaitForCompletion();
-            return request.GetData<float4>().ToArray();
-        }
-
-        // Of the middle of the picture.
-        static Color Mean(RenderTexture texture) => Mean(texture, Pixels / 4, 3 * Pixels / 4, Pixels / 4, 3 * Pixels / 4);
-
-        static Color Mean(RenderTexture texture, int left, int right, int bottom, int top)
-        {
-            AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(texture);
-            request.WaitForCompletion();
-            var pixels = request.GetData<float4>();
-            float4 sum = 0f;
-            for (int y = bottom; y < top; y++)
-                for (int x = left; x < right; x++)
-                    sum += pixels[y * Pixels + x];
-            sum /= (right - left) * (top - bottom);
-            return new Color(sum.x, sum.y, sum.z, 1f);
         }
     }
 }

@@ -1,11 +1,9 @@
 using System;
 using System.Collections;
-using System.Collections.Generic;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
-using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
@@ -16,91 +14,56 @@ namespace Rill.Tests
     public class TracedPoolTests
     {
         const int Pixels = 128, Rays = 3;        // of the picture, and of a pixel along x and y
-        const float Spacing = 0.05f, Size = 3f, Fill = 0.4f, Floor = -0.4f, Square = 0.25f, Index = 1.333f;
+        const float Size = 3f, Fill = 0.4f, Floor = -0.4f, Square = 0.25f, Index = 1.333f;
 
         static readonly double3 Dark = new double3(0.08, 0.1, 0.3), Bright = new double3(0.9, 0.8, 0.6), Ball = new double3(0.8, 0.1, 0.05);    // linear
         static readonly double3 Left = new double3(0.4, 0.75, 0.85);        // of white after 1 m
         static readonly double3 BallCenter = new double3(0.1, Floor + 0.15, 0.1);
         const double BallRadius = 0.14;
 
-        readonly List<Object> made = new List<Object>();
-        FluidSimulation fluid;
-        FluidSurface surface;
+        WaterScene scene;
         Camera camera;
-        RenderTexture target;
 
         [SetUp]
         public void Make()
         {
-            target = new RenderTexture(Pixels, Pixels, 24, RenderTextureFormat.ARGBFloat, RenderTextureReadWrite.Linear);
-            camera = Keep(new GameObject("Camera")).AddComponent<Camera>();
+            scene = new WaterScene(Pixels, new Vector3(Size, 0.8f, Size), Fill, 40000);
+            camera = scene.Camera;
+            camera.orthographic = false;
             camera.fieldOfView = 26f;
             camera.nearClipPlane = 0.1f;
-            camera.farClipPlane = 10f;
-            camera.clearFlags = CameraClearFlags.SolidColor;
             camera.backgroundColor = Color.black;
-            camera.allowHDR = true;
-            camera.targetTexture = target;
             camera.transform.position = new Vector3(0f, 1.5f, -1.7f);
             camera.transform.LookAt(new Vector3(0f, Floor + 0.5f * Fill, 0f));
+            scene.AddSun().intensity = 0f;
+            scene.Surface.CastShadows = UnityEngine.Rendering.ShadowCastingMode.Off;
+            scene.Surface.Look = Look(Index);
 
             Material dark = Unlit(Dark), bright = Unlit(Bright);
             int half = (int)(0.5f * Size / Square);
             for (int x = -half; x < half; x++)
                 for (int z = -half; z < half; z++)
                 {
-                    GameObject square = Primitive(PrimitiveType.Quad, (x + z & 1) == 0 ? dark : bright);
+                    GameObject square = scene.NewPrimitive(PrimitiveType.Quad, (x + z & 1) == 0 ? dark : bright);
                     square.transform.position = new Vector3((x + 0.5f) * Square, Floor, (z + 0.5f) * Square);
                     square.transform.rotation = Quaternion.LookRotation(Vector3.down);
                     square.transform.localScale = new Vector3(Square, Square, 1f);
                 }
-            GameObject ball = Primitive(PrimitiveType.Sphere, Unlit(Ball));
+            GameObject ball = scene.NewPrimitive(PrimitiveType.Sphere, Unlit(Ball));
             ball.transform.position = (float3)BallCenter;
             ball.transform.localScale = Vector3.one * (float)(2.0 * BallRadius);
-
-            GameObject root = Keep(new GameObject("Fluid"));
-            root.SetActive(false);
-            fluid = root.AddComponent<FluidSimulation>();
-            fluid.Configure(new Vector3(Size, 0.8f, Size), Spacing, 40000);
-            fluid.StatisticsInterval = 0;
-            var volume = new GameObject("Water").AddComponent<FluidVolume>();
-            volume.transform.SetParent(root.transform, false);
-            volume.transform.localPosition = new Vector3(0f, 0.5f * (Fill - 0.8f), 0f);
-            volume.Size = new Vector3(Size, Fill, Size);
-            var sun = new GameObject("Sun").AddComponent<Light>();
-            sun.transform.SetParent(root.transform, false);
-            sun.intensity = 0f;
-            sun.enabled = false;
-            surface = root.AddComponent<FluidSurface>();
-            surface.ReflectionStrength = 0f;
-            surface.CastShadows = UnityEngine.Rendering.ShadowCastingMode.Off;
-            surface.Sun = sun;
-            surface.Look = Look(Index);
         }
 
         [UnityTearDown]
-        public IEnumerator LeaveNothing()
-        {
-            Time.captureDeltaTime = 0f;
-            foreach (Object one in made)
-                Object.Destroy(one);
-            made.Clear();
-            yield return null;
-            target.Release();
-        }
+        public IEnumerator LeaveNothing() => scene.End();
 
         [UnityTest]
         public IEnumerator A_pool_looks_as_a_ray_tracer_draws_it()
         {
-            Time.captureDeltaTime = 1f / 60f;
-            fluid.gameObject.SetActive(true);
-            for (int i = 0; i < 6; i++)
-                yield return null;
-            fluid.Paused = true;
-            yield return null;
+            yield return scene.Settle(6);
             double[] traced = Luminance(Trace()), drawn = Luminance(Read());
             double likeness = Similarity(drawn, traced);
-            surface.Look = Look(1f);
+            scene.Surface.Look = Look(1f);
             yield return null;
             yield return null;
             double straight = Similarity(Luminance(Read()), traced);
@@ -109,40 +72,18 @@ namespace Rill.Tests
             Assert.That(straight, Is.LessThan(0.7), "it can tell");
         }
 
-        T Keep<T>(T one) where T : Object
-        {
-            made.Add(one);
-            return one;
-        }
-
-        GameObject Primitive(PrimitiveType type, Material material)
-        {
-            GameObject primitive = Keep(GameObject.CreatePrimitive(type));
-            primitive.GetComponent<MeshRenderer>().sharedMaterial = material;
-            return primitive;
-        }
-
         // In the depth texture, as Unlit/Color is not; all light, so that no lamp adds to it.
         Material Unlit(double3 linear)
         {
-            Material material = Keep(new Material(Shader.Find("Rill/Solid")));
-            material.SetColor("_Color", Encoded(linear));
+            Material material = scene.Keep(new Material(Shader.Find("Rill/Solid")));
+            material.SetColor("_Color", WaterScene.Encoded((float3)linear));
             material.SetColor("_Ambient", Color.white);
             return material;
         }
 
-        static Color Encoded(double3 linear)
-        {
-            var color = new Color((float)linear.x, (float)linear.y, (float)linear.z);
-            return QualitySettings.activeColorSpace == ColorSpace.Linear ? color.gamma : color;
-        }
-
         static SurfaceLook Look(float index)
         {
-            SurfaceLook look = SurfaceLook.Water;
-            look.scatteringDepth = 0f;
-            look.colorAtDepth = Encoded(Left);
-            look.colorDepth = 1f;
+            SurfaceLook look = WaterScene.Absorbing((float3)Left, 1f);
             look.refractionIndex = index;
             return look;
         }
@@ -179,16 +120,7 @@ namespace Rill.Tests
             return color * math.pow(Left, length) * (1.0 - reflectance);
         }
 
-        double3[] Read()
-        {
-            var picture = new Texture2D(Pixels, Pixels, TextureFormat.RGBAFloat, false, true);
-            RenderTexture.active = target;
-            picture.ReadPixels(new Rect(0, 0, Pixels, Pixels), 0, 0);
-            RenderTexture.active = null;
-            double3[] seen = Array.ConvertAll(picture.GetPixels(), color => new double3(color.r, color.g, color.b));
-            Object.DestroyImmediate(picture);
-            return seen;
-        }
+        double3[] Read() => Array.ConvertAll(scene.Pixels(), pixel => new double3(pixel.xyz));
 
         // As a screen shows it.
         static double[] Luminance(double3[] picture) => Array.ConvertAll(picture, color => Math.Pow(Math.Max(math.dot(color, new double3(0.2126, 0.7152, 0.0722)), 0.0), 1.0 / 2.2));

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using UnityEngine.Experimental.Rendering;
 using UnityEngine.Rendering;
 
 namespace UnityEngine.Headless
@@ -56,7 +57,7 @@ namespace UnityEngine.Headless
                 pipeline.RenderCameras(new List<Camera> { camera });
                 return;
             }
-            RenderTexture target = camera.targetTexture;
+            RenderTexture target = Begin(camera);
             RenderTexture previous = RenderTexture.active;
             Camera previousCamera = Camera.current;
             Camera.current = camera;
@@ -110,7 +111,29 @@ namespace UnityEngine.Headless
             EndEyes(stereo);
             if (stereo)
                 StereoView.Show();
+            Show(camera, target);
             Finish(camera, target, previous, previousCamera);
+        }
+
+        static bool IsPart(Camera camera) => camera.rect != new Rect(0, 0, 1, 1);
+
+        // As scripts of Unity's own rely on (PostProcessing 2, PostProcessLayer.OnEnable, which copies the camera's target into a texture of the camera's
+        // size): a camera that is forced to draws a part of its target by way of a texture of that part's size. Others draw into the target itself.
+        static RenderTexture Begin(Camera camera)
+        {
+            RenderTexture target = camera.targetTexture;
+            bool clears = camera.clearFlags == CameraClearFlags.Skybox || camera.clearFlags == CameraClearFlags.SolidColor;
+            if (!camera.forceIntoRenderTexture || !IsPart(camera) || !clears || camera.pixelWidth < 1 || camera.pixelHeight < 1)
+                return target;
+            return RenderTexture.GetTemporary(new RenderTextureDescriptor(camera.pixelWidth, camera.pixelHeight, (target is object ? target : ScreenTarget.Texture).graphicsFormat, GraphicsFormat.D32_SFloat));
+        }
+
+        static void Show(Camera camera, RenderTexture target)
+        {
+            if (ReferenceEquals(target, camera.targetTexture))
+                return;
+            Blitter.BlitSlice(target, camera.targetTexture, 0, 0, viewport: camera.pixelRect);
+            RenderTexture.ReleaseTemporary(target);
         }
 
         // Its shaders have no variant for two eyes here: one after the other.
@@ -163,9 +186,8 @@ namespace UnityEngine.Headless
                 return;
             }
             RenderState.SetTarget(target is object ? target : ScreenTarget.Texture);
-            Rect rect = camera.pixelRect;
-            if (camera.rect != new Rect(0, 0, 1, 1))
-                RenderState.SetViewport(rect);
+            if (IsPart(camera) && ReferenceEquals(target, camera.targetTexture))
+                RenderState.SetViewport(camera.pixelRect);
         }
 
         static void Clear(Camera camera)

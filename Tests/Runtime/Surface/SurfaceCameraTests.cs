@@ -1,0 +1,147 @@
+using System.Collections;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+using static Rill.Tests.WaterScene;
+
+namespace Rill.Tests
+{
+    /// <summary>Several cameras, several waters, and cameras of other kinds: each shows its own.</summary>
+    public class SurfaceCameraTests
+    {
+        const int Size = 64;        // pixels
+
+        WaterScene scene;
+
+        [SetUp]
+        public void Make() => scene = new WaterScene(Size);
+
+        [UnityTearDown]
+        public IEnumerator LeaveNothing() => scene.End();
+
+        [UnityTest]
+        public IEnumerator A_camera_that_leaves_out_its_layer_does_not_see_it()
+        {
+            scene.Root.SetActive(true);
+            scene.Camera.cullingMask = ~(1 << scene.Root.layer);
+            yield return Frames(4);
+            Assert.That(scene.Mean(), Is.EqualTo(Color.white));
+            Assert.That(Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.IsCreated()), Has.None.Property("name").StartsWith("Rill.Surface"), "nothing is made for it");
+            scene.Camera.cullingMask = ~0;
+            yield return Frames(4);
+            Assert.That(scene.Mean().r, Is.LessThan(0.5f));
+        }
+
+        [UnityTest]
+        public IEnumerator Two_cameras_see_it_each_from_its_own_side()
+        {
+            RenderTexture other = scene.NewTarget(Size, Size);
+            scene.NewCamera(other, new Vector3(0f, -0.2f, -3f));
+            scene.Root.SetActive(true);
+            yield return Frames(20);
+            Color fromAbove = scene.Mean(), fromTheSide = Mean(other);
+            // 0.6 m from above; a metre from the side, where it reaches up to the middle of the picture and beyond.
+            Assert.That(fromAbove.g, Is.EqualTo(0.98f * Mathf.Pow(Left.y, Depth / 0.5f)).Within(0.02f));
+            Assert.That(fromTheSide.g, Is.LessThan(fromAbove.g));
+        }
+
+        [UnityTest]
+        public IEnumerator A_camera_shows_the_same_beside_another_as_alone()
+        {
+            yield return scene.Settle(10);
+            float4[] alone = scene.Pixels();
+            RenderTexture other = scene.NewTarget(2 * Size, Size);
+            scene.NewCamera(other, new Vector3(0f, -0.2f, -3f));
+            yield return Frames(2);
+            float4[] together = scene.Pixels(), asideTogether = Pixels(other);
+            scene.Camera.enabled = false;
+            yield return Frames(2);
+            Assert.That(together, Is.EqualTo(alone));
+            Assert.That(asideTogether, Is.EqualTo(Pixels(other)));
+        }
+
+        [UnityTest]
+        public IEnumerator Of_two_waters_that_overlap_the_nearer_one_hides_the_other([Values(true, false)] bool nearerIsFirst)
+        {
+            // A copy of it, clear, half a metre aside and a metre up or down.
+            GameObject copy = scene.Keep(Object.Instantiate(scene.Root));
+            copy.transform.position = new Vector3(0.5f, nearerIsFirst ? -1f : 1f, 0f);
+            copy.GetComponent<FluidSurface>().Look = Absorbing(1f, 0.5f);
+            scene.Root.SetActive(true);
+            copy.SetActive(true);
+            yield return Frames(20);
+            float left = scene.Mean(4, 28, 16, 48).g, right = scene.Mean(36, 60, 16, 48).g;
+            TestContext.Out.WriteLine($"{left:0.000} of one, {right:0.000} of both");
+            float dark = 0.98f * Mathf.Pow(Left.y, Depth / 0.5f);
+            Assert.That(left, Is.EqualTo(dark).Within(0.02f), "one alone");
+            Assert.That(right, nearerIsFirst ? Is.EqualTo(dark).Within(0.02f) : Is.GreaterThan(0.9f), "the nearer one before the opaque scene, without the other");
+        }
+
+        // From an angle, over a floor of two colours: what is refracted is looked up beside where it is seen.
+        void LookAcross(Camera camera)
+        {
+            GameObject floor = scene.NewUnlit(PrimitiveType.Quad, new float3(0.1f, 0.6f, 0.3f));
+            floor.transform.rotation = Quaternion.LookRotation(Vector3.down);
+            floor.transform.position = new Vector3(-0.55f, -0.5f, 0.1f);
+            camera.orthographicSize = 0.6f;
+            Look(camera, new Vector3(0.5f, 0.9f, -3f));
+        }
+
+        [UnityTest]
+        public IEnumerator In_a_part_of_the_screen_it_looks_as_on_the_whole()
+        {
+            LookAcross(scene.Camera);
+            RenderTexture second = scene.NewTarget(Size, Size), screen = scene.NewTarget(2 * Size, Size);
+            Camera other = scene.NewCamera(second, new Vector3(0f, 3f, 0f));
+            yield return scene.Settle(10);
+            float4[][] whole = { Pixels(second), scene.Pixels() };
+            // Two players beside each other.
+            other.targetTexture = scene.Camera.targetTexture = screen;
+            other.rect = new Rect(0f, 0f, 0.5f, 1f);
+            scene.Camera.rect = new Rect(0.5f, 0f, 0.5f, 1f);
+            yield return Frames(3);
+            float4[] both = Pixels(screen);
+            for (int half = 0; half < 2; half++)
+            {
+                float most = whole[half].Select((pixel, i) => math.cmax(math.abs(pixel.xyz - both[i / Size * 2 * Size + half * Size + i % Size].xyz))).Max();
+                Assert.That(whole[half].Count(pixel => pixel.y < 0.5f), Is.GreaterThan(Size * Size / 4), "water");
+                Assert.That(most, Is.LessThan(0.004f), half == 0 ? "the left one" : "the right one");
+            }
+            scene.Root.SetActive(false);
+            yield return null;
+            Assert.That(scene.Camera.forceIntoRenderTexture, Is.False, "the camera is as it was");
+        }
+
+        [UnityTest]
+        public IEnumerator The_camera_of_a_reflection_probe_shows_it_without_the_filter()
+        {
+            scene.Surface.Quality = SurfaceQuality.High;
+            LookAcross(scene.Camera);
+            yield return scene.Settle(10);
+            Vector3 aside = 1e-4f * Vector3.right;      // so that it is drawn again
+            scene.Camera.transform.position += aside;
+            yield return Frames(1);
+            float4[] filtered = scene.Pixels();
+            int whole = scene.Camera.GetCommandBuffers(CameraEvent.BeforeForwardAlpha)[0].sizeInBytes;
+            scene.Surface.Smoothing = 0f;
+            yield return Frames(2);
+            float4[] unfiltered = scene.Pixels();
+            scene.Surface.Smoothing = 1f;
+            scene.Camera.cameraType = CameraType.Reflection;
+            scene.Camera.transform.position += aside;
+            yield return Frames(1);
+            int probe = scene.Camera.GetCommandBuffers(CameraEvent.BeforeForwardAlpha)[0].sizeInBytes;
+            float4[] seen = scene.Pixels();
+            scene.Camera.cameraType = CameraType.Game;
+            float others = Difference(seen, unfiltered), apart = Difference(filtered, unfiltered);
+            TestContext.Out.WriteLine($"{others:0.0000} rms from that without the filter, which is {apart:0.0000} from that with it; {probe} bytes of commands for {whole}");
+            Assert.That(others, Is.LessThan(0.2f * apart));
+            Assert.That(probe, Is.LessThan(whole), "one pass of the two");
+        }
+
+        static float Difference(float4[] a, float4[] b) => math.sqrt(a.Select((pixel, i) => math.lengthsq(pixel.xyz - b[i].xyz)).Average());
+    }
+}
