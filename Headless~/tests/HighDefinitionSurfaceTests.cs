@@ -62,7 +62,6 @@ namespace Host.Tests
             Vector4[] builtIn = InTheBuiltInPipeline(3, () => Arrange(refraction));
             build();
             Arrange(refraction);
-            Sun.intensity = Mathf.PI;       // lux that make a white surface white
             Play(3);
             return Pixels().Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.02f).Count();
         }
@@ -96,6 +95,22 @@ namespace Host.Tests
             Expose(1);
             Assert.That(halved, Is.GreaterThan(0.05f), "the floor");
             Assert.That(MilkAfter(1), Is.EqualTo(halved).Within(0.001f));
+        }
+
+        [Test]
+        public void A_light_of_one_in_Built_in_units_is_one_of_pi_lux([Values("14", "17")] string version, [Values] bool chosen)
+        {
+            Build(version);
+            Surface.Preset = SurfacePreset.Milk;
+            Surface.Sun = chosen ? Sun : null;
+            MilkAfter(2);
+            simulation.Paused = true;
+            float builtIn = MilkAfter(1);
+            Sun.gameObject.AddComponent(TypeOf("HDAdditionalLightData"));
+            float lux = MilkAfter(2);
+            Sun.intensity = Mathf.PI;
+            Assert.That(MilkAfter(2), Is.EqualTo(builtIn).Within(1e-3f * builtIn));
+            Assert.That(lux, Is.LessThan(0.8f * builtIn));
         }
 
         [Test]

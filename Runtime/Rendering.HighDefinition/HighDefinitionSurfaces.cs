@@ -42,12 +42,14 @@ namespace Rill.HighDefinition
                 return;
             SurfaceVolume volume = volumes.Find(camera);
             FluidViews views = ViewsOf(seen, volume);
+            FluidViews.Light? main = views.light;
             bool any = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
             {
                 FluidSurface surface = FluidSurface.Active[i];
                 if (!surface.Prepare(views))
                     continue;
+                views.light = surface.Sun != null ? LightOf(surface.Sun) : main;
                 surface.Submit(views, null);
                 any = true;
             }
@@ -75,8 +77,10 @@ namespace Rill.HighDefinition
             if (volume != null && volume.Pass.ToLight != Vector3.zero)
                 views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);
             else if (RenderSettings.sun is Light sun && sun != null && sun.isActiveAndEnabled)
-                views.light = new FluidViews.Light(-sun.transform.forward, sun.color.linear * sun.intensity);
+                views.light = LightOf(sun);
             return views;
         }
+
+        static FluidViews.Light LightOf(Light light) => new FluidViews.Light(-light.transform.forward, SurfacePass.IlluminanceOf(light, light.color.linear * light.intensity));
     }
 }

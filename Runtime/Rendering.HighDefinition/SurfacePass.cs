@@ -50,16 +50,20 @@ namespace Rill.HighDefinition
                 FluidSurface.Active[i].Record(ctx.cmd, views);
         }
 
+        /// <summary>Lux. A light without HDRP's component has the Built-in pipeline's unit, of which HDRP makes π lux (14.0, GpuLightsBuilder.Jobs.cs).</summary>
+        /// <param name="color">Linear, intensity applied.</param>
+        public static Color IlluminanceOf(Light light, Color color) => light.TryGetComponent(out HDAdditionalLightData _) ? color : color * Mathf.PI;
+
         // HDRP binds its lights in buffers whose layout differs from version to version.
         void FindLight(CullingResults culled)
         {
             ToLight = Vector3.up;
             LightColor = Color.clear;
             foreach (VisibleLight light in culled.visibleLights)
-                if (light.lightType == LightType.Directional && light.finalColor.maxColorComponent > LightColor.maxColorComponent)
+                if (light.lightType == LightType.Directional && IlluminanceOf(light.light, light.finalColor).maxColorComponent > LightColor.maxColorComponent)
                 {
                     ToLight = -light.localToWorldMatrix.GetColumn(2);
-                    LightColor = light.finalColor;
+                    LightColor = IlluminanceOf(light.light, light.finalColor);
                 }
         }
     }

@@ -126,7 +126,7 @@ namespace Rill
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
         internal void Record(CommandBuffer cmd, in FluidViews camera) => recorder.Record(cmd, camera, frame);
 
-        /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where nobody asks for them.</summary>
+        /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where none are needed.</summary>
         internal void RecordMotion(CommandBuffer cmd, in FluidViews camera) => recorder.RecordMotion(cmd, camera);
 
         /// <summary>Has the pipeline draw them among the motion vectors of opaque objects instead, after <see cref="Prepare"/> for a camera that needs them.</summary>
@@ -144,7 +144,7 @@ namespace Rill
         {
             MaterialPropertyBlock properties = recorder.ViewOf(camera.camera).Shading;
             SetLook(properties);
-            if (sun == null && camera.light is FluidViews.Light light)
+            if (camera.light is FluidViews.Light light)
                 SetSun(properties, light.Direction, light.Color, false);
             if (sceneColor != null)
                 properties.SetTexture(Ids.SceneColor, sceneColor);

@@ -33,7 +33,7 @@ namespace Rill
         /// <summary>Whether the picture is one of a reflection probe, for which it is not smoothed: that costs six times a camera's.</summary>
         public bool IsProbe => camera.cameraType == CameraType.Reflection;
 
-        /// <summary>The main light, where the pipeline's shaders cannot read it; null where they can.</summary>
+        /// <summary>The light that is seen on the surface, where the pipeline's shaders cannot read it; null where they can.</summary>
         public Light? light;
 
         /// <summary>A directional light.</summary>

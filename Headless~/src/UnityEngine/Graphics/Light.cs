@@ -26,6 +26,7 @@ namespace UnityEngine
             return brightest;
         }
 
+        internal static Light Find(int id) => active.Find(light => light.GetInstanceID() == id);
         internal static IReadOnlyList<Light> Directional() => active.FindAll(light => light.type == LightType.Directional);
 
         /// <summary>As culling hands it to a scriptable pipeline: with the intensity, linear where GraphicsSettings says so.</summary>

@@ -67,7 +67,7 @@ namespace UnityEngine.Rendering
             IReadOnlyList<Light> directional = Light.Directional();
             var lights = new NativeArray<VisibleLight>(directional.Count, Allocator.Temp);
             for (int i = 0; i < directional.Count; i++)
-                lights[i] = new VisibleLight { lightType = LightType.Directional, finalColor = directional[i].FinalColor, localToWorldMatrix = directional[i].transform.localToWorldMatrix };
+                lights[i] = new VisibleLight { lightType = LightType.Directional, finalColor = directional[i].FinalColor, localToWorldMatrix = directional[i].transform.localToWorldMatrix, Id = directional[i].GetInstanceID() };
             return new CullingResults { lights = lights };
         }
 
@@ -81,6 +81,8 @@ namespace UnityEngine.Rendering
         public LightType lightType { get; set; }
         public Color finalColor { get; set; }
         public Matrix4x4 localToWorldMatrix { get; set; }
+        public Light light => Light.Find(Id);
+        internal int Id;
 
         public bool Equals(VisibleLight other) => lightType == other.lightType && finalColor.Equals(other.finalColor) && localToWorldMatrix.Equals(other.localToWorldMatrix);
         public override bool Equals(object obj) => obj is VisibleLight other && Equals(other);

@@ -55,6 +55,9 @@ namespace UnityEngine.Rendering.HighDefinition
         public ref FrameSettings renderingPathCustomFrameSettings => ref own;
     }
 
+    /// <summary>Beside a light of HDRP's own units. One that lacks it is taken for the Built-in pipeline's: the pipeline's own shading makes π lux of its intensity (HDRP 14.0, Runtime/Lighting/LightLoop/GpuLightsBuilder.Jobs.cs).</summary>
+    public class HDAdditionalLightData : MonoBehaviour { }
+
     /// <summary>A camera as the pipeline sees it. Sizes are those of this frame from before beginCameraRendering on.</summary>
     /// <remarks>HDRP 14.0.8, Runtime/RenderPipeline/Camera/HDCamera.cs (GetOrCreate, Update).</remarks>
     public class HDCamera
