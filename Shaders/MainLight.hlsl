@@ -98,10 +98,14 @@ float LightShadow(float3 world, float4 clip)
 
     uint width, height;
     _ShadowCopy.GetDimensions(width, height);
-    float2 texels = at.xy * float2(width, height) - 0.5, part = frac(texels);
-    int2 texel = int2(floor(texels)), last = int2(width, height) - 1;
-    float lit = lerp(lerp(IsLit(texel, last, at.z), IsLit(texel + int2(1, 0), last, at.z), part.x),
-        lerp(IsLit(texel + int2(0, 1), last, at.z), IsLit(texel + int2(1, 1), last, at.z), part.x), part.y);
+    // The mean of a square of 4 texels: the pattern of holes in the water's own shadow repeats after so many.
+    float2 texels = at.xy * float2(width, height), part = frac(texels);
+    int2 texel = int2(floor(texels)) - 2, last = int2(width, height) - 1;
+    float lit = 0.0;
+    for (int y = 0; y < 5; y++)
+        for (int x = 0; x < 5; x++)
+            lit += IsLit(texel + int2(x, y), last, at.z) * (x == 0 ? 1.0 - part.x : x == 4 ? part.x : 1.0) * (y == 0 ? 1.0 - part.y : y == 4 ? part.y : 1.0);
+    lit /= 16.0;
     float4 data = ShadowValue(kShadowData), fade = ShadowValue(kShadowFade);
     float away = fade.w > 0.5 ? distance(world, fade.xyz) : z;
     return saturate(lerp(data.x, 1.0, lit) + saturate(away * data.z + data.w));
