@@ -27,7 +27,7 @@ FoamLayer FoamLayerAt(float2 picture, uint eye, SamplerState linearClamp)
     return layer;
 }
 
-// Foam scatters light to all sides: whichever way the surface under it faces, some arrives.
+// Foam scatters light to all sides: however the surface under it is turned, some arrives.
 float3 LitFoam(float3 around, float3 lightColor, float cosine)
 {
     return _FoamColor.rgb * (around + lightColor * (0.35 + 0.45 * saturate(cosine)));

@@ -72,6 +72,28 @@ namespace Host.Tests
         }
 
         [Test]
+        public void Each_eye_sees_water_and_foam_as_a_camera_there_does([Values] bool foam)
+        {
+            fluid.GetComponent<ParticleRenderer>().enabled = false;
+            fluid.gameObject.AddComponent<FluidSurface>();
+            if (foam)
+                PlantedFoam.Add(fluid.gameObject);
+            DrawFrozenFrame();
+            Color32[] without = Slice(0);
+            if (foam)
+                PlantedFoam.Plant(fluid, Vector3.zero);
+            PlayerLoop.Frame(FrameTime);
+            Color32[][] eyes = { Slice(0), Slice(1) };
+            Assert.That(Unlike(eyes[0], eyes[1]), Is.GreaterThan(100), "two eyes see two pictures");
+            if (foam)
+                Assert.That(Unlike(eyes[0], without), Is.GreaterThan(100), "foam");
+            (Matrix4x4[] views, Matrix4x4[] projections) = ((Matrix4x4[])StereoView.Views.Clone(), (Matrix4x4[])StereoView.Projections.Clone());
+            int[] unlike = Enumerable.Range(0, 2).Select(eye => Unlike(eyes[eye], DrawAlone(views[eye], projections[eye]))).ToArray();
+            TestContext.WriteLine($"{unlike[0]} and {unlike[1]} pixels differ");
+            Assert.That(unlike, Has.All.LessThanOrEqualTo(Width * Height / 100));
+        }
+
+        [Test]
         public void The_screen_shows_the_left_eye_on_the_left()
         {
             DrawFrozenFrame();

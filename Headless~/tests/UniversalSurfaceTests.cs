@@ -12,6 +12,8 @@ namespace Host.Tests
     /// <summary>The package's adapter for URP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
     public class UniversalSurfaceTests : UniversalSurfaceFixture
     {
+        const float MaxDifferenceAtScale = 0.017f;
+
         [Test]
         public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17 by Execute", "17.3", "17.3-compatibility by Execute", "17.4")] string version)
         {
@@ -32,6 +34,36 @@ namespace Host.Tests
             // Where the water is not, the floor has the same light; where it is, what is seen through it is of half size.
             int other = universal.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.1f).Count();
             Assert.That(other, Is.LessThan(Width * Height / 50));
+        }
+
+        // How far the foam changes the picture, and how many pixels it changes otherwise than in the Built-in pipeline.
+        (int changed, int other) Foam(Action build)
+        {
+            Vector4[] without = null;
+            void Plant()
+            {
+                PlantedFoam.Add(simulation.gameObject);
+                Play(2);
+                simulation.Paused = true;
+                Play(1);
+                without = Pixels();
+                PlantedFoam.Plant(simulation, new Vector3(0, 0.4f, 0));
+            }
+            Vector4[] builtIn = InTheBuiltInPipeline(1, Plant);
+            build();
+            Plant();
+            Play(1);
+            Vector4[] universal = Pixels();
+            return (universal.Where((pixel, i) => (pixel - without[i]).magnitude > 0.1f).Count(), universal.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.1f).Count());
+        }
+
+        [Test]
+        public void Foam_looks_as_in_the_Built_in_pipeline([Values("14", "17", "17 by Execute")] string version)
+        {
+            (int changed, int other) = Foam(() => Build(version));
+            TestContext.WriteLine($"{changed} pixels of foam, {other} other than in the Built-in pipeline");
+            Assert.That(changed, Is.GreaterThan(Width * Height / 50));
+            Assert.That(other, Is.LessThan(changed / 10));
         }
 
         [Test]
@@ -82,15 +114,43 @@ namespace Host.Tests
             Assert.That(Errors, Is.Empty);
         }
 
-        [Test]
-        public void It_follows_the_render_scale([Values("14", "17")] string version, [Values(0.5f, 0.97f)] float scale)
+        // Between the means of 4 x 4 pixels at this scale and at 1, rms.
+        float DifferenceAtScale(float scale, Action build)
         {
-            Build(version);
+            build();
+            // Hides the rear of the water.
+            GameObject post = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            post.transform.localScale = new Vector3(0.5f, 2, 0.3f);
+            post.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", Player.PipelineTag);
+            Play(2);
+            simulation.Paused = true;
+            Play(1);
+            Vector4[] whole = Pixels();
             Set(pipeline.Asset, "renderScale", scale);
             Play(2);
             Vector4[] drawn = Pixels();
             Assert.That(Errors, Is.Empty);
-            Assert.That(Covered(drawn), Is.GreaterThan(Width * Height / 20));
+            Assert.That(Covered(whole), Is.GreaterThan(Width * Height / 20));
+            var sums = new Vector4[Width / 4 * (Height / 4)];
+            for (int i = 0; i < drawn.Length; i++)
+                sums[i / Width / 4 * (Width / 4) + i % Width / 4] += (drawn[i] - whole[i]) / 16;
+            return Mathf.Sqrt(sums.Average(sum => sum.sqrMagnitude));
+        }
+
+        [Test]
+        public void It_follows_the_render_scale([Values("14", "17")] string version, [Values(0.5f, 0.97f)] float scale)
+        {
+            float difference = DifferenceAtScale(scale, () => Build(version));
+            TestContext.WriteLine($"{difference:0.0000} rms from a scale of 1");
+            Assert.That(difference, Is.LessThan(MaxDifferenceAtScale));
+        }
+
+        [Test]
+        public void A_size_that_does_not_follow_the_render_scale_is_seen()
+        {
+            float difference = DifferenceAtScale(0.5f, () => BuildWithFault("17", "UniversalSurfaces.cs", "? asset.renderScale : 1f;", "? 1f : 1f;"));
+            TestContext.WriteLine($"{difference:0.0000} rms from a scale of 1");
+            Assert.That(difference, Is.GreaterThan(MaxDifferenceAtScale));
         }
 
         [Test]

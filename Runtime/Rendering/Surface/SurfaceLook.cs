@@ -10,13 +10,13 @@ namespace Rill
         [Tooltip("Colour that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.")]
         public Color colorAtDepth;
 
-        [Tooltip("Way through the fluid at which white light has that colour, m, above 0.")]
+        [Tooltip("Path through the fluid after which white light has that colour, m, above 0.")]
         public float colorDepth;
 
         [Tooltip("Colour of the light that the fluid scatters back: milk, mud, plankton.")]
         public Color scattering;
 
-        [Tooltip("Way after which 63 % of the light is scattered, m. 0: nothing scatters.")]
+        [Tooltip("Path after which 63 % of the light is scattered, m. 0: nothing scatters.")]
         public float scatteringDepth;
 
         [Tooltip("Index of refraction, 1 to 2. Water: 1.333.")]
@@ -42,7 +42,7 @@ namespace Rill
             }
         }
 
-        /// <summary>1/m: what exp(-x L) takes out of light on a way of L.</summary>
+        /// <summary>1/m: what exp(-x L) takes out of light along a path of L.</summary>
         internal Vector3 Absorption
         {
             get

@@ -38,7 +38,7 @@ namespace Rill
         /// <summary>uint4, of each texel of <see cref="Foam"/>, slice after slice; see SurfaceFoam.compute.</summary>
         public GraphicsBuffer FoamAmounts;
 
-        /// <summary>xyz displacement of the nearest particle in the last substep, d, in the domain's frame. Null where nobody asks for motion.</summary>
+        /// <summary>xyz displacement of the nearest particle in the last substep, d, in the domain's frame. Null where no motion is needed.</summary>
         public RenderTexture Chords;
 
         /// <summary>Of the draw that writes motion vectors.</summary>

@@ -129,7 +129,7 @@ namespace Rill.Tests
             IEnumerable<string> Textures() => Stage("FluidSurface").Buffers.Select(texture => texture.name);
         }
 
-        // Particles of the largest size in one place of the world, in the middle of their lives.
+        // Particles of the largest size at one position of the world, in the middle of their lives.
         void Plant(FoamKinds kind, float3 world, int count)
         {
             Foam stage = scene.Fluid.Solver.Foam;

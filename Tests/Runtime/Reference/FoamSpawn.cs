@@ -17,7 +17,7 @@ namespace Rill.Tests.Reference
         /// <summary>Foam particles of a step, where so many are to be expected.</summary>
         public static int Count(double expected, uint hash) => expected > 0.0 ? (int)Math.Min(expected + Unit(hash), 255.0) : 0;
 
-        /// <summary>The place of one of them, in a box, and its velocity.</summary>
+        /// <summary>The position of one of them, in a box, and its velocity.</summary>
         /// <param name="number">Of those of its particle.</param>
         public static double3 Position(double3 center, double3 flow, double step, double3 box, uint hash, int number, out double3 velocity)
         {

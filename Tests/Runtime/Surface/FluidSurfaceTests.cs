@@ -287,7 +287,7 @@ namespace Rill.Tests
             yield return Frames(1);
             version = fluid.Solver.SurfaceVersion;
             yield return Frames(3);
-            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version), "it falls the other way");
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version), "it falls away from what is seen");
             Object.Destroy(sun.gameObject);
         }
 
