@@ -12,8 +12,6 @@ namespace Host.Tests
     /// <summary>The package's adapter for URP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
     public class UniversalSurfaceTests : UniversalSurfaceFixture
     {
-        const float MaxDifferenceAtScale = 0.017f;
-
         [Test]
         public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17 by Execute", "17.3", "17.3-compatibility by Execute", "17.4")] string version)
         {
@@ -114,8 +112,8 @@ namespace Host.Tests
             Assert.That(Errors, Is.Empty);
         }
 
-        // Between the means of 4 x 4 pixels at this scale and at 1, rms.
-        float DifferenceAtScale(float scale, Action build)
+        // Between the means of 4 x 4 pixels at this scale and at 1, rms; and the width of the surface's textures.
+        (float difference, int[] widths) AtScale(float scale, Action build)
         {
             build();
             // Hides the rear of the water.
@@ -130,27 +128,28 @@ namespace Host.Tests
             Play(2);
             Vector4[] drawn = Pixels();
             Assert.That(Errors, Is.Empty);
+            int[] widths = Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name == "Rill.Surface.Depth" && texture.IsCreated()).Select(texture => texture.width).ToArray();
             Assert.That(Covered(whole), Is.GreaterThan(Width * Height / 20));
             var sums = new Vector4[Width / 4 * (Height / 4)];
             for (int i = 0; i < drawn.Length; i++)
                 sums[i / Width / 4 * (Width / 4) + i % Width / 4] += (drawn[i] - whole[i]) / 16;
-            return Mathf.Sqrt(sums.Average(sum => sum.sqrMagnitude));
+            return (Mathf.Sqrt(sums.Average(sum => sum.sqrMagnitude)), widths);
         }
 
         [Test]
         public void It_follows_the_render_scale([Values("14", "17")] string version, [Values(0.5f, 0.97f)] float scale)
         {
-            float difference = DifferenceAtScale(scale, () => Build(version));
+            (float difference, int[] widths) = AtScale(scale, () => Build(version));
             TestContext.WriteLine($"{difference:0.0000} rms from a scale of 1");
-            Assert.That(difference, Is.LessThan(MaxDifferenceAtScale));
+            Assert.That(widths, Is.EqualTo(new[] { scale < 0.9f ? Width / 2 : Width }), "URP takes 0.97 for 1");
+            Assert.That(difference, Is.LessThan(0.02f));
         }
 
         [Test]
-        public void A_size_that_does_not_follow_the_render_scale_is_seen()
+        public void Textures_that_do_not_follow_the_render_scale_are_seen()
         {
-            float difference = DifferenceAtScale(0.5f, () => BuildWithFault("17", "UniversalSurfaces.cs", "? asset.renderScale : 1f;", "? 1f : 1f;"));
-            TestContext.WriteLine($"{difference:0.0000} rms from a scale of 1");
-            Assert.That(difference, Is.GreaterThan(MaxDifferenceAtScale));
+            (_, int[] widths) = AtScale(0.5f, () => BuildWithFault("17", "UniversalSurfaces.cs", "? asset.renderScale : 1f;", "? 1f : 1f;"));
+            Assert.That(widths, Is.EqualTo(new[] { Width }));
         }
 
         [Test]
