@@ -3,12 +3,17 @@
 //
 //   _SurfaceDepth   in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
 //   _SurfaceChords  in  xyz displacement of the nearest particle in the last substep, d, in the domain's frame; w its depth as it was drawn
+//   the scene's depth, where the pipeline has no depth to test against (HDRP)
 #include "ScreenMotion.hlsl"
 #include "SurfaceView.hlsl"
 #include "SurfaceRectangle.hlsl"
 
 Texture2DArray<float> _SurfaceDepth;
 Texture2DArray<float4> _SurfaceChords;
+#ifdef RILL_HIGH_DEFINITION
+Texture2DArray _CameraDepthTexture;
+float4 _SceneSize;              // width and height of what is in use of it, texels
+#endif
 
 float4 _FrameLag;               // time of this frame, x, and of the frame before, z, since the newest state, substeps
 float4x4 _WorldToDomain;        // from world, metres, to the domain's frame in d
@@ -40,16 +45,37 @@ float3 ChordAt(int2 texel, float surface)
     return chord.xyz;
 }
 
-float4 MotionFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
+// Where the water is; its motion in xy. Discards where there is none.
+float4 MotionAt(float2 picture, out float3 world)
 {
-    RestoreView(input);
-    float2 picture = input.picture.xy;
     int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
     float surface = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));
     if (surface == 0.0)
         discard;
     SurfaceRay ray = RayThrough(picture, eyeIndex);
-    float3 world = ray.origin + ray.direction * FromSurfaceDepth(surface, eyeIndex);
-    depth = DeviceDepth(WorldToClip(world));
+    world = ray.origin + ray.direction * FromSurfaceDepth(surface, eyeIndex);
     return MotionOnScreen(world, world - MotionOfWater(world, ChordAt(texel, surface)));
 }
+
+#ifdef RILL_HIGH_DEFINITION
+// HDRP's depth may have several samples where its motion has one, and is not to hold the water before it is shaded.
+float4 MotionFragment(SurfaceVaryings input) : SV_Target
+{
+    RestoreView(input);
+    float3 world;
+    float4 motion = MotionAt(input.picture.xy, world);
+    int2 texel = int2(clamp((input.picture.xy * 0.5 + 0.5) * _SceneSize.xy, 0.0, _SceneSize.xy - 1.0));
+    if (FlipDepth(_CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r) > FlipDepth(DeviceDepth(WorldToClip(world))))
+        discard;
+    return motion;
+}
+#else
+float4 MotionFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    float3 world;
+    float4 motion = MotionAt(input.picture.xy, world);
+    depth = DeviceDepth(WorldToClip(world));
+    return motion;
+}
+#endif

@@ -1,7 +1,53 @@
-// Motion vectors of the water's surface, see SurfaceMotion.hlsl: a SubShader for each render pipeline that has them. Among the opaque
-// objects, which alone the pipelines ask for motion.
+// Motion vectors of the water's surface, see SurfaceMotion.hlsl: a SubShader for each render pipeline that has them. In URP among the opaque
+// objects, which alone it asks for motion; in HDRP drawn by the adapter's own pass alone.
 Shader "Hidden/Rill/SurfaceMotion"
 {
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "17.0" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 17
+        ENDHLSL
+        Pass
+        {
+            Name "SurfaceMotion"
+            Cull Off
+            ZWrite Off
+            ZTest Always
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex SurfaceVertex
+            #pragma fragment MotionFragment
+            #include "SurfaceMotion.hlsl"
+            ENDHLSL
+        }
+    }
+    SubShader
+    {
+        PackageRequirements { "com.unity.render-pipelines.high-definition" : "[14.0,15.0)" }
+        Tags { "RenderPipeline" = "HDRenderPipeline" }
+        HLSLINCLUDE
+        #define RILL_HIGH_DEFINITION 14
+        ENDHLSL
+        Pass
+        {
+            Name "SurfaceMotion"
+            Cull Off
+            ZWrite Off
+            ZTest Always
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 5.0
+            #pragma vertex SurfaceVertex
+            #pragma fragment MotionFragment
+            #include "SurfaceMotion.hlsl"
+            ENDHLSL
+        }
+    }
     SubShader
     {
         PackageRequirements { "com.unity.render-pipelines.universal" : "14.0" }

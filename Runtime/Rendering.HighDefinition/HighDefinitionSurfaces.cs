@@ -73,6 +73,7 @@ namespace Rill.HighDefinition
             views.height = Mathf.Max(seen.actualHeight, 1);
             views.sceneSize = new Vector2(views.width, views.height);
             views.sceneIsArray = TextureXR.useTexArray;
+            views.needsMotion = seen.frameSettings.IsEnabled(FrameSettingsField.MotionVectors);
             // That of the frame before: the draw is submitted before HDRP finds the camera's lights.
             if (volume != null && volume.Pass.ToLight != Vector3.zero)
                 views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);

@@ -5,7 +5,7 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace Rill.HighDefinition
 {
-    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque draws and the copy of them that the water refracts.</summary>
+    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque draws and the copy of them that the water refracts; and draws their motion vectors.</summary>
     [Serializable]
     sealed class SurfacePass : CustomPass
     {
@@ -21,7 +21,7 @@ namespace Rill.HighDefinition
         public SurfacePass()
         {
             name = "Rill.Surface";
-            // It draws into textures of its own.
+            // It binds what it draws into.
             targetColorBuffer = targetDepthBuffer = TargetBuffer.None;
         }
 
@@ -48,6 +48,17 @@ namespace Rill.HighDefinition
             isReady = false;
             for (int i = 0; i < FluidSurface.Active.Count; i++)
                 FluidSurface.Active[i].Record(ctx.cmd, views);
+            if (views.needsMotion)
+                DrawMotion(ctx);
+        }
+
+        // HDRP has drawn its own motion vectors by now, and reads them after the transparent draws.
+        void DrawMotion(in CustomPassContext ctx)
+        {
+            ctx.cmd.SetRenderTarget(ctx.cameraMotionVectorsBuffer, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
+            ctx.cmd.SetViewport(new Rect(0f, 0f, views.width, views.height));
+            for (int i = 0; i < FluidSurface.Active.Count; i++)
+                FluidSurface.Active[i].RecordMotion(ctx.cmd, views);
         }
 
         /// <summary>Lux. A light without HDRP's component has the Built-in pipeline's unit, of which HDRP makes π lux (14.0, GpuLightsBuilder.Jobs.cs).</summary>

@@ -73,7 +73,7 @@ namespace Rill
             view.PrepareMotion(camera.needsMotion);
             SetShading(view, camera, fluid.foam);
             if (camera.needsMotion)
-                (motion ??= new SurfaceMotion()).Set(view, fluid);
+                (motion ??= new SurfaceMotion()).Set(view, camera, fluid);
             return true;
         }
 

@@ -254,7 +254,7 @@ namespace Rill
             new KernelNeed("Surface", "Vertex", "", 0, 0, 0, 0, 0),
             new KernelNeed("Surface", "Fragment", "", 0, 0, 0, 0, 9),
             new KernelNeed("SurfaceMotion", "Vertex", "", 0, 0, 0, 0, 0),
-            new KernelNeed("SurfaceMotion", "Fragment", "", 0, 0, 0, 0, 2),
+            new KernelNeed("SurfaceMotion", "Fragment", "", 0, 0, 0, 0, 3),
             new KernelNeed("SurfaceRaster", "Vertex", "", 0, 0, 1, 0, 0),
             new KernelNeed("SurfaceRaster", "Fragment", "", 0, 0, 0, 0, 1),
             new KernelNeed("SurfaceShadow", "Vertex", "", 0, 0, 1, 0, 0),

@@ -14,7 +14,7 @@ namespace UnityEngine.Rendering.HighDefinition
     /// HDRP 16.0: Runtime/RenderPipeline/HDRenderPipeline.cs (Render: BeginCameraRendering, culling and custom pass volumes of all cameras
     /// come before ExecuteRenderRequest), HDRenderPipeline.RenderGraph.cs (order of passes; the color pyramid is made
     /// where refraction is on; single pass from the prepass on, custom passes included), HDRenderPipeline.Prepass.cs (motion vectors come with the
-    /// prepass, those of the camera itself are left out here: they stay 0), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
+    /// prepass, or a black texture for them where they are off; those of the camera itself are left out here: they stay 0), CustomPass.cs (a pass may write them), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
     /// </remarks>
     public class HDRenderPipeline : RenderPipeline
     {
@@ -95,8 +95,8 @@ namespace UnityEngine.Rendering.HighDefinition
             Shader.SetGlobalTexture(depthId, black.rt);
             Shader.SetGlobalTexture(pyramidId, black.rt);
 
-            Run(CustomPassInjectionPoint.BeforeRendering, context, hd);
             hd.xr.StartSinglePass();
+            Run(CustomPassInjectionPoint.BeforeRendering, context, hd);
             ClearMotion(hd, viewport);
             Bind(null, depthPyramid, viewport);
             RenderState.Clear(true, false, default, 1);
