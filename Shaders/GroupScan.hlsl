@@ -2,24 +2,38 @@
 #ifndef RILL_GROUP_SCAN_INCLUDED
 #define RILL_GROUP_SCAN_INCLUDED
 
-groupshared uint g_Scanned[128];
+static const uint kScanRow = 8;     // threads of a row
 
-// Every thread of the group must call it.
+groupshared uint g_Scanned[128];
+groupshared uint g_ScannedRows[128 / kScanRow];
+
+// Every thread of the group must call it. By rows: more additions than in a tree, but few waits for the other threads.
 uint SumBefore(uint value, uint thread, out uint total)
 {
+    uint row = thread / kScanRow;
     g_Scanned[thread] = value;
     GroupMemoryBarrierWithGroupSync();
-    uint sum = value;
-    for (uint reach = 1; reach < 128; reach *= 2)
+    uint before = 0;
+    uint inRow = 0;
+    [unroll]
+    for (uint column = 0; column < kScanRow; column++)
     {
-        uint before = thread >= reach ? g_Scanned[thread - reach] : 0;
-        GroupMemoryBarrierWithGroupSync();
-        sum += before;
-        g_Scanned[thread] = sum;
-        GroupMemoryBarrierWithGroupSync();
+        uint other = g_Scanned[row * kScanRow + column];
+        before += column < thread % kScanRow ? other : 0;
+        inRow += other;
     }
-    total = g_Scanned[127];
-    return sum - value;
+    if (thread % kScanRow == 0)
+        g_ScannedRows[row] = inRow;
+    GroupMemoryBarrierWithGroupSync();
+    total = 0;
+    [unroll]
+    for (uint r = 0; r < 128 / kScanRow; r++)
+    {
+        uint other = g_ScannedRows[r];
+        before += r < row ? other : 0;
+        total += other;
+    }
+    return before;
 }
 
 #endif

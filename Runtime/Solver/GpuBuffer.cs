@@ -14,10 +14,11 @@ namespace Rill
         public const uint DispatchArgumentsAt = 16;
 
         /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte 32; see Arguments.hlsl.</summary>
-        public static GraphicsBuffer Arguments(string name)
+        /// <param name="words">At least 12; further arguments from byte 48 on.</param>
+        public static GraphicsBuffer Arguments(string name, int words = 12)
         {
             // Raw, because Direct3D has no structured buffer that also holds indirect arguments.
-            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, 12, sizeof(uint)));
+            return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, words, sizeof(uint)));
         }
 
         /// <exception cref="ArgumentOutOfRangeException">No element, or more bytes than the device can bind.</exception>

@@ -8,6 +8,7 @@ namespace Rill
     {
         SurfaceParticles surface;
         int substepsSinceSurface;
+        bool hasNew;        // particles that the last step did not move
 
         /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
         public SurfaceParticles Surface => surface;
@@ -29,7 +30,7 @@ namespace Rill
             bool hasSteps = lastSubsteps > 0;
             float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
-            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null);
+            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, hasNew, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null);
             SurfaceIsCurrent = true;
             substepsSinceSurface = 0;
         }

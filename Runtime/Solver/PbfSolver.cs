@@ -156,6 +156,7 @@ namespace Rill
             emission.Trim();
             restingRegions?.Wake();
             SurfaceIsCurrent = false;
+            hasNew = true;
         }
 
         /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
@@ -191,6 +192,7 @@ namespace Rill
             substepsSinceSurface += lastSubsteps;
             FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity), obstacles);
             RecordEmission(cmd, input, resting);
+            hasNew = Emitters.IsNeeded(input.sources);
             if (!VorticityConfinement.IsNeeded(input))
                 ReleaseVorticity();
         }

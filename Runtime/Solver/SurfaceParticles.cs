@@ -23,6 +23,8 @@ namespace Rill
         /// <summary>Passes that average the planes among neighbors before the ellipsoids are made, which average them once more.</summary>
         public const int SmoothingPasses = 3;
 
+        const uint SmoothArgumentsAt = 48;      // byte in the arguments; kSmoothArgumentsAt in SurfaceParticles.compute
+
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
@@ -47,7 +49,7 @@ namespace Rill
                 smoothPlanes = GpuBuffer.Structured<uint2>("Rill.Surface.SmoothPlanes", layout.Capacity);
                 planesBefore = GpuBuffer.Structured<uint4>("Rill.Surface.PlanesBefore", layout.Capacity);
                 counters = GpuBuffer.Structured<uint>("Rill.Surface.Counters", Enum.GetValues(typeof(Counter)).Length);
-                arguments = GpuBuffer.Arguments("Rill.Surface.Arguments");
+                arguments = GpuBuffer.Arguments("Rill.Surface.Arguments", 16);
                 BufferClear.Now(counters);
                 BufferClear.Now(planesBefore);
             }
@@ -78,17 +80,19 @@ namespace Rill
         /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
         /// <param name="constants">Those of the last step; null where there was none since the fluid was cleared.</param>
         /// <param name="search">As the last substep left it; read for what sleeps.</param>
+        /// <param name="hasNew">Whether particles may have come since the last step.</param>
         /// <param name="substepTime">Length of a substep, s.</param>
         /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
         /// <param name="substepsSince">Substeps since the surface before.</param>
         /// <param name="resting">Null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, float substepTime, int version, int substepsSince, RestingRegions resting = null)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, bool hasNew, float substepTime, int version, int substepsSince, RestingRegions resting = null)
         {
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
-            RecordNew(cmd, particles, substepTime);
+            if (hasNew)
+                RecordNew(cmd, particles, substepTime);
             if (constants != null)
             {
                 cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
@@ -170,7 +174,7 @@ namespace Rill
             {
                 cmd.SetComputeBufferParam(shader, smooth, Ids.Planes, planes);
                 cmd.SetComputeBufferParam(shader, smooth, Ids.SmoothPlanes, smoothPlanes);
-                cmd.DispatchCompute(shader, smooth, arguments, GpuBuffer.DispatchArgumentsAt);
+                cmd.DispatchCompute(shader, smooth, arguments, SmoothArgumentsAt);
                 (planes, smoothPlanes) = (smoothPlanes, planes);
             }
         }

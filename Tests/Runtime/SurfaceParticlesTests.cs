@@ -253,7 +253,7 @@ namespace Rill.Tests
 
             public Found Record()
             {
-                GpuTest.Run(cmd => stage.Record(cmd, Stages.Constants, Stages.Particles, Stages.Constraint.Lists, Stages.Search, 1f / 60f, version: 2, substepsSince: 0));
+                GpuTest.Run(cmd => stage.Record(cmd, Stages.Constants, Stages.Particles, Stages.Constraint.Lists, Stages.Search, hasNew: true, substepTime: 1f / 60f, version: 2, substepsSince: 0));
                 return this;
             }
 

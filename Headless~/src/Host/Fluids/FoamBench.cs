@@ -7,7 +7,7 @@ using System.Linq;
 using Host.Commands;
 using Host.Report;
 using Rill;
-using UnityEngine;
+using UnityEngine.Headless;
 
 namespace Host.Fluids
 {
@@ -23,12 +23,14 @@ namespace Host.Fluids
             var particles = new Option<int>("--particles") { Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
             var budgets = new Option<int[]>("--budgets") { Description = $"Foam particles, 1 to {FoamSettings.MaxBudget:N0}: as many as can be and are.", DefaultValueFactory = _ => new[] { 100_000, 500_000 }, AllowMultipleArgumentsPerToken = true };
             var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
+            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("foam", "Measures GPU milliseconds of foam within the step.") { particles, budgets, steps, csv, shaders };
+            var command = new Command("foam", "Measures GPU milliseconds of foam within the step.") { particles, budgets, steps, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                Player.TimesKernels = parsed.GetValue(kernels);
                 if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
                     throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
                 if (parsed.GetValue(budgets).Any(budget => budget < 1 || budget > FoamSettings.MaxBudget))
@@ -77,6 +79,8 @@ namespace Host.Fluids
             StepTimes.Spread foam = times[Stage];
             double bytes = solver.Describe(input, 0).Single(stage => stage.Name == "Foam").Bytes;
             output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{alive,-16:N0}{foam.Median,12:0.0000}{foam.Low,10:0.0000}{foam.High,10:0.0000}{times[StepTimes.Step].Median,12:0.0000}{bytes / 1048576.0,9:0.0}"));
+            foreach ((string kernel, StepTimes.Spread spread) in times.Where(time => time.Key.StartsWith("Foam", StringComparison.Ordinal)))
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {kernel,-40}{spread.Median,10:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
             foreach ((string stage, StepTimes.Spread spread) in times)
                 table.Add(scene.Particles, alive, stage, spread.Median, spread.Low, spread.High, spread.Count);
         }
