@@ -21,7 +21,7 @@ SurfaceVaryings SurfaceVertex(uint vertex : SV_VertexID, uint instance : SV_Inst
     if (!drawn)
         return result;
 
-    // By way of a point of the world: whichever way up the pipeline draws, and into whatever part of its target.
+    // Through a point of the world: whatever side the pipeline calls up, and into whatever part of its target.
     float2 picture = RectangleCorner(vertex, _PictureBounds.xy, _PictureBounds.zw);
     SurfaceRay ray = RayThrough(picture, eyeIndex);
     result.clip = WorldToClip(ray.origin + ray.direction * FromSurfaceDepth(0.5, eyeIndex));
