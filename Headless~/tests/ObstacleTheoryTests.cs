@@ -32,6 +32,25 @@ namespace Host.Tests
             Assert.That(bucket.Turning, Is.InRange(0.8, 1.0));
         }
 
+        // One particle on a circle, moved as the solver does: along the chord of its last path, then to the circle along the radius at the end.
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(4)]
+        public void What_turning_loses_to_the_step_is_that_of_a_particle_held_on_a_circle(int substeps)
+        {
+            const double speed = 3, time = 3.8;
+            double step = 1.0 / 60 / substeps, angle = speed * step;
+            int steps = (int)Math.Round(time / step);
+            for (int i = 0; i < steps; i++)
+            {
+                double x = 2 - Math.Cos(angle), y = Math.Sin(angle);
+                angle = Math.Atan2(y, x);
+            }
+            double left = angle / step / speed;
+            TestContext.WriteLine($"{substeps} substeps: {left:0.0000} left, {RotatingBucket.TurningLeft(speed, step, time):0.0000} by the formula");
+            Assert.That(RotatingBucket.TurningLeft(speed, step, time), Is.EqualTo(left).Within(0.002));
+        }
+
         [TestCase(0.6, 1.0)]
         [TestCase(0.3, 0.7)]
         public void The_coefficient_of_a_hole_is_read_from_the_level_over_time(double coefficient, double first)

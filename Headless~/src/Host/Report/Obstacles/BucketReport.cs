@@ -21,7 +21,7 @@ namespace Host.Report.Obstacles
                 const int iterations = 2;
                 RotatingBucket bucket = RotatingBucket.Run(across, Speed, flat, FluidRun.Water(substeps, iterations, deep), settle, seconds);
                 string start = flat ? "level" : "parabola";
-                summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, substeps, iterations, bucket.Steepness, bucket.OwnSteepness, bucket.LargestError, bucket.Turning, Math.Exp(-RotatingBucket.Loss(Speed, 1.0 / 60 / substeps) * (settle + seconds / 2)));
+                summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, substeps, iterations, bucket.Steepness, bucket.OwnSteepness, bucket.LargestError, bucket.Turning, RotatingBucket.TurningLeft(Speed, 1.0 / 60 / substeps, settle + seconds / 2));
                 foreach (var ring in bucket.Profile)
                     profiles.Add(across, ObstaclesSection.Text(deep), start, substeps, iterations, ring.Radius, ring.Height, ring.Turning, ring.Theory, ring.OwnTheory);
                 run.Log($"  bucket of {across} d, deep water {ObstaclesSection.Text(deep)}, from {start}, {substeps} x {iterations}: steepness {bucket.Steepness:0.000}, for its own turning {bucket.OwnSteepness:0.000}, turning {bucket.Turning:0.000}");
@@ -50,9 +50,9 @@ namespace Host.Report.Obstacles
             ReportTable table = page.Load(Summary);
             page.Line("### Rotating bucket");
             page.Line();
-            page.Line("Water in a cylinder (an inside-out capsule that turns and does not slip; the floor is the domain's, which slips) is given the turning of the cylinder as its first velocity, level or already as the parabola; the wall alone would take minutes. Theory: z = z0 + Ω² r² / 2 g (Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², over the theory's. A particle's velocity is the chord of its way, so that water held on a circle loses Ω² Δt / 2 of its turning in a second (Δt the substep): what is expected to be left by that alone, without the wall, stands beside what was seen. The surface is therefore also compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g. Largest: distance of a ring from the theory's surface over the rise from the middle to the wall.");
+            page.Line("Water in a cylinder (an inside-out capsule that turns and does not slip; the floor is the domain's, which slips) is given the turning of the cylinder as its first velocity, level or already as the parabola; the wall alone would take minutes. Theory: z = z0 + Ω² r² / 2 g (Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², over the theory's. A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's end: water held on a circle loses Ω² Δt of its turning in a second (Δt the substep). What that alone leaves after a time t, 1 / √(1 + 2 Ω0² Δt t), stands beside what was seen; the wall does not slip and drives the water, so that up to 1 may be left. The surface is therefore also compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g. Largest: distance of a ring from the theory's surface over the rise from the middle to the wall.");
             page.Line();
-            page.Table(new[] { "radius, d", "rise, d", "deep water", "starts", "substeps x iterations", "steepness", "within 5 %", "for its own turning", "within 5 %", "largest", "turning left", "expected" },
+            page.Table(new[] { "radius, d", "rise, d", "deep water", "starts", "substeps x iterations", "steepness", "within 5 %", "for its own turning", "within 5 %", "largest", "turning left", "without the wall" },
                 table.Rows.Select(row => new[]
                 {
                     row["across"], Figures.Fixed(RotatingBucket.Rise(Speed) / RotatingBucket.Radius * row.Number("across"), 1), row["deep"], row["start"], $"{row["substeps"]} x {row["iterations"]}",

@@ -13,8 +13,9 @@ namespace Host.Report.Obstacles
     /// <remarks>
     /// Water is set turning by its first velocity and the wall, which turns as fast and does not slip, goes on with it: spinning it up
     /// from rest through the wall alone takes minutes. The floor is the domain's, which slips.
-    /// A particle's new velocity is the chord of its way. Held on a circle, it loses Ω² Δt / 2 of its turning in a second, Δt the substep: the
-    /// first-order damping of any backward step. So the surface is also compared with that of the turning that the water has.
+    /// A particle's new velocity is the chord of its path, and what holds it on a circle pushes along the radius at the path's end: it loses
+    /// Ω² Δt of its turning in a second, Δt the substep, see <see cref="TurningLeft"/>. So the surface is also compared with that of the
+    /// turning that the water has.
     /// </remarks>
     sealed class RotatingBucket
     {
@@ -42,8 +43,11 @@ namespace Host.Report.Obstacles
         /// <param name="depth">Of as much water at rest, m.</param>
         public static double Surface(double depth, double speed, double r) => depth + speed * speed / (2 * FluidRun.Gravity) * (r * r - Radius * Radius / 2);
 
-        /// <summary>Share of its turning that water loses in a second to velocities that are chords.</summary>
-        public static double Loss(double speed, double substep) => speed * speed * substep / 2;
+        /// <summary>Fraction of its turning that water keeps without a wall that drives it: of dΩ/dt = -Ω³ Δt, the first order of the step.</summary>
+        /// <param name="speed">Ω at first, rad/s.</param>
+        /// <param name="substep">Δt, s.</param>
+        /// <param name="time">s.</param>
+        public static double TurningLeft(double speed, double substep, double time) => 1 / Math.Sqrt(1 + 2 * speed * speed * substep * time);
 
         /// <param name="across">Particles across the radius.</param>
         /// <param name="speed">Ω, rad/s.</param>
