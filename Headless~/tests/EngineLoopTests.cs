@@ -362,9 +362,11 @@ namespace Host.Tests
             Counter counter = Add<Counter>();
             Object.DontDestroyOnLoad(counter);
             Frames(3);
+            RenderSettings.fog = true;
             int before = registrations;
             PlayerLoop.Reset();
             Assert.That(registrations, Is.EqualTo(before + 1));
+            Assert.That(RenderSettings.fog, Is.False, "that of a scene that is gone");
             Assert.That(counter == null);
             Assert.That(Time.frameCount, Is.EqualTo(0));
             Assert.That(Object.FindObjectsByType<Component>(FindObjectsInactive.Include, FindObjectsSortMode.None), Is.Empty);

@@ -25,13 +25,7 @@ namespace Host.Tests
         }
 
         [TearDown]
-        public void Restore()
-        {
-            Object.DestroyImmediate(target);
-            (RenderSettings.skybox, RenderSettings.customReflectionTexture) = (null, null);
-            (RenderSettings.defaultReflectionMode, RenderSettings.reflectionIntensity, RenderSettings.ambientIntensity) = (DefaultReflectionMode.Skybox, 1, 1);
-            RenderSettings.ambientMode = AmbientMode.Flat;
-        }
+        public void Restore() => Object.DestroyImmediate(target);
 
         /// <param name="color">Of the direction d.</param>
         static Material SkyOf(string color) => new Material(ShaderOf($@"Shader ""Test/Sky"" {{

@@ -115,6 +115,7 @@ namespace UnityEngine.Headless
             RenderObjects.Clear();
             Time.Clock.Reset();
             PhysicsWorld.Reset();
+            RenderSettings.Reset();
             EnvironmentLighting.Invalidate();
             Random.InitState(Environment.TickCount);
             Application.ResetState();
