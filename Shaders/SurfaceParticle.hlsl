@@ -128,6 +128,11 @@ SurfaceParticle PackDisc(float3 center, uint index, float3 normal, float radius,
     return particle;
 }
 
+bool IsDisc(SurfaceParticle particle)
+{
+    return UnpackHalves(particle.b.y).y < 0.0;
+}
+
 // Two unit vectors at right angles to a third and to each other.
 void TangentsOf(float3 normal, out float3 x, out float3 y)
 {

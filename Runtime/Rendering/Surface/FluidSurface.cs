@@ -42,7 +42,7 @@ namespace Rill
         [Range(0f, 4f)]
         [SerializeField] float reflectionStrength = 1f;
 
-        [Tooltip("How much of the light is gone in its shadow where it casts shadows, 0 to 1.")]
+        [Tooltip("How much of the light is gone in the shadow of deep water where it casts shadows, 0 to 1. Drops, sheets and spray throw less.")]
         [Range(0f, 1f)]
         [SerializeField] float shadowOpacity = 0.4f;
 
@@ -93,7 +93,7 @@ namespace Rill
         /// <summary>Factor of what it mirrors, 0 to 4.</summary>
         public float ReflectionStrength { get => reflectionStrength; set => reflectionStrength = Mathf.Clamp(value, 0f, 4f); }
 
-        /// <summary>How much of the light is gone in its shadow, 0 to 1.</summary>
+        /// <summary>How much of the light is gone in the shadow of deep water, 0 to 1; what is thinner than four spacings throws less.</summary>
         public float ShadowOpacity { get => shadowOpacity; set => shadowOpacity = Mathf.Clamp01(value); }
 
         /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, the brightest directional light that the camera sees).</summary>

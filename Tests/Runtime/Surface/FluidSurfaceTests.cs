@@ -368,6 +368,47 @@ namespace Rill.Tests
             Assert.That(scene.Mean(), Is.EqualTo(Color.white));
         }
 
+        // In the air, without gravity, under light from straight above; the camera sees the floor alone.
+        [UnityTest]
+        public IEnumerator A_sheet_throws_less_of_a_shadow_than_deep_water()
+        {
+            Light sun = new GameObject("Sun").AddComponent<Light>();
+            sun.type = LightType.Directional;
+            sun.transform.rotation = Quaternion.LookRotation(Vector3.down, Vector3.forward);
+            sun.shadows = LightShadows.Hard;
+            AmbientMode mode = RenderSettings.ambientMode;
+            Color sky = RenderSettings.ambientSkyColor;
+            (RenderSettings.ambientMode, RenderSettings.ambientSkyColor) = (AmbientMode.Flat, Color.black);
+            ShadowResolution resolution = QualitySettings.shadowResolution;
+            QualitySettings.shadowResolution = ShadowResolution.Low;
+            GameObject floor = GameObject.CreatePrimitive(PrimitiveType.Plane);
+            floor.transform.position = new Vector3(0f, -1f, 0f);
+            camera.transform.position = new Vector3(0f, -0.6f, 0f);
+            camera.nearClipPlane = 0.05f;
+            surface.CastShadows = ShadowCastingMode.On;
+            surface.ShadowOpacity = 1f;
+            fluid.Gravity = Vector3.zero;
+            FluidVolume volume = fluid.GetComponentInChildren<FluidVolume>(true);
+            volume.transform.localPosition = Vector3.zero;
+            var left = new float[3];
+            for (int i = 0; i < 3; i++)
+            {
+                volume.Size = new Vector3(0.9f, i == 1 ? WaterScene.Spacing : 0.6f, 0.9f);
+                surface.CastShadows = i == 0 ? ShadowCastingMode.Off : ShadowCastingMode.On;
+                fluid.gameObject.SetActive(true);
+                yield return Frames(3);
+                left[i] = scene.Mean().g;
+                fluid.gameObject.SetActive(false);
+            }
+            (RenderSettings.ambientMode, RenderSettings.ambientSkyColor) = (mode, sky);
+            QualitySettings.shadowResolution = resolution;
+            Object.Destroy(floor);
+            Object.Destroy(sun.gameObject);
+            TestContext.Out.WriteLine($"on the floor {left[0]:F3}, under a sheet of one particle {left[1] / left[0]:F3} of it, under 12 {left[2] / left[0]:F3}");
+            Assert.That(left[2] / left[0], Is.LessThan(0.05f), "all the light is gone");
+            Assert.That(left[1] / left[0], Is.InRange(0.5f, 0.85f), "a quarter and some");
+        }
+
         [UnityTest]
         public IEnumerator Its_shadow_falls_on_nothing_that_only_looks()
         {
