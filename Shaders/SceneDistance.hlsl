@@ -5,13 +5,7 @@
 //   target               out  distance along the view, m: the farthest of the samples in a texel, so that what stands in front of
 //                             the water leaves no seam in it
 #include "SurfaceView.hlsl"
-
-#ifdef RILL_SCENE_ARRAY
-Texture2DArray _CameraDepthTexture;
-#else
-Texture2D _CameraDepthTexture;
-#endif
-float4 _SceneSize;          // width and height of what is in use, texels; 0: all
+#include "SceneDepth.hlsl"
 
 static const uint kSamples = 4;      // along x and y
 
@@ -29,33 +23,14 @@ SceneVaryings SceneVertex(uint vertex : SV_VertexID)
     return result;
 }
 
-float2 SceneSize()
-{
-    uint width, height;
-#ifdef RILL_SCENE_ARRAY
-    uint slices;
-    _CameraDepthTexture.GetDimensions(width, height, slices);
-#else
-    _CameraDepthTexture.GetDimensions(width, height);
-#endif
-    return _SceneSize.x > 0.0 ? _SceneSize.xy : float2(width, height);
-}
-
 float SceneFragment(SceneVaryings input) : SV_Target
 {
-    float2 size = SceneSize();
     float farthest = 0.0;
     for (uint i = 0; i < kSamples * kSamples; i++)
     {
         float2 offset = (float2(i % kSamples, i / kSamples) + 0.5) / kSamples * 2.0 - 1.0;
         float2 picture = input.picture + offset * _SurfaceSize.zw;
-        int2 texel = int2(clamp((picture * 0.5 + 0.5) * size, 0.0, size - 1.0));
-#ifdef RILL_SCENE_ARRAY
-        float depth = _CameraDepthTexture.Load(int4(texel, _SurfaceEye, 0)).r;
-#else
-        float depth = _CameraDepthTexture.Load(int3(texel, 0)).r;
-#endif
-        farthest = max(farthest, FromSurfaceDepth(FlipDepth(depth), _SurfaceEye));
+        farthest = max(farthest, FromSurfaceDepth(FlipDepth(SceneDepth(picture, _SurfaceEye)), _SurfaceEye));
     }
     return farthest;
 }

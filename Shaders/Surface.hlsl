@@ -23,41 +23,23 @@ SamplerState rill_linear_clamp_sampler;
 #ifdef RILL_REFRACTION
 #if defined(RILL_HIGH_DEFINITION)
 Texture2DArray _ColorPyramidTexture;
-Texture2DArray _CameraDepthTexture;
 #define RILL_SCENE_COLOR(uv) _ColorPyramidTexture.SampleLevel(rill_linear_clamp_sampler, float3(InColorPyramid(uv), eyeIndex), 0)
-#define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r
-#define RILL_SCENE_IS_ARRAY
+#define RILL_SCENE_ARRAY
 #elif defined(RILL_STEREO)
 #ifdef RILL_UNIVERSAL
 #define _SceneColor _CameraOpaqueTexture
 #endif
 Texture2DArray _SceneColor;
-Texture2DArray _CameraDepthTexture;
 #define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)
-#define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r
-#define RILL_SCENE_IS_ARRAY
+#define RILL_SCENE_ARRAY
 #else
 #ifdef RILL_UNIVERSAL
 #define _SceneColor _CameraOpaqueTexture
 #endif
 Texture2D _SceneColor;
-Texture2D _CameraDepthTexture;
 #define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, uv, 0)
-#define RILL_SCENE_DEPTH(texel) _CameraDepthTexture.Load(int3(texel, 0)).r
 #endif
-float4 _SceneSize;          // of the scene's depth: width and height of what is in use, texels; 0: all
-
-float2 SceneSize()
-{
-    uint width, height;
-#ifdef RILL_SCENE_IS_ARRAY
-    uint slices;
-    _CameraDepthTexture.GetDimensions(width, height, slices);
-#else
-    _CameraDepthTexture.GetDimensions(width, height);
-#endif
-    return _SceneSize.x > 0.0 ? _SceneSize.xy : float2(width, height);
-}
+#include "SceneDepth.hlsl"
 
 #if defined(RILL_HIGH_DEFINITION)
 // HDRP's textures are as large as the largest camera needs; this one uses their first texels.
@@ -118,9 +100,7 @@ static const float kRefractionReach = 0.8;  // of the depth that a ray should re
 
 float SceneDepthAt(float2 picture)
 {
-    float2 size = SceneSize();
-    int2 texel = int2(clamp((picture * 0.5 + 0.5) * size, 0.0, size - 1.0));
-    return FromSurfaceDepth(FlipDepth(RILL_SCENE_DEPTH(texel)), eyeIndex);
+    return FromSurfaceDepth(FlipDepth(SceneDepth(picture, eyeIndex)), eyeIndex);
 }
 
 // Whether the scene that a filtered sample takes in is as far away as the ray there: what hides it must not show in its place.

@@ -11,8 +11,8 @@
 Texture2DArray<float> _SurfaceDepth;
 Texture2DArray<float4> _SurfaceChords;
 #ifdef RILL_HIGH_DEFINITION
-Texture2DArray _CameraDepthTexture;
-float4 _SceneSize;              // width and height of what is in use of it, texels
+#define RILL_SCENE_ARRAY
+#include "SceneDepth.hlsl"
 #endif
 
 float4 _FrameLag;               // time of this frame, x, and of the frame before, z, since the newest state, substeps
@@ -64,8 +64,7 @@ float4 MotionFragment(SurfaceVaryings input) : SV_Target
     RestoreView(input);
     float3 world;
     float4 motion = MotionAt(input.picture.xy, world);
-    int2 texel = int2(clamp((input.picture.xy * 0.5 + 0.5) * _SceneSize.xy, 0.0, _SceneSize.xy - 1.0));
-    if (FlipDepth(_CameraDepthTexture.Load(int4(texel, eyeIndex, 0)).r) > FlipDepth(DeviceDepth(WorldToClip(world))))
+    if (FlipDepth(SceneDepth(input.picture.xy, eyeIndex)) > FlipDepth(DeviceDepth(WorldToClip(world))))
         discard;
     return motion;
 }

@@ -36,15 +36,6 @@ namespace Host.Tests
             Set(data, "antialiasing", Enum.ToObject(TypeOf("HDAdditionalCameraData+AntialiasingMode"), 2));
         }
 
-        (float worst, float largest, int pixels) Fall(int rate)
-        {
-            PlayMore((int)(rate * 0.15f), 1f / rate);
-            Vector3 before = MeanPosition();
-            PlayMore(1, 1f / rate);
-            Vector3 fallen = MeanPosition() - before;
-            return Compare(WorldToClip, world => world - fallen);
-        }
-
         [TestCase("14", 60)]
         [TestCase("17", 60)]
         [TestCase("17.4", 60)]

@@ -127,6 +127,16 @@ namespace Host.Tests
             return simulation.DomainToWorld.MultiplyPoint3x4(sum / now.Length);
         }
 
+        /// <summary>How far off the motion of water is that has fallen so far and falls on; well above the floor, which slows the lowest first.</summary>
+        private protected (float worst, float largest, int pixels) Fall(int rate)
+        {
+            PlayMore((int)(rate * 0.15f), 1f / rate);
+            Vector3 before = MeanPosition();
+            PlayMore(1, 1f / rate);
+            Vector3 fallen = MeanPosition() - before;
+            return Compare(WorldToClip, world => world - fallen);
+        }
+
         /// <summary>Of water that turns with its domain, before a camera that moves too: each eye sees another motion.</summary>
         private protected void AssertEachEyeHasTheMotionThatItSees()
         {

@@ -49,12 +49,7 @@ namespace Host.Tests
         public void Falling_water_moves_by_what_it_fell(string version, int rate, float bar)
         {
             BuildFor(version);
-            // Well above the floor, which slows the lowest first.
-            PlayMore((int)(rate * 0.15f), 1f / rate);
-            Vector3 before = MeanPosition();
-            PlayMore(1, 1f / rate);
-            Vector3 fallen = MeanPosition() - before;
-            (float worst, float largest, int pixels) = Compare(WorldToClip, world => world - fallen);
+            (float worst, float largest, int pixels) = Fall(rate);
             Assert.That(Errors, Is.Empty);
             Assert.That(pixels, Is.GreaterThan(5000));
             Assert.That(largest, Is.GreaterThan(100f / rate), "it falls");

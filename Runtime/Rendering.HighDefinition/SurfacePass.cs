@@ -71,11 +71,15 @@ namespace Rill.HighDefinition
             ToLight = Vector3.up;
             LightColor = Color.clear;
             foreach (VisibleLight light in culled.visibleLights)
-                if (light.lightType == LightType.Directional && IlluminanceOf(light.light, light.finalColor).maxColorComponent > LightColor.maxColorComponent)
-                {
-                    ToLight = -light.localToWorldMatrix.GetColumn(2);
-                    LightColor = IlluminanceOf(light.light, light.finalColor);
-                }
+            {
+                if (light.lightType != LightType.Directional)
+                    continue;
+                Color color = IlluminanceOf(light.light, light.finalColor);
+                if (color.maxColorComponent <= LightColor.maxColorComponent)
+                    continue;
+                ToLight = -light.localToWorldMatrix.GetColumn(2);
+                LightColor = color;
+            }
         }
     }
 }

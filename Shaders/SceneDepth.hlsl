@@ -1,0 +1,36 @@
+// The depth of the scene as the pipeline binds it: with RILL_SCENE_ARRAY a slice for each eye. Includes nothing.
+#ifndef RILL_SCENE_DEPTH_INCLUDED
+#define RILL_SCENE_DEPTH_INCLUDED
+
+#ifdef RILL_SCENE_ARRAY
+Texture2DArray _CameraDepthTexture;
+#else
+Texture2D _CameraDepthTexture;
+#endif
+float4 _SceneSize;          // width and height of what is in use of it, texels; 0: all
+
+float2 SceneSize()
+{
+    uint width, height;
+#ifdef RILL_SCENE_ARRAY
+    uint slices;
+    _CameraDepthTexture.GetDimensions(width, height, slices);
+#else
+    _CameraDepthTexture.GetDimensions(width, height);
+#endif
+    return _SceneSize.x > 0.0 ? _SceneSize.xy : float2(width, height);
+}
+
+// The device's, at a point of the picture.
+float SceneDepth(float2 picture, uint eye)
+{
+    float2 size = SceneSize();
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * size, 0.0, size - 1.0));
+#ifdef RILL_SCENE_ARRAY
+    return _CameraDepthTexture.Load(int4(texel, eye, 0)).r;
+#else
+    return _CameraDepthTexture.Load(int3(texel, 0)).r;
+#endif
+}
+
+#endif
