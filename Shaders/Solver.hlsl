@@ -39,11 +39,15 @@ cbuffer RillSolver
     float _ArtificialPressureReference; // 1 / W(dq), without W's normalisation
     float _Viscosity;           // XSPH c of this substep
     float _Confinement;         // vorticity confinement, d/s
+    float _Extrapolation;       // share of the last change of velocity that is added once more, see VelocityExtrapolation.cs; 0 for none
+    float _AccelerationShare;   // 1 less it: of an acceleration that lasts, what acts at once
+    float _LongestExtrapolation;        // change of velocity in a substep up to which it is, d/s
+    float _Unused;
 };
 
 #define _DomainSize (_DomainSizeAndTimeStep.xyz)            // d
 #define _TimeStep (_DomainSizeAndTimeStep.w)                // s, one substep
-#define _GravityStep (_GravityStepAndInverseTimeStep.xyz)   // g dt^2, d
+#define _GravityStep (_GravityStepAndInverseTimeStep.xyz)   // g dt^2 times _AccelerationShare, d
 #define _InverseTimeStep (_GravityStepAndInverseTimeStep.w) // 1/s
 #define _CellCounts (_CellCountsAndTotal.xyz)               // cells along x, y, z
 #define _CellTotal (_CellCountsAndTotal.w)                  // their product

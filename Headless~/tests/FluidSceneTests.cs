@@ -31,6 +31,9 @@ namespace Host.Tests
             ("deep water and artificial pressure", Both(WithDeepWater((ref SolverSettings s) => { }), WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f)), false, false),
             ("deep water in a large box", Both(WithDeepWater((ref SolverSettings s) => { }), s => s.Configure(new Vector3(12f, 12f, 12f), 0.1f, 600)), false, false),
             ("sleep in deep water", WithDeepWater((ref SolverSettings s) => s.sleepSpeed = 0.02f), false, false),
+            ("less damping", s => s.Settings = WithDamping(s.Settings), false, false),
+            ("less damping of water with vorticity", Both(s => s.Settings = WithDamping(s.Settings), WithMaterial((ref FluidMaterial m) => m.vorticity = 1f)), false, false),
+            ("less damping of deep water that sleeps, two substeps", Both(s => s.Settings = WithDamping(s.Settings), WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; })), false, false),
             ("particles drawn", s => { }, true, false),
             ("particles and domain drawn", s => { }, true, true),
         };
@@ -66,7 +69,7 @@ namespace Host.Tests
             FluidSimulation simulation = Build("everything off");
             PlayerLoop.Frame(FrameTime);
             List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
-            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Drains", "Resting regions", "Force fields", "Coarse correction", "Colliders", "Particle tags", "Viscoelasticity", "Vorticity confinement", "Foam", "Emitters", "Statistics", "Surface particles", "Budget", "Rendering" }));
+            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Drains", "Resting regions", "Force fields", "Coarse correction", "Colliders", "Particle tags", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam", "Emitters", "Statistics", "Surface particles", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }
@@ -187,6 +190,12 @@ namespace Host.Tests
         };
 
         static Action<FluidSimulation> Both(Action<FluidSimulation> first, Action<FluidSimulation> second) => first + second;
+
+        static SolverSettings WithDamping(SolverSettings settings)
+        {
+            settings.numericalDamping = 0.5f;
+            return settings;
+        }
 
         static SolverSettings WithCounts(SolverSettings settings, int substeps, int iterations)
         {

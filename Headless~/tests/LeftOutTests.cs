@@ -52,6 +52,10 @@ namespace Host.Tests
                 .Concat(InVariant(RestingRegions.Keyword, "NeighborSearch.compute CountCells", "NeighborSearch.compute ScatterOrder", "NeighborSearch.compute Gather", "DensityConstraint.compute BuildList", "VelocityUpdate.compute UpdateVelocityViscous"))
                 .Append($"-{Iterations} DensityConstraint.compute Displace").Append($"+{Iterations} DensityConstraint.compute Displace {RestingRegions.Keyword}")
                 .Append($"-{Iterations - 1} DensityConstraint.compute SolveLambda").Append($"+{Iterations - 1} DensityConstraint.compute SolveLambda {RestingRegions.Keyword}").ToArray()),
+            ("less damping", null, Settings((ref SolverSettings v) => v.numericalDamping = 0.5f), new[]
+            {
+                "+1 NeighborSearch.compute GatherMeans", "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocityExtrapolated", "+1 Rill.Means *", "+1 Rill.SortedMeans *",
+            }),
             ("statistics", null, s => s.StatisticsInterval = 1, new[]
             {
                 "+1 Statistics.compute Measure", "+1 Statistics.compute Reduce", "+1 Rill.Statistics.*",

@@ -79,6 +79,8 @@ namespace Rill
                 input.material.vorticity = 0f;
             if ((refused & DeviceFeature.Sleep) != 0)
                 input.settings.sleepSpeed = 0f;
+            if ((refused & DeviceFeature.Extrapolation) != 0)
+                input.settings.numericalDamping = 1f;
             if ((refused & DeviceFeature.Foam) != 0)
                 input.foam.budget = 0;
             LimitSources(refused);
@@ -122,6 +124,7 @@ namespace Rill
             Want(Viscoelasticity.IsNeeded(input), DeviceFeature.Elasticity);
             Want(VorticityConfinement.IsNeeded(input), DeviceFeature.Vorticity);
             Want(RestingRegions.IsNeeded(input), DeviceFeature.Sleep);
+            Want(VelocityExtrapolation.IsNeeded(input), DeviceFeature.Extrapolation);
             Want(Foam.IsNeeded(input), DeviceFeature.Foam);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);

@@ -45,6 +45,9 @@ namespace Rill
         [Tooltip("Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.")]
         [Range(0f, 1f)] public float sleepSpeed;
 
+        [Tooltip("Numerical damping of waves and turning water, as a share of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, and makes still water noisier. Fluids with a shear modulus always have 1.")]
+        [Range(0f, 1f)] public float numericalDamping;
+
         public static SolverSettings Default => new SolverSettings
         {
             iterations = 4,
@@ -53,6 +56,7 @@ namespace Rill
             softness = 1e-3f,
             listMargin = 1f,
             neighborCapacity = 64,
+            numericalDamping = 1f,
         };
 
         /// <summary>
@@ -104,6 +108,7 @@ namespace Rill
             Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);
             Limit.Clamp("neighbor capacity", ref neighborCapacity, 16, 256, ref problem);
             Limit.Clamp("sleep speed", ref sleepSpeed, 0f, 1f, Default.sleepSpeed, ref problem);
+            Limit.Clamp("numerical damping", ref numericalDamping, 0f, 1f, Default.numericalDamping, ref problem);
             return problem == null;
         }
     }

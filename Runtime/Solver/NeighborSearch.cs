@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags, gatherOrigins;
+        readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags, gatherOrigins, gatherMeans;
         readonly LocalKeyword sleep;
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
@@ -35,6 +35,7 @@ namespace Rill
             gatherBeside = shader.FindKernel("GatherBeside");
             gatherTags = shader.FindKernel("GatherTags");
             gatherOrigins = shader.FindKernel("GatherOrigins");
+            gatherMeans = shader.FindKernel("GatherMeans");
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             cells = layout.CellTotal;
@@ -56,8 +57,9 @@ namespace Rill
         /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
         /// <param name="resting">Whose particles stay where they are; null for none.</param>
         /// <param name="colliders">End the ways that meet them; null for none.</param>
+        /// <param name="extrapolation">Whose mean velocities go with their particles; null for none.</param>
         /// <param name="origins">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer origins = null)
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer origins = null, VelocityExtrapolation extrapolation = null)
         {
             cmd.BeginSample(Marker);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -74,6 +76,12 @@ namespace Rill
             {
                 cmd.SetComputeBufferParam(shader, gatherOrigins, Viscoelasticity.Ids.Origins, origins);
                 DispatchOrdered(cmd, particles, gatherOrigins);
+            }
+
+            if (extrapolation != null)
+            {
+                extrapolation.BindSort(cmd, shader, gatherMeans);
+                DispatchOrdered(cmd, particles, gatherMeans);
             }
 
             if (isNarrow && colliders == null)

@@ -26,6 +26,7 @@ namespace Rill
         CoarseCorrection coarseCorrection;
         Colliders colliders;
         Viscoelasticity viscoelasticity;
+        VelocityExtrapolation velocityExtrapolation;
         VorticityConfinement vorticityConfinement;
         RestingRegions restingRegions;
         Foam foam;
@@ -113,6 +114,7 @@ namespace Rill
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided anew
             ReleaseViscoelasticity();       // the next fluid is not stretched
+            ReleaseExtrapolation();
             ClearSources();
             restingRegions?.Wake();
             lowestAdded = float.MaxValue;
@@ -171,6 +173,7 @@ namespace Rill
             Colliders obstacles = CollidersFor(input);
             ForceFields fields = FieldsFor(cmd, input, resting);
             Viscoelasticity elastic = ViscoelasticityFor(input);
+            VelocityExtrapolation extrapolation = ExtrapolationFor(input);
             RecordDrains(cmd, input, resting);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
@@ -179,10 +182,10 @@ namespace Rill
                 obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
                 coarse?.RecordSolids(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
-                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting, obstacles, elastic?.Origins);
+                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting, obstacles, elastic?.Origins, extrapolation);
                 tags?.RecordSort(cmd, particles, neighborSearch);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
-                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles);
+                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles, extrapolation);
                 elastic?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, resting);
                 if (VorticityConfinement.IsNeeded(input))
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
@@ -243,7 +246,8 @@ namespace Rill
                 neighborSearch.Describe(input.settings, coarseCorrection != null, restingRegions, colliders),
                 ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
-                velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders),
+                velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders, velocityExtrapolation),
+                VelocityExtrapolation.Describe(velocityExtrapolation, input, restingRegions),
                 Rill.Viscoelasticity.Describe(viscoelasticity, input, Layout, densityConstraint.Lists, restingRegions),
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
                 Rill.Foam.Describe(foam, input, densityConstraint.Lists),
@@ -263,6 +267,7 @@ namespace Rill
             ReleaseCoarse();
             ReleaseColliders();
             ReleaseViscoelasticity();
+            ReleaseExtrapolation();
             ReleaseVorticity();
             ReleaseFoam();
             ReleaseSources();
@@ -330,6 +335,20 @@ namespace Rill
                 return viscoelasticity ??= new Viscoelasticity(Layout.Capacity);
             ReleaseViscoelasticity();
             return null;
+        }
+
+        VelocityExtrapolation ExtrapolationFor(in StepInput input)
+        {
+            if (VelocityExtrapolation.IsNeeded(input))
+                return velocityExtrapolation ??= new VelocityExtrapolation(Layout.Capacity);
+            ReleaseExtrapolation();
+            return null;
+        }
+
+        void ReleaseExtrapolation()
+        {
+            velocityExtrapolation?.Dispose();
+            velocityExtrapolation = null;
         }
 
         void ReleaseViscoelasticity()

@@ -33,6 +33,10 @@ namespace Rill
         public float artificialPressureReference;
         public float viscosity;
         public float confinement;
+        public float extrapolation;
+        public float accelerationShare;
+        public float longestExtrapolation;
+        public float unused;
 
         /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
         public const float MaxCorrection = 0.5f;
@@ -45,12 +49,13 @@ namespace Rill
         {
             float dt = input.timeStep / input.settings.substeps;
             FluidMaterial material = input.material;
+            float extrapolation = VelocityExtrapolation.WeightFor(input), atOnce = 1f - extrapolation;
             double pressureAt = LatticeKernels.Support * LatticeKernels.Support * (1.0 - (double)material.artificialPressureDistance * material.artificialPressureDistance);
             return new SolverConstants
             {
                 domainSize = layout.DomainSize,
                 timeStep = dt,
-                gravityStep = input.gravity / layout.Spacing * (dt * dt),
+                gravityStep = input.gravity / layout.Spacing * (dt * dt * atOnce),
                 inverseTimeStep = 1f / dt,
                 cellCounts = layout.CellCounts,
                 cellTotal = layout.CellTotal,
@@ -72,8 +77,11 @@ namespace Rill
                 allowedTension = material.allowedTension,
                 artificialPressure = (float)(material.artificialPressure / LatticeKernels.ReferenceSquares),
                 artificialPressureReference = (float)(1.0 / (pressureAt * pressureAt * pressureAt)),
-                viscosity = math.min(material.viscosity * ViscosityRate * dt, 1f),
-                confinement = material.vorticity / layout.Spacing,
+                viscosity = math.min(material.viscosity * ViscosityRate * dt, 1f) * atOnce,
+                confinement = material.vorticity / layout.Spacing * atOnce,
+                extrapolation = extrapolation,
+                accelerationShare = atOnce,
+                longestExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
             };
         }
     }

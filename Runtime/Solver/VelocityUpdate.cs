@@ -10,7 +10,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Velocity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
-        readonly int update, updateViscous, updateViscousBeside;
+        readonly int update, updateViscous, updateViscousBeside, updateExtrapolated, updateExtrapolatedBeside;
         readonly LocalKeyword twoLists, sleep;
 
         public VelocityUpdate()
@@ -18,20 +18,23 @@ namespace Rill
             update = shader.FindKernel("UpdateVelocity");
             updateViscous = shader.FindKernel("UpdateVelocityViscous");
             updateViscousBeside = shader.FindKernel("UpdateVelocityViscousBeside");
+            updateExtrapolated = shader.FindKernel("UpdateVelocityExtrapolated");
+            updateExtrapolatedBeside = shader.FindKernel("UpdateVelocityExtrapolatedBeside");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
 
-        /// <summary>Whether the pass visits the neighbors: for viscosity or for the density, unless a later stage does both.</summary>
+        /// <summary>Whether the pass visits the neighbors: to extrapolate, or for viscosity or the density unless a later stage does both.</summary>
         public static bool VisitsNeighbors(in StepInput input)
         {
-            return (input.material.viscosity > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
+            return VelocityExtrapolation.IsNeeded(input) || (input.material.viscosity > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
         }
 
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null, Colliders colliders = null)
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
         {
             bool visits = VisitsNeighbors(input);
-            int kernel = !visits ? update : colliders == null ? updateViscous : updateViscousBeside;
+            int kernel = extrapolation != null ? colliders == null ? updateExtrapolated : updateExtrapolatedBeside
+                : !visits ? update : colliders == null ? updateViscous : updateViscousBeside;
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -39,7 +42,8 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (visits)
                 lists.Bind(cmd, shader, kernel);
-            if (kernel == updateViscousBeside)
+            extrapolation?.Bind(cmd, shader, kernel, input);
+            if (visits && colliders != null)
                 colliders.BindDensity(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
@@ -52,14 +56,15 @@ namespace Rill
 
         /// <param name="resting">Null for none.</param>
         /// <param name="colliders">Null for none.</param>
-        public StageDescription Describe(in StepInput input, NeighborLists lists, RestingRegions resting, Colliders colliders)
+        public StageDescription Describe(in StepInput input, NeighborLists lists, RestingRegions resting, Colliders colliders, VelocityExtrapolation extrapolation)
         {
             bool visits = VisitsNeighbors(input);
             string reason = visits
                 ? input.material.viscosity > 0f ? $"with XSPH: viscosity is {input.material.viscosity}" : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: viscosity is 0";
             var stage = new StageDescription("Velocity update", true, reason);
-            stage.Kernel("VelocityUpdate", !visits ? "UpdateVelocity" : colliders == null ? "UpdateVelocityViscous" : "UpdateVelocityViscousBeside", input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
+            string kernel = VelocityExtrapolation.IsNeeded(input) ? "UpdateVelocityExtrapolated" : visits ? "UpdateVelocityViscous" : "UpdateVelocity";
+            stage.Kernel("VelocityUpdate", visits && colliders != null ? kernel + "Beside" : kernel, input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
             return stage;
         }
 

@@ -13,7 +13,7 @@ namespace Rill.Editor.Tests
 {
     public class SolverConstantsTests
     {
-        const int Words = 36;
+        const int Words = 40;
         static readonly FieldInfo[] Fields = typeof(SolverConstants).GetFields(BindingFlags.Public | BindingFlags.Instance);
 
         [Test]

@@ -53,6 +53,20 @@ namespace Rill.Tests
             Assert.That(settings.sleepSpeed, Is.EqualTo(expected));
         }
 
+        [TestCase(-1f, 0f)]
+        [TestCase(0f, 0f)]
+        [TestCase(0.5f, 0.5f)]
+        [TestCase(2f, 1f)]
+        [TestCase(float.NaN, 1f)]
+        public void Numerical_damping_is_clamped_and_a_first_order_steps_by_default(float given, float expected)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            Assert.That(settings.numericalDamping, Is.EqualTo(1f));
+            settings.numericalDamping = given;
+            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"numerical damping {given} is outside 0 to 1; using {expected}.");
+            Assert.That(settings.numericalDamping, Is.EqualTo(expected));
+        }
+
         [TestCase(0f, 1, 1)]
         [TestCase(0.27f, 1, 1)]
         [TestCase(0.6f, 1, 1)]

@@ -30,6 +30,7 @@ namespace Host
                 BenchCommand.Create(),
                 StudyCommand.Create(),
                 MeasureCommand.Create(),
+                DampingCommand.Create(),
                 ReportCommand.Create(),
                 CheckCommand.Create(),
                 GenerateCommand.Create(),

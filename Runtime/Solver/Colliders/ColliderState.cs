@@ -35,8 +35,9 @@ namespace Rill
         /// <param name="from">Share of the frame at which the substep starts.</param>
         /// <param name="to">And ends.</param>
         /// <param name="timeStep">Length of the substep, s.</param>
+        /// <param name="accelerationShare">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>: friction does.</param>
         /// <param name="brick">Where the atlas holds the field of a mesh.</param>
-        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, in FieldBrick brick)
+        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationShare, in FieldBrick brick)
         {
             RigidPose last = RigidPose.Between(motion.start, motion.end, from);
             RigidPose pose = RigidPose.Between(motion.start, motion.end, to);
@@ -50,7 +51,7 @@ namespace Rill
                 flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u) | (motion.reacts ? Reacts : 0u),
                 size = motion.size,
                 sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * math.max(motion.Radius, 1f),
-                friction = 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep),
+                friction = 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationShare),
                 bounce = motion.bounce,
                 momentArm = motion.MomentArm,
             };

@@ -23,12 +23,14 @@ namespace Rill
         /// <summary>What the fluid does to colliders.</summary>
         Reactions = 1024,
         Sleep = 2048,
+        /// <summary>Less numerical damping than that of a first-order step.</summary>
+        Extrapolation = 4096,
         /// <summary>Foam, spray and bubbles.</summary>
-        Foam = 4096,
-        Statistics = 8192,
+        Foam = 8192,
+        Statistics = 16384,
         /// <summary>What has to be drawn of the water's surface, found once a frame.</summary>
-        Surface = 16384,
+        Surface = 32768,
         /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
-        Baking = 32768,
+        Baking = 65536,
     }
 }

@@ -166,6 +166,7 @@ namespace Rill
                 case DeviceFeature.Vorticity: return "vorticity confinement";
                 case DeviceFeature.Reactions: return "forces on colliders";
                 case DeviceFeature.Sleep: return "sleep";
+                case DeviceFeature.Extrapolation: return "less numerical damping";
                 case DeviceFeature.Foam: return "foam";
                 case DeviceFeature.Statistics: return "statistics";
                 case DeviceFeature.Surface: return "the water's surface";
@@ -188,6 +189,7 @@ namespace Rill
                 case DeviceFeature.Vorticity: return "set vorticity to 0";
                 case DeviceFeature.Reactions: return "let no collider measure its force";
                 case DeviceFeature.Sleep: return "set the sleep speed to 0";
+                case DeviceFeature.Extrapolation: return "set the numerical damping to 1";
                 case DeviceFeature.Foam: return "disable its FluidFoam";
                 case DeviceFeature.Statistics: return "set the statistics interval to 0";
                 case DeviceFeature.Surface: return "draw it with a ParticleRenderer";

@@ -101,6 +101,7 @@ namespace Rill
                 case "RILL_LIFETIMES":
                 case "RILL_TAGS": return DeviceFeature.Tags;
                 case "RILL_RECYCLING": return DeviceFeature.Drains | DeviceFeature.Emitters;
+                case "EXTRAPOLATE": return DeviceFeature.Extrapolation;
                 case "RILL_SLEEP": return DeviceFeature.Sleep;
                 case "RILL_TWO_LISTS": return DeviceFeature.TwoLists;
                 case "VISCOUS": return DeviceFeature.Viscosity;

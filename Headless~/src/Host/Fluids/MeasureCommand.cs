@@ -21,10 +21,11 @@ namespace Host.Fluids
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
+            var damping = new Option<float>("--damping") { Description = "Numerical damping, as a share of a first-order step's.", DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
             var series = new Option<bool>("--series") { Description = "Also print every sample of the statistics." };
             var sheet = new Option<bool>("--sheet") { Description = "Also print how thick the water lies on the floor for what there is of it: for a few layers." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, stages, series, sheet };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, damping, stages, series, sheet };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -34,6 +35,7 @@ namespace Host.Fluids
                 settings.deepWater = parsed.GetValue(deep);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 settings.sleepSpeed = parsed.GetValue(sleep);
+                settings.numericalDamping = parsed.GetValue(damping);
                 using var session = new Session(Session.Root());
                 ExperimentScene experiment = ExperimentScene.Parse(parsed.GetValue(scene));
                 StepInput input = ExperimentFigures.Input(settings);

@@ -1,0 +1,103 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// Less damping by the time step: a velocity is not only that along the last path, u, which is the velocity half a substep ago, but
+    /// u + β (ū − ū'), with the change of the mean velocity of the particle's neighborhood since the substep before. With β ½ it is the
+    /// second-order backward difference (BDF2); with 0 the first-order step.
+    /// </summary>
+    /// <remarks>
+    /// An acceleration a that lasts changes u by a Δt in a substep if (1 − β) a Δt of it acts at once: so gravity, force fields, viscosity
+    /// and vorticity confinement are scaled, and the pressure that answers them comes out as 1 − β of theirs. Turning then loses q Ω² Δt of
+    /// itself in a second and a wave q ω² Δt / 2, with q = (1 − 2 β) / (1 − β): the numerical damping of the settings.
+    /// </remarks>
+    sealed class VelocityExtrapolation : IDisposable
+    {
+        // Changes of velocity up to which they are extrapolated, times Δt: what is longer is an impact, which would bounce.
+        const float LongestAtRest = 0.1f;       // d
+        const float LongestFalling = 2f;        // of what gravity gives, or the strongest field
+
+        GraphicsBuffer means, sorted;
+        float lastTimeStep, lastWeight;
+
+        public VelocityExtrapolation(int capacity)
+        {
+            means = GpuBuffer.Structured<uint4>("Rill.Means", capacity);
+            sorted = GpuBuffer.Structured<uint4>("Rill.SortedMeans", capacity);
+            BufferClear.Now(means);
+        }
+
+        public static bool IsNeeded(in StepInput input) => input.settings.numericalDamping < 1f && !Viscoelasticity.IsNeeded(input);
+
+        /// <summary>β of a step; 0 where there is none.</summary>
+        public static float WeightFor(in StepInput input)
+        {
+            float damping = input.settings.numericalDamping;
+            return IsNeeded(input) ? (1f - damping) / (2f - damping) : 0f;
+        }
+
+        /// <summary>Longest change of velocity in a substep that is extrapolated, d/s.</summary>
+        public static float Longest(in StepInput input, float spacing)
+        {
+            float dt = input.timeStep / input.settings.substeps;
+            float strongest = math.length(input.gravity) / spacing;
+            for (int i = 0; i < (input.sources?.fieldCount ?? 0); i++)
+                strongest = math.max(strongest, math.abs(input.sources.fields[i].strength));
+            return LongestAtRest / dt + LongestFalling * strongest * dt;
+        }
+
+        /// <summary>Binds what a sort takes along.</summary>
+        public void BindSort(CommandBuffer cmd, ComputeShader shader, int kernel)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Means, means);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SortedMeans, sorted);
+        }
+
+        /// <summary>Binds what the velocity update of a substep reads and leaves.</summary>
+        public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, in StepInput input)
+        {
+            float dt = input.timeStep / input.settings.substeps, weight = WeightFor(input);
+            float lastOverThis = lastTimeStep > 0f ? lastTimeStep / dt : 1f;
+            cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f : 1f / (lastWeight * lastOverThis + 1f - weight));
+            cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
+            cmd.SetComputeFloatParam(shader, Ids.Smoothing, VorticityConfinement.IsNeeded(input) ? 0f : math.min(input.material.viscosity * SolverConstants.ViscosityRate * dt, 1f) * (1f - weight));
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
+            (means, sorted) = (sorted, means);
+            lastTimeStep = dt;
+            lastWeight = weight;
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref means);
+            GpuBuffer.Release(ref sorted);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="resting">Null for none.</param>
+        public static StageDescription Describe(VelocityExtrapolation stage, in StepInput input, RestingRegions resting)
+        {
+            bool needed = IsNeeded(input);
+            var description = new StageDescription("Velocity extrapolation", needed, needed ? $"numerical damping {input.settings.numericalDamping} of a first-order step's" : Viscoelasticity.IsNeeded(input) ? "the fluid is elastic" : "the numerical damping is 1");
+            if (!needed || stage == null)
+                return description;
+            description.Kernel("NeighborSearch", "GatherMeans", input.settings.substeps, RestingRegions.Variant(null, resting));
+            description.Buffer("Rill.Means", stage.means);
+            description.Buffer("Rill.SortedMeans", stage.sorted);
+            return description;
+        }
+
+        static class Ids
+        {
+            public static readonly int Means = Shader.PropertyToID("_Means");
+            public static readonly int SortedMeans = Shader.PropertyToID("_SortedMeans");
+            public static readonly int ChangeScale = Shader.PropertyToID("_ChangeScale");
+            public static readonly int LastChangeScale = Shader.PropertyToID("_LastChangeScale");
+            public static readonly int Smoothing = Shader.PropertyToID("_Smoothing");
+        }
+    }
+}
