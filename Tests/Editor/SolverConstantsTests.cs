@@ -79,6 +79,26 @@ namespace Rill.Editor.Tests
             Assert.That(For(input).viscosity, Is.EqualTo(1f), "more than all of a difference cannot be evened out");
         }
 
+        [TestCase(1f, 1f)]
+        [TestCase(0.5f, 2f / 3f)]
+        [TestCase(0f, 0.5f)]
+        public void What_lasts_acts_at_once_as_far_as_the_numerical_damping_says(float damping, float share)
+        {
+            StepInput input = SolverStages.Still();
+            input.gravity = new float3(0f, -9.81f, 0f);
+            input.material.viscosity = 0.1f;
+            input.material.vorticity = 1f;
+            input.settings.numericalDamping = 1f;
+            SolverConstants first = For(input);
+            input.settings.numericalDamping = damping;
+            SolverConstants constants = For(input);
+            Assert.That(constants.extrapolation, Is.EqualTo(1f - share).Within(1e-6f));
+            Assert.That(constants.accelerationShare, Is.EqualTo(share).Within(1e-6f));
+            Assert.That(constants.gravityStep.y, Is.EqualTo(share * first.gravityStep.y).Within(1e-6f));
+            Assert.That(constants.viscosity, Is.EqualTo(share * first.viscosity).Within(1e-6f));
+            Assert.That(constants.confinement, Is.EqualTo(share * first.confinement).Within(1e-6f));
+        }
+
         [Test]
         public void Constants_of_the_kernels_come_from_the_lattice()
         {
