@@ -18,5 +18,8 @@ static const uint kBlocked = 10;            // due from an emitter and given up,
 static const uint kWaiting = 11;            // due from an emitter and without room so far
 static const uint kRecycling = 12;          // drained and not yet back from an emitter
 static const uint kMoved = 13;              // took part in the last step: the first of those alive
+// Of the viscosity's last solve, as float bits:
+static const uint kViscosityBound = 14;     // of what neighbors brake a particle by, half the largest eigenvalue of the sum in ImplicitViscosity.compute
+static const uint kViscosityChange = 15;    // largest change of a velocity in its last pass, d/s
 
 #endif

@@ -35,6 +35,7 @@ namespace Rill.Editor
             ("Rill.CoarseSolids", "Solids on the coarse grid"),
             ("Rill.Projection", "Deep water: projection"),
             ("Rill.Colliders", "Colliders"),
+            ("Rill.ImplicitViscosity", "Dynamic viscosity"),
             ("Rill.Sort", "Sort"),
             ("Rill.List", "Neighbor list"),
             ("Rill.Lambda", "Pressure"),

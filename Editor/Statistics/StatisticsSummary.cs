@@ -17,6 +17,8 @@ namespace Rill.Editor
             yield return ("Speed", $"rms {statistics.speed:F2}, jitter {statistics.jitter:F3}, most {statistics.speedMax:F2} m/s");
             yield return ("Energy", $"{statistics.Energy:G4} J");
             yield return ("Neighbors", $"mean {statistics.neighborsMean:F1}, over the list {statistics.neighborOverflow:N0}");
+            if (statistics.viscosityChange > 0f)
+                yield return ("Dynamic viscosity", $"last pass changed a velocity by {statistics.viscosityChange:G2} m/s at most");
             yield return ("Solver", $"substeps {statistics.substeps}, relaxation {statistics.relaxation}{(statistics.relaxationClamped ? " (clamped)" : "")}");
         }
 

@@ -21,6 +21,8 @@ namespace Host.Tests
             ("everything off", Both(WithDeepWater((ref SolverSettings s) => s.deepWater = DeepWater.Off), WithMaterial((ref FluidMaterial m) => { })), false, false),
             ("viscosity", WithMaterial((ref FluidMaterial m) => m.viscosity = 0.01f), false, false),
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
+            ("dynamic viscosity", WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f), false, false),
+            ("dynamic viscosity and sleep in deep water, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f)), false, false),
             ("elasticity", WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f), false, false),
             ("elasticity and sleep in deep water, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f)), false, false),
             ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
@@ -69,7 +71,7 @@ namespace Host.Tests
             FluidSimulation simulation = Build("everything off");
             PlayerLoop.Frame(FrameTime);
             List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
-            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Drains", "Resting regions", "Force fields", "Coarse correction", "Colliders", "Particle tags", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam", "Emitters", "Statistics", "Surface particles", "Budget", "Rendering" }));
+            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Drains", "Resting regions", "Force fields", "Coarse correction", "Colliders", "Particle tags", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam", "Emitters", "Statistics", "Surface particles", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }

@@ -19,7 +19,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "Viscoelasticity", "GatherOrigins", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.Origins", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside", "Foam" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherOrigins", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.Origins", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "Solids", "Beside", "Foam" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -37,6 +37,11 @@ namespace Host.Tests
             {
                 "+1 VorticityConfinement.compute Curl", "+1 VorticityConfinement.compute Confine", "+1 Rill.Curl *", "+1 Rill.Confined *",
                 "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity",      // XSPH moves into Confine
+            }),
+            ("dynamic viscosity", null, Material((ref FluidMaterial v) => v.dynamicViscosity = 10f), new[]
+            {
+                "+1 ImplicitViscosity.compute FindCoefficients", "+1 ImplicitViscosity.compute FindResidual", "+1 ImplicitViscosity.compute FirstPass", "+2 ImplicitViscosity.compute NextPass",
+                "+1 Rill.ViscousVelocities *", "+1 Rill.NextViscousVelocities *", "+1 Rill.ViscousChanges *",
             }),
             ("elasticity", null, Material((ref FluidMaterial v) => v.shearModulus = 100f), new[]
             {

@@ -13,6 +13,9 @@ namespace Rill
         [Tooltip("XSPH viscosity: share of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1.")]
         [Range(0f, 1f)] public float viscosity;
 
+        [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Viscosity smooths comes on top.")]
+        [Min(0f)] public float dynamicViscosity;
+
         [Tooltip("Vorticity confinement, m/s: acceleration per unit of vorticity that keeps eddies alive. 0 (off) to 10.")]
         [Range(0f, 10f)] public float vorticity;
 
@@ -35,6 +38,7 @@ namespace Rill
         {
             density = 1000f,
             viscosity = 0.01f,
+            dynamicViscosity = 0f,
             vorticity = 0f,
             artificialPressure = 0f,
             artificialPressureDistance = 0.2f,
@@ -82,6 +86,7 @@ namespace Rill
             FluidMaterial water = Water;
             Limit.Clamp("density", ref density, 1e-3f, 1e6f, water.density, ref problem);
             Limit.Clamp("viscosity", ref viscosity, 0f, 1f, water.viscosity, ref problem);
+            Limit.Clamp("dynamic viscosity", ref dynamicViscosity, 0f, 1e6f, water.dynamicViscosity, ref problem);
             Limit.Clamp("vorticity", ref vorticity, 0f, 10f, water.vorticity, ref problem);
             Limit.Clamp("artificial pressure", ref artificialPressure, 0f, 1f, water.artificialPressure, ref problem);
             Limit.Clamp("artificial pressure distance", ref artificialPressureDistance, 0.1f, 0.3f, water.artificialPressureDistance, ref problem);

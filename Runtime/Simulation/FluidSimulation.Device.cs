@@ -73,6 +73,8 @@ namespace Rill
                 input.material.viscosity = 0f;
                 input.needsDensity = false;
             }
+            if ((refused & DeviceFeature.DynamicViscosity) != 0)
+                input.material.dynamicViscosity = 0f;
             if ((refused & DeviceFeature.Elasticity) != 0)
                 input.material.shearModulus = 0f;
             if ((refused & DeviceFeature.Vorticity) != 0)
@@ -121,6 +123,7 @@ namespace Rill
             Want(Colliders.IsNeeded(input) && input.colliders.Reacts, DeviceFeature.Reactions);
             Want(pbf.IsDeep(input), DeviceFeature.DeepWater);
             Want(input.material.viscosity > 0f || input.needsDensity, DeviceFeature.Viscosity);
+            Want(ImplicitViscosity.IsNeeded(input), DeviceFeature.DynamicViscosity);
             Want(Viscoelasticity.IsNeeded(input), DeviceFeature.Elasticity);
             Want(VorticityConfinement.IsNeeded(input), DeviceFeature.Vorticity);
             Want(RestingRegions.IsNeeded(input), DeviceFeature.Sleep);

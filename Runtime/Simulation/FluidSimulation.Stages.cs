@@ -29,6 +29,7 @@ namespace Rill
                     return StageSet.OfFluids;
                 StageSet used = StageSet.Core;
                 used |= solver.deepWater != DeepWater.Off ? StageSet.DeepWater : StageSet.None;
+                used |= material.dynamicViscosity > 0f ? StageSet.ImplicitViscosity : StageSet.None;
                 used |= material.shearModulus > 0f ? StageSet.Viscoelasticity : StageSet.None;
                 used |= material.vorticity > 0f ? StageSet.Vorticity : StageSet.None;
                 used |= solver.sleepSpeed > 0f && !(material.vorticity > 0f) ? StageSet.Sleep : StageSet.None;
@@ -69,6 +70,8 @@ namespace Rill
         {
             if (Rill.Colliders.IsNeeded(step) && !HasStages(StageSet.Colliders))
                 step.colliders = null;
+            if (ImplicitViscosity.IsNeeded(step) && !HasStages(StageSet.ImplicitViscosity))
+                step.material.dynamicViscosity = 0f;
             if (Viscoelasticity.IsNeeded(step) && !HasStages(StageSet.Viscoelasticity))
                 step.material.shearModulus = 0f;
             if (VorticityConfinement.IsNeeded(step) && !HasStages(StageSet.Vorticity))
@@ -86,6 +89,7 @@ namespace Rill
             switch (group)
             {
                 case StageSet.DeepWater: return "deep water";
+                case StageSet.ImplicitViscosity: return "dynamic viscosity";
                 case StageSet.Viscoelasticity: return "elasticity";
                 case StageSet.Vorticity: return "vorticity confinement";
                 case StageSet.Sleep: return "sleep";

@@ -71,6 +71,9 @@ namespace Rill
         /// <summary>With respect to the domain's lowest corner.</summary>
         public float potentialEnergy;
 
+        /// <summary>Most that the last pass for the dynamic viscosity changed a velocity by, m/s: what it has not found is less. 0 without.</summary>
+        public float viscosityChange;
+
         /// <summary>Relaxation ω of the last step.</summary>
         public float relaxation;
         /// <summary>Whether the ω asked for was above what was measured stable, or below in deep water.</summary>
@@ -122,6 +125,7 @@ namespace Rill
                 furthest = Vector(block, Quantity.Furthest) * d,
                 momentum = meanVelocity * (count * mass),
                 kineticEnergy = 0.5f * mass * Value(block, Quantity.SpeedSquared) * d * d,
+                viscosityChange = d * math.asfloat((uint)Counter(block, ParticleCounter.ViscosityChange)),
                 potentialEnergy = -mass * count * math.dot(gravity, meanPosition),
             };
             statistics.time = statistics.step * (double)fixedStep;

@@ -30,6 +30,22 @@ namespace Rill
         /// <summary>Σ w over Σ w x² of the weights w of Viscoelasticity.compute on the lattice, 1/d².</summary>
         public static readonly double StressMultiplier = SumLattice(StressWeight, includeSelf: false) / SumLattice(r => StressWeight(r) * r * r / 3.0, includeSelf: false);
 
+        /// <summary>Σ w_i x_i⁴ = 3 Σ w x²y² on the lattice with the weights of ImplicitViscosity.compute: what the share of t² has to be for it, d².</summary>
+        /// <remarks>So that the lattice resists as fluid without order does, the same in every direction.</remarks>
+        public static readonly double ViscosityBlend = SumAnisotropy(3) / -SumAnisotropy(2);
+
+        /// <summary>Σ w r⁴ over the lattice, w being the pairs' weights in ImplicitViscosity.compute.</summary>
+        public static readonly double ViscosityMoment = SumLattice(r => ViscosityWeight(r) * r * r * r * r, includeSelf: false);
+
+        /// <summary>Σ w r² of the same.</summary>
+        public static readonly double ViscositySquares = SumLattice(r => ViscosityWeight(r) * r * r, includeSelf: false);
+
+        /// <summary>By which Σ w (v_ji · x_ji) x_ji / Σ w r⁴ is the Laplacian of a flow that keeps its volume: x²y² is r⁴/15 on average, and a curve is half its second derivative.</summary>
+        public const double ViscosityScale = 30.0;
+
+        /// <summary>An upper bound of the largest eigenvalue of that Laplacian on the lattice, 1/d²: twice what a particle's neighbors brake it by.</summary>
+        public static readonly double ViscosityEigenvalue = 2.0 * ViscosityScale * ViscositySquares / (3.0 * ViscosityMoment);
+
         /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
         public static readonly double WallScale = MissingBehindWall() / HalfSpaceDensity(0.5);
 
@@ -41,6 +57,13 @@ namespace Rill
 
         /// <summary>Weight of a pair for the gradients of Viscoelasticity.compute, d⁴.</summary>
         public static double StressWeight(double r) => r < Support ? (Support * Support - r * r) * (Support * Support - r * r) : 0.0;
+
+        /// <summary>Weight of a pair in ImplicitViscosity.compute, d⁶.</summary>
+        public static double ViscosityWeight(double r)
+        {
+            double t = Math.Max(Support * Support - r * r, 0.0);
+            return t * t * (t + ViscosityBlend);
+        }
 
         /// <summary>poly6 integrated over the half space beyond distance <paramref name="s"/>: 1/2 at s = 0, 0 at s ≥ h.</summary>
         public static double HalfSpaceDensity(double s)
@@ -60,6 +83,14 @@ namespace Rill
                     missing += Poly6(r);
             });
             return missing / RestDensity;
+        }
+
+        // Σ w (x⁴ - 3 x²y²) with w = (h² - r²)^power.
+        static double SumAnisotropy(int power)
+        {
+            double sum = 0.0;
+            ForLattice((x, y, z, r) => sum += Math.Pow(Math.Max(Support * Support - r * r, 0.0), power) * (x * x * x * x - 3 * x * x * y * y));
+            return sum;
         }
 
         static double SumLattice(Func<double, double> value, bool includeSelf)

@@ -25,6 +25,7 @@ namespace Rill
         readonly VelocityUpdate velocityUpdate;
         CoarseCorrection coarseCorrection;
         Colliders colliders;
+        ImplicitViscosity implicitViscosity;
         Viscoelasticity viscoelasticity;
         VelocityExtrapolation velocityExtrapolation;
         VorticityConfinement vorticityConfinement;
@@ -113,6 +114,7 @@ namespace Rill
             statistics?.Forget();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided anew
+            ReleaseViscosity();
             ReleaseViscoelasticity();       // the next fluid is not stretched
             ReleaseExtrapolation();
             ClearSources();
@@ -172,6 +174,7 @@ namespace Rill
             RestingRegions resting = RestingFor(input);
             Colliders obstacles = CollidersFor(input);
             ForceFields fields = FieldsFor(cmd, input, resting);
+            ImplicitViscosity viscous = ViscosityFor(input);
             Viscoelasticity elastic = ViscoelasticityFor(input);
             VelocityExtrapolation extrapolation = ExtrapolationFor(input);
             RecordDrains(cmd, input, resting);
@@ -182,7 +185,10 @@ namespace Rill
                 obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
                 coarse?.RecordSolids(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
-                neighborSearch.RecordSort(cmd, constants, particles, coarse, resting, obstacles, elastic?.Origins, extrapolation);
+                bool hasLists = lastSubsteps > 0 || substep > 0;
+                if (hasLists)
+                    viscous?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, coarse, resting);
+                neighborSearch.RecordSort(cmd, constants, particles, viscous == null || !hasLists ? coarse : null, resting, obstacles, elastic?.Origins, extrapolation);
                 tags?.RecordSort(cmd, particles, neighborSearch);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles, extrapolation);
@@ -225,6 +231,8 @@ namespace Rill
             if (statistics == null || !statistics.HasResult)
                 return false;
             result = FluidStatistics.From(statistics.Latest, Layout, input.material.density, input.gravity, input.timeStep);
+            if (!Rill.ImplicitViscosity.IsNeeded(input))
+                result.viscosityChange = 0f;
             return true;
         }
 
@@ -243,7 +251,8 @@ namespace Rill
                 ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
                 Rill.Colliders.Describe(colliders, input),
-                neighborSearch.Describe(input.settings, coarseCorrection != null, restingRegions, colliders),
+                Rill.ImplicitViscosity.Describe(implicitViscosity, input, Layout, densityConstraint.Lists, coarseCorrection != null, restingRegions),
+                neighborSearch.Describe(input.settings, coarseCorrection != null && implicitViscosity == null, restingRegions, colliders),
                 ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
                 velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders, velocityExtrapolation),
@@ -266,6 +275,7 @@ namespace Rill
             ReleaseResting();
             ReleaseCoarse();
             ReleaseColliders();
+            ReleaseViscosity();
             ReleaseViscoelasticity();
             ReleaseExtrapolation();
             ReleaseVorticity();
@@ -327,6 +337,20 @@ namespace Rill
             if (colliders.Disturb(input.colliders))
                 restingRegions?.Wake();
             return colliders;
+        }
+
+        ImplicitViscosity ViscosityFor(in StepInput input)
+        {
+            if (Rill.ImplicitViscosity.IsNeeded(input))
+                return implicitViscosity ??= new ImplicitViscosity(Layout.Capacity);
+            ReleaseViscosity();
+            return null;
+        }
+
+        void ReleaseViscosity()
+        {
+            implicitViscosity?.Dispose();
+            implicitViscosity = null;
         }
 
         Viscoelasticity ViscoelasticityFor(in StepInput input)

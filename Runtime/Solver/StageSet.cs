@@ -22,10 +22,11 @@ namespace Rill
         DomainRenderer = 1 << 11,
         Surface = 1 << 12,
         Foam = 1 << 13,
-        MeshBaking = 1 << 14,
+        ImplicitViscosity = 1 << 14,
+        MeshBaking = 1 << 15,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
-        OfFluids = (1 << 14) - 1,
-        All = (1 << 15) - 1,
+        OfFluids = (1 << 15) - 1,
+        All = (1 << 16) - 1,
     }
 
     static class StageSets
@@ -72,6 +73,7 @@ namespace Rill
         {
             switch (group)
             {
+                case StageSet.ImplicitViscosity: return "ImplicitViscosity";
                 case StageSet.Viscoelasticity: return "Viscoelasticity";
                 case StageSet.Vorticity: return "VorticityConfinement";
                 case StageSet.Sleep: return "RestingRegions";

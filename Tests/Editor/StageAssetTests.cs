@@ -16,6 +16,7 @@ namespace Rill.Editor.Tests
         [TestCase("Emission", "Append", "CommitAppend", "Clear")]
         [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
         [TestCase("FoamSources", "FindPotentials", "CountSpawned")]
+        [TestCase("ImplicitViscosity", "ApplyProjection", "FindCoefficients", "FindResidual", "FirstPass", "NextPass")]
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsBeside", "CountCellsDeepBeside", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside", "GatherTags", "GatherOrigins")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]

@@ -32,5 +32,7 @@ namespace Rill
         Surface = 32768,
         /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
         Baking = 65536,
+        /// <summary>Viscosity in Pa s.</summary>
+        DynamicViscosity = 131072,
     }
 }

@@ -162,6 +162,7 @@ namespace Rill
                 case DeviceFeature.Tags: return "phases and lifetimes of emitted particles";
                 case DeviceFeature.Drains: return "drains";
                 case DeviceFeature.ForceFields: return "force fields";
+                case DeviceFeature.DynamicViscosity: return "dynamic viscosity";
                 case DeviceFeature.Elasticity: return "elasticity";
                 case DeviceFeature.Vorticity: return "vorticity confinement";
                 case DeviceFeature.Reactions: return "forces on colliders";
@@ -185,6 +186,7 @@ namespace Rill
                 case DeviceFeature.Tags: return "set phase and lifetime of its emitters to 0";
                 case DeviceFeature.Drains: return "disable its drains";
                 case DeviceFeature.ForceFields: return "disable its force fields";
+                case DeviceFeature.DynamicViscosity: return "set the dynamic viscosity to 0";
                 case DeviceFeature.Elasticity: return "set the shear modulus to 0";
                 case DeviceFeature.Vorticity: return "set vorticity to 0";
                 case DeviceFeature.Reactions: return "let no collider measure its force";

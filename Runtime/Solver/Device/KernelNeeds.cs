@@ -48,6 +48,7 @@ namespace Rill
                 case "SurfaceFilter":
                 case "SurfaceThickness":
                 case "SurfaceParticles": return DeviceFeature.Surface;
+                case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;
                 default: throw new ArgumentException($"{file}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
@@ -69,12 +70,14 @@ namespace Rill
                 case "BLUR":
                 case "COLUMNS":
                 case "COMPACT":
+                case "COEFFICIENTS":
                 case "CONFINE":
                 case "CORRECT":
                 case "COUNT":
                 case "EMIT":
                 case "ESTIMATE":
                 case "FIELDS":
+                case "FIRST":
                 case "LAST":
                 case "MOVE":
                 case "NARROW":
@@ -84,6 +87,7 @@ namespace Rill
                 case "PHASES":
                 case "PROJECTION":
                 case "REDUCE":
+                case "RESIDUAL":
                 case "RILL_BUILD_LIST":
                 case "RILL_RAW":
                 case "ROWS":

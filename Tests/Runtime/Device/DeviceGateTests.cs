@@ -11,7 +11,7 @@ namespace Rill.Tests
     public class DeviceGateTests
     {
         const DeviceFeature Everything = DeviceFeature.Colliders | DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Tags | DeviceFeature.Drains
-            | DeviceFeature.ForceFields | DeviceFeature.Elasticity | DeviceFeature.Vorticity | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Surface;
+            | DeviceFeature.ForceFields | DeviceFeature.DynamicViscosity | DeviceFeature.Elasticity | DeviceFeature.Vorticity | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Surface;
 
         static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384) => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
 

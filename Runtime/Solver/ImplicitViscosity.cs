@@ -1,0 +1,178 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// The viscosity of a fluid in Pa s, solved implicitly before the prediction (see ImplicitViscosity.compute): the same fluid at
+    /// every spacing and time step. Made when first needed.
+    /// </summary>
+    sealed class ImplicitViscosity : IDisposable
+    {
+        /// <summary>Passes at most, however viscous the fluid.</summary>
+        public const int MaxPasses = 48;
+
+        /// <summary>What the passes leave of the first error where they are fewer than <see cref="MaxPasses"/>.</summary>
+        public const double Tolerance = 0.004;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.ImplicitViscosity");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("ImplicitViscosity");
+        readonly int applyProjection, findCoefficients, findResidual, firstPass, nextPass;
+        readonly LocalKeyword twoLists, sleep;
+        GraphicsBuffer solution, nextSolution, changes;
+
+        public ImplicitViscosity(int capacity)
+        {
+            applyProjection = shader.FindKernel("ApplyProjection");
+            findCoefficients = shader.FindKernel("FindCoefficients");
+            findResidual = shader.FindKernel("FindResidual");
+            firstPass = shader.FindKernel("FirstPass");
+            nextPass = shader.FindKernel("NextPass");
+            twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
+            sleep = new LocalKeyword(shader, RestingRegions.Keyword);
+            solution = GpuBuffer.Structured<float4>("Rill.ViscousVelocities", capacity);
+            nextSolution = GpuBuffer.Structured<float4>("Rill.NextViscousVelocities", capacity);
+            changes = GpuBuffer.Structured<float4>("Rill.ViscousChanges", capacity);
+        }
+
+        public static bool IsNeeded(in StepInput input) => input.material.dynamicViscosity > 0f;
+
+        /// <summary>ν Δt / d² of a substep; less where velocities are extrapolated, as of all that lasts.</summary>
+        public static double Strength(in StepInput input, SolverLayout layout)
+        {
+            double substep = (double)input.timeStep / input.settings.substeps;
+            return (1.0 - VelocityExtrapolation.WeightFor(input)) * input.material.dynamicViscosity / input.material.density * substep / ((double)layout.Spacing * layout.Spacing);
+        }
+
+        /// <summary>Passes of Chebyshev's iteration that leave <see cref="Tolerance"/> of the error where no particle is braked more than twice as hard as in the lattice, <see cref="MaxPasses"/> at most.</summary>
+        /// <remarks>The error falls to 1 / T_n(θ/δ), with the eigenvalues within θ ± δ.</remarks>
+        /// <param name="strength">ν Δt / d².</param>
+        public static int PassesFor(double strength)
+        {
+            double largest = 1.0 + 2.0 * strength * LatticeKernels.ViscosityEigenvalue;      // 1.6 to 2 times at surfaces and in flowing water
+            double x = (largest + 1.0) / Math.Max(largest - 1.0, 1e-6);
+            double perPass = Math.Log(x + Math.Sqrt(x * x - 1.0));      // T_n(x) = cosh(n arcosh(x))
+            double needed = Math.Log(2.0 / Tolerance) / perPass;
+            return (int)Math.Min(Math.Ceiling(needed), MaxPasses);
+        }
+
+        /// <summary>Records the solve: velocities of the particles that were in the last substep, where they are now.</summary>
+        /// <param name="lists">Of the last substep.</param>
+        /// <param name="coarse">Its projection is added to the velocities of all particles first; null for none.</param>
+        /// <param name="resting">Whose particles stay where they are; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, SolverLayout layout, in StepInput input, CoarseCorrection coarse = null, RestingRegions resting = null)
+        {
+            cmd.BeginSample(Marker);
+            lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            if (coarse != null)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, applyProjection, CoarseIds.Displacements, coarse.Displacements);
+                Dispatch(cmd, applyProjection, particles);
+            }
+
+            double strength = Strength(input, layout);
+            cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * strength));
+            cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
+            cmd.SetComputeFloatParam(shader, Ids.LeastMoment, (float)(LeastFill * LatticeKernels.ViscosityMoment));
+            cmd.SetComputeFloatParam(shader, Ids.LeastReach, (float)(LeastReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
+
+            Bind(cmd, findCoefficients, particles, lists, resting);
+            cmd.SetComputeBufferParam(shader, findCoefficients, Ids.Solution, solution);
+            Dispatch(cmd, findCoefficients, particles);
+            Bind(cmd, findResidual, particles, lists, resting);
+            cmd.SetComputeBufferParam(shader, findResidual, Ids.Solution, solution);
+            cmd.SetComputeBufferParam(shader, findResidual, Ids.Changes, changes);
+            Dispatch(cmd, findResidual, particles);
+
+            int passes = PassesFor(strength);
+            for (int pass = 0; pass < passes; pass++)
+            {
+                int kernel = pass == 0 ? firstPass : nextPass;
+                cmd.SetComputeIntParam(shader, Ids.Pass, pass);
+                cmd.SetComputeIntParam(shader, Ids.IsLast, pass == passes - 1 ? 1 : 0);
+                Bind(cmd, kernel, particles, lists, resting);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Solution, solution);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Changes, changes);
+                if (pass > 0)
+                {
+                    cmd.SetComputeBufferParam(shader, kernel, Ids.NextSolution, nextSolution);
+                    (solution, nextSolution) = (nextSolution, solution);
+                }
+                Dispatch(cmd, kernel, particles);
+            }
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose()
+        {
+            GpuBuffer.Release(ref solution);
+            GpuBuffer.Release(ref nextSolution);
+            GpuBuffer.Release(ref changes);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        /// <param name="deep">Whether a coarse correction runs.</param>
+        /// <param name="resting">Null for none.</param>
+        public static StageDescription Describe(ImplicitViscosity stage, in StepInput input, SolverLayout layout, NeighborLists lists, bool deep, RestingRegions resting)
+        {
+            bool needed = IsNeeded(input);
+            var description = new StageDescription("Implicit viscosity", needed, needed ? $"{input.material.dynamicViscosity} Pa s" : "the dynamic viscosity is 0");
+            if (!needed || stage == null)
+                return description;
+            string variant = RestingRegions.Variant(lists.Variant, resting);
+            int substeps = input.settings.substeps, passes = PassesFor(Strength(input, layout));
+            if (deep)
+                description.Kernel("ImplicitViscosity", "ApplyProjection", substeps, variant);
+            description.Kernel("ImplicitViscosity", "FindCoefficients", substeps, variant);
+            description.Kernel("ImplicitViscosity", "FindResidual", substeps, variant);
+            description.Kernel("ImplicitViscosity", "FirstPass", substeps, variant);
+            if (passes > 1)
+                description.Kernel("ImplicitViscosity", "NextPass", substeps * (passes - 1), variant);
+            description.Buffer("Rill.ViscousVelocities", stage.solution);
+            description.Buffer("Rill.NextViscousVelocities", stage.nextSolution);
+            description.Buffer("Rill.ViscousChanges", stage.changes);
+            return description;
+        }
+
+        // Of the lattice's Σ w r⁴: with fewer neighbors than that a particle resists less. And how much more than the lattice crowded
+        // particles may resist: half as much for the reach that is left of Σ w r⁴ / Σ w r².
+        const double LeastFill = 0.25, LeastReach = 0.5;
+
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, RestingRegions resting)
+        {
+            lists.Bind(cmd, shader, kernel);
+            resting?.Bind(cmd, shader, kernel);
+        }
+
+        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Solution = Shader.PropertyToID("_Solution");
+            public static readonly int NextSolution = Shader.PropertyToID("_NextSolution");
+            public static readonly int Changes = Shader.PropertyToID("_Changes");
+            public static readonly int Strength = Shader.PropertyToID("_Strength");
+            public static readonly int Blend = Shader.PropertyToID("_Blend");
+            public static readonly int LeastMoment = Shader.PropertyToID("_LeastMoment");
+            public static readonly int LeastReach = Shader.PropertyToID("_LeastReach");
+            public static readonly int Pass = Shader.PropertyToID("_Pass");
+            public static readonly int IsLast = Shader.PropertyToID("_IsLast");
+        }
+    }
+}
