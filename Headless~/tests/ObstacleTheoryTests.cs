@@ -32,6 +32,24 @@ namespace Host.Tests
             Assert.That(bucket.Turning, Is.InRange(0.8, 1.0));
         }
 
+        // A wall that slips acts by its pressure alone. With plain iterations it neither brakes nor drives; in deep water it still brakes.
+        [Test]
+        public void A_slippery_round_wall_leaves_turning_water_what_the_step_leaves()
+        {
+            RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, DeepWater.Off), 0.8, 0.8, 0f);
+            double expected = RotatingBucket.TurningLeft(3, 1.0 / 60, 1.2);
+            TestContext.WriteLine($"turning {bucket.Turning:0.000} of {expected:0.000}");
+            Assert.That(bucket.Turning / expected, Is.InRange(0.94, 1.02));
+        }
+
+        [Test]
+        public void A_slippery_round_wall_that_turns_moves_none_of_the_still_water_in_it()
+        {
+            RotatingBucket bucket = RotatingBucket.Run(12, 3, true, FluidRun.Water(1, 2, DeepWater.Off), 0.4, 0.4, 0f, true);
+            TestContext.WriteLine($"turning {bucket.Turning:0.00000} of the wall's");
+            Assert.That(bucket.Turning, Is.Zero.Within(0.002));
+        }
+
         // One particle on a circle, moved as the solver does: along the chord of its last path, then to the circle along the radius at the end.
         [TestCase(1)]
         [TestCase(2)]

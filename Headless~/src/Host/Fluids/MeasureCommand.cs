@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
+using Host.Report.Obstacles;
 using Rill;
 
 namespace Host.Fluids
@@ -12,7 +13,7 @@ namespace Host.Fluids
     {
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m> or spill:<layers>:<side>:<spacing in m>." };
+            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m> spill:<layers>:<side>:<spacing in m> or bucket:<particles across the radius>:<friction of its wall>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
@@ -21,11 +22,10 @@ namespace Host.Fluids
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
-            var damping = new Option<float>("--damping") { Description = "Numerical damping, as a share of a first-order step's.", DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
             var series = new Option<bool>("--series") { Description = "Also print every sample of the statistics." };
             var sheet = new Option<bool>("--sheet") { Description = "Also print how thick the water lies on the floor for what there is of it: for a few layers." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, damping, stages, series, sheet };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, stages, series, sheet };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -35,8 +35,12 @@ namespace Host.Fluids
                 settings.deepWater = parsed.GetValue(deep);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 settings.sleepSpeed = parsed.GetValue(sleep);
-                settings.numericalDamping = parsed.GetValue(damping);
                 using var session = new Session(Session.Root());
+                if (parsed.GetValue(scene).StartsWith("bucket:", StringComparison.Ordinal))
+                {
+                    PrintBucket(parsed.GetValue(scene), ExperimentFigures.Input(settings), parsed.GetValue(seconds), session.DescribeDevice());
+                    return 0;
+                }
                 ExperimentScene experiment = ExperimentScene.Parse(parsed.GetValue(scene));
                 StepInput input = ExperimentFigures.Input(settings);
                 using var solver = new PackageSolver(experiment.LayoutFor(settings), input);
@@ -55,6 +59,21 @@ namespace Host.Fluids
                 return 0;
             });
             return command;
+        }
+
+        // The mean over the last period of the first round wave, as in the report.
+        static void PrintBucket(string scene, StepInput input, double seconds, string device)
+        {
+            const double period = 1.6;
+            string[] words = scene.Split(':');
+            if (words.Length != 3 || !int.TryParse(words[1], out int across) || !float.TryParse(words[2], NumberStyles.Float, CultureInfo.InvariantCulture, out float friction) || seconds <= period)
+                throw new HostException($"'{scene}' is no bucket:<particles across the radius>:<friction of its wall>, played for more than {period} s");
+            RotatingBucket bucket = RotatingBucket.Run(across, BucketReport.Speed, false, input, seconds - period, period, friction);
+            double expected = RotatingBucket.TurningLeft(BucketReport.Speed, input.timeStep / input.settings.substeps, seconds - period / 2);
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {bucket.Particles:N0}, {input.settings.substeps} x {input.settings.iterations}, deep water {input.settings.deepWater}, {seconds:0.#} s, {device}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  turning left {bucket.Turning:0.0000} of {expected:0.0000} by the step alone ({bucket.Turning / expected - 1:+0.0000;-0.0000}) | steepness for its own turning {bucket.OwnSteepness:0.000}, for the bucket's {bucket.Steepness:0.000}"));
+            foreach (var ring in bucket.Profile)
+                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  at {ring.Radius:0.000} m: height {ring.Height:0.0000} m of {ring.OwnTheory:0.0000} for its own turning, {ring.Turning:0.000} rad/s"));
         }
 
         static void PrintSheets(string window, IEnumerable<(double time, Sheet sheet)> sheets)

@@ -9,7 +9,7 @@ namespace Host.Report.Obstacles
     static class BucketReport
     {
         const string Summary = "obstacles-bucket", Profiles = "obstacles-bucket-surface";
-        const double Speed = 3;     // rad/s
+        public const double Speed = 3;      // rad/s
 
         public static void Measure(ReportRun run)
         {
