@@ -44,12 +44,14 @@ uint3 CellStrides(uint3 counts)
     return uint3(1, counts.x, counts.x * counts.y);
 }
 
-// Distance, in cells, of the free surface from the middle of the water in an active cell, inverted: from how full that cell and
-// the inactive one beyond are. (From the cell's own centre a cell less than half full would have none: water of a few layers
-// would feel no slope and rest in heaps.)
-float InverseSurfaceDistance(float fill, float beyond)
+// Distance, in cells, of the free surface from where an active cell's potential stands, inverted: from how much water that cell and the
+// inactive one beyond hold. With water below, 'deep', the potential stands at the cell's centre; without, in the middle of the water,
+// since from its centre a cell less than half full would have none: water of a few layers would feel no slope and rest in heaps.
+float InverseSurfaceDistance(float fill, float beyond, bool deep)
 {
-    return 1.0 / clamp(0.5 * min(abs(fill), 1.0) + min(abs(beyond), 1.0), _MinSurfaceDistance, _MaxSurfaceDistance);
+    float height = fill + beyond;
+    float distance = height - 0.5 * (deep ? 1.0 : min(height, 1.0));
+    return 1.0 / clamp(distance, _MinSurfaceDistance, _MaxSurfaceDistance);
 }
 
 #endif

@@ -23,11 +23,11 @@ namespace Rill
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
-        readonly int binFlow, findDivergence, displaceFlow;
+        readonly int binFlow, findSurface, findDivergence, displaceFlow;
         readonly int findErrors, displaceErrors, extendDisplacements;
-        readonly int binFlowSolids, findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids, reactToFlow, reactToErrors;
+        readonly int binFlowSolids, findSurfaceSolids, findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids, reactToFlow, reactToErrors;
         CoarseSolids solids;
-        GraphicsBuffer flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential;
+        GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize) : this(layout, cellSize, DeviceLimits.Current) { }
@@ -36,6 +36,8 @@ namespace Rill
         public CoarseCorrection(SolverLayout layout, float cellSize, in DeviceLimits limits)
         {
             binFlow = shader.FindKernel("BinFlow");
+            findSurface = shader.FindKernel("FindSurface");
+            findSurfaceSolids = shader.FindKernel("FindSurfaceSolids");
             findDivergence = shader.FindKernel("FindDivergence");
             displaceFlow = shader.FindKernel("DisplaceFlow");
             findErrors = shader.FindKernel("FindErrors");
@@ -55,6 +57,8 @@ namespace Rill
             Bins = GpuBuffer.Structured<uint>("Rill.Coarse.Bins", (long)Grid.Total * BinStride);
             flow = GpuBuffer.Structured<float4>("Rill.Coarse.Flow", Grid.Total);
             fill = GpuBuffer.Structured<float>("Rill.Coarse.Fill", Grid.Total);
+            surface = GpuBuffer.Structured<uint>("Rill.Coarse.Surface", Grid.Total);
+            weightedCounts = GpuBuffer.Structured<uint>("Rill.Coarse.WeightedCounts", Grid.Total);
             source = GpuBuffer.Structured<float>("Rill.Coarse.Source", Grid.Total);
             lastErrors = GpuBuffer.Structured<float>("Rill.Coarse.LastErrors", Grid.Total);
             diagonal = GpuBuffer.Structured<float>("Rill.Coarse.Diagonal", Grid.Total);
@@ -63,7 +67,7 @@ namespace Rill
             Displacements = GpuBuffer.Structured<float4>("Rill.Coarse.Displacements", Grid.Total);
             Constants = GpuBuffer.Constants<CoarseConstants>("Rill.Coarse.Constants");
             Constants.SetData(new[] { CoarseConstants.For(Grid) });
-            BufferClear.Now(Bins, lastErrors, flowPotential, errorPotential);       // the first substep has no past
+            BufferClear.Now(Bins, lastErrors, surface, weightedCounts, flowPotential, errorPotential);       // the first substep has no past
         }
 
         public CoarseGrid Grid { get; }
@@ -80,8 +84,8 @@ namespace Rill
         public GraphicsBuffer Bins { get; private set; }
 
         /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
-        public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
-            => (flow, fill, source, lastErrors, diagonal, flowPotential, errorPotential);
+        public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer surface, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
+            => (flow, fill, surface, source, lastErrors, diagonal, flowPotential, errorPotential);
 
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>
@@ -119,8 +123,15 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, bin, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, bin, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Surface, surface);
+            cmd.SetComputeBufferParam(shader, bin, Ids.WeightedCounts, weightedCounts);
             cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
             cmd.DispatchCompute(shader, bin, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+
+            int find = solids == null ? findSurface : findSurfaceSolids;
+            BindCells(cmd, find, flowPotential);
+            cmd.SetComputeBufferParam(shader, find, Ids.WeightedCounts, weightedCounts);
+            Dispatch(cmd, find);
 
             RecordSource(cmd, solids == null ? findDivergence : findDivergenceSolids, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, solids);
@@ -148,6 +159,8 @@ namespace Rill
             solids = null;
             GpuBuffer.Release(ref flow);
             GpuBuffer.Release(ref fill);
+            GpuBuffer.Release(ref surface);
+            GpuBuffer.Release(ref weightedCounts);
             GpuBuffer.Release(ref source);
             GpuBuffer.Release(ref lastErrors);
             GpuBuffer.Release(ref diagonal);
@@ -173,7 +186,7 @@ namespace Rill
                 return description;
             int substeps = input.settings.substeps;
             string variant = stage.solids == null ? "" : "Solids";
-            foreach (string kernel in new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
+            foreach (string kernel in new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel + variant, substeps);
             stage.solids?.Describe(description, substeps);
             if (stage.solids?.Reacting != null)
@@ -186,6 +199,8 @@ namespace Rill
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
             description.Buffer("Rill.Coarse.Fill", stage.fill);
+            description.Buffer("Rill.Coarse.Surface", stage.surface);
+            description.Buffer("Rill.Coarse.WeightedCounts", stage.weightedCounts);
             description.Buffer("Rill.Coarse.Source", stage.source);
             description.Buffer("Rill.Coarse.LastErrors", stage.lastErrors);
             description.Buffer("Rill.Coarse.Diagonal", stage.diagonal);
@@ -209,6 +224,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Bins, Bins);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
@@ -249,6 +265,8 @@ namespace Rill
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Flow = Shader.PropertyToID("_Flow");
+            public static readonly int Surface = Shader.PropertyToID("_Surface");
+            public static readonly int WeightedCounts = Shader.PropertyToID("_WeightedCounts");
             public static readonly int Fill = Shader.PropertyToID("_Fill");
             public static readonly int Source = Shader.PropertyToID("_Source");
             public static readonly int LastErrors = Shader.PropertyToID("_LastErrors");

@@ -66,6 +66,32 @@ namespace Rill.Tests
             }
         }
 
+        [TestCase(3)]
+        [TestCase(4)]
+        [TestCase(5)]
+        public void At_the_surface_particles_are_weighted_from_the_second_substep_on(int scene)
+        {
+            ParticleState state = Cloud(scene).With(_ => 0f);
+            using (CoarseStages stages = new CoarseStages(state).Project())
+            {
+                CoarseCells cells = stages.FlowCells;
+                AssertSurfaceFill(stages, cells);
+                stages.CorrectDensity(new float[state.Count]).Project();
+                Assert.That(() => AssertSurfaceFill(stages, cells), Throws.InstanceOf<AssertionException>(), "not weighted");
+                cells.Weigh(stages.AlongFlow);
+                AssertSurfaceFill(stages, cells);
+                AssertDiagonal(stages, cells, 1e-4);        // weights are whole steps
+                Assert.That(stages.Fill.Select(fill => fill > 0f), Is.EqualTo(cells.active), "active cells");
+                Assert.That(cells.active, Is.Not.EqualTo(stages.FlowCells.active), "weights decide as counts do");
+            }
+        }
+
+        static void AssertSurfaceFill(CoarseStages stages, CoarseCells cells)
+        {
+            float[] actual = stages.SurfaceFill;
+            Compare.Scalars("fill at the surface", cells.Total, i => actual[i], i => cells.water[i], i => 1e-3 * Math.Max(cells.fill[i], 0.1));
+        }
+
         [TestCaseSource(nameof(SceneNumbers))]
         public void Displacements_of_the_projection_follow_from_its_potential(int scene)
         {
@@ -368,7 +394,7 @@ namespace Rill.Tests
             {
                 CoarseCells cells = stages.FlowCells;
                 AssertDiagonal(stages, cells);
-                cells.fill[Active(cells).First(cell => HasSurface(cells, cell))] -= 0.05;
+                cells.water[Active(cells).First(cell => HasSurface(cells, cell))] -= 0.05;
                 Assert.That(() => AssertDiagonal(stages, cells), Throws.InstanceOf<AssertionException>());
             }
 
@@ -398,11 +424,11 @@ namespace Rill.Tests
             }
         }
 
-        static void AssertDiagonal(CoarseStages stages, CoarseCells cells)
+        static void AssertDiagonal(CoarseStages stages, CoarseCells cells, double tolerance = 1e-5)
         {
             float[] diagonal = stages.Diagonal;
             int[] active = Active(cells);
-            Compare.Scalars("diagonal", active.Length, k => diagonal[active[k]], k => cells.Diagonal(active[k]), k => 1e-5 * cells.Diagonal(active[k]));
+            Compare.Scalars("diagonal", active.Length, k => diagonal[active[k]], k => cells.Diagonal(active[k]), k => tolerance * cells.Diagonal(active[k]));
         }
 
         static void AssertDisplacements(CoarseStages stages, CoarseCells cells, float[] potential, double3[] flow)

@@ -13,6 +13,7 @@ namespace Rill.Tests
     sealed class CoarseStages : IDisposable
     {
         public const float TimeStep = 1f / 60f;
+        const uint SurfaceFlags = 15;       // kSurfaceFlags
 
         public readonly CoarseCorrection Correction;
         readonly ParticleState state;
@@ -20,6 +21,7 @@ namespace Rill.Tests
         readonly ParticleBuffers particles;
         readonly NeighborSearch search;
         readonly GraphicsBuffer constants;
+        bool isProjected;
 
         /// <param name="gravity">m/s².</param>
         public CoarseStages(ParticleState state, float3 gravity = default, float cellSize = 4f)
@@ -57,6 +59,7 @@ namespace Rill.Tests
                 : new double3(double.NaN);
 
         public float[] Fill => Read(Correction.Cells.fill);
+        public float[] SurfaceFill => GpuTest.Read<uint>(Correction.Cells.surface, Grid.Total).Select(surface => math.asfloat(surface & ~SurfaceFlags)).ToArray();
         public float[] Source => Read(Correction.Cells.source);
         public float[] Diagonal => Read(Correction.Cells.diagonal);
         public float[] LastErrors => Read(Correction.Cells.lastErrors);
@@ -69,6 +72,7 @@ namespace Rill.Tests
 
         public CoarseStages Project()
         {
+            isProjected = true;
             GpuTest.Run(cmd =>
             {
                 Correction.RecordProjection(cmd, constants, particles);
@@ -79,6 +83,8 @@ namespace Rill.Tests
 
         public CoarseStages CorrectDensity(float[] errors)
         {
+            if (!isProjected)       // which finds the surface for both
+                Correction.Cells.surface.SetData(Cells.fill.Select(fill => math.asuint((float)fill) & ~SurfaceFlags).ToArray());
             Correction.Bins.SetData(ErrorBins(Grid, state.box, state.positions, errors));
             GpuTest.Run(cmd => Correction.RecordDensity(cmd, constants));
             return this;

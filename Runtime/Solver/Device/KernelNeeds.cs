@@ -78,6 +78,7 @@ namespace Rill
                 case "ESTIMATE":
                 case "FIELDS":
                 case "FIRST":
+                case "FLOW":
                 case "LAST":
                 case "MOVE":
                 case "NARROW":

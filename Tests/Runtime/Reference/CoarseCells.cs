@@ -17,6 +17,8 @@ namespace Rill.Tests.Reference
         /// <summary>Particles per volume relative to rest; a cell that has less than two layers of them across it is not active.</summary>
         public readonly double[] fill;
         public readonly bool[] active;
+        /// <summary>The same where the free surface is: of particles weighted by how near the cell's centre is, once it was known there.</summary>
+        public readonly double[] water;
 
         public CoarseCells(double3 box, int3 counts)
         {
@@ -24,6 +26,7 @@ namespace Rill.Tests.Reference
             size = box / counts;
             fill = new double[Total];
             active = new bool[Total];
+            water = new double[Total];
         }
 
         public int Total => counts.x * counts.y * counts.z;
@@ -73,7 +76,38 @@ namespace Rill.Tests.Reference
                 fill[CellOf(p)] += 1.0 / volume;
             for (int cell = 0; cell < Total; cell++)
                 active[cell] = fill[cell] * volume >= 2.0 * Math.Pow(volume, 2.0 / 3.0) - 0.01;
+            Array.Copy(fill, water, Total);
             return this;
+        }
+
+        /// <summary>Whether the cell or one of the six beside it is active, not both.</summary>
+        public bool IsAtSurface(int cell) => Enumerable.Range(0, 3).SelectMany(axis => new[] { Beside(cell, axis, false), Beside(cell, axis, true) })
+            .Any(beside => beside >= 0 && active[beside] != active[cell]);
+
+        /// <summary>Weights at the surface: a particle's is 1 at a cell's centre and falls to 0 a cell away on each axis, but not towards a wall.</summary>
+        public CoarseCells Weigh(double3[] points)
+        {
+            for (int cell = 0; cell < Total; cell++)
+                if (IsAtSurface(cell))
+                    water[cell] = points.Sum(p => WeightOf(p, Place(cell))) / Volume;
+            double least = Math.Ceiling(2.0 * Math.Pow(Volume, 2.0 / 3.0) - 0.01) / Volume;
+            bool[] weighted = Enumerable.Range(0, Total).Select(IsAtSurface).ToArray();
+            for (int cell = 0; cell < Total; cell++)
+                if (weighted[cell])
+                    active[cell] = water[cell] >= least && 2.0 * fill[cell] > least;
+            return this;
+        }
+
+        double WeightOf(double3 p, int3 place)
+        {
+            double weight = 1.0;
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double from = p[axis] / size[axis] - 0.5 - place[axis];
+                bool towardsWall = from < 0.0 ? place[axis] == 0 : place[axis] == counts[axis] - 1;
+                weight *= towardsWall ? 1.0 : Math.Max(1.0 - Math.Abs(from), 0.0);
+            }
+            return weight;
         }
 
         /// <summary>Mean of a value of the particles in each cell; 0 where there are none.</summary>
@@ -91,13 +125,16 @@ namespace Rill.Tests.Reference
         }
 
         /// <summary>
-        /// Of a face between an active cell and its neighbor: 1, or what the free surface's distance of θ cells makes of it.
+        /// Of a face between an active cell and its neighbor: 1, or what the free surface's distance of θ cells makes of it. With water on
+        /// the other side the distance is from the cell's centre, else from the middle of the water.
         /// </summary>
-        public double FaceWeight(int cell, int beyond)
+        public double FaceWeight(int cell, int axis, bool up)
         {
+            int beyond = Beside(cell, axis, up), opposite = Beside(cell, axis, !up);
             if (active[beyond])
                 return 1.0;
-            double theta = 0.5 * Math.Min(fill[cell], 1.0) + Math.Min(fill[beyond], 1.0);
+            double height = water[cell] + water[beyond];
+            double theta = opposite >= 0 && active[opposite] ? height - 0.5 : height - 0.5 * Math.Min(height, 1.0);
             return 1.0 / Math.Min(Math.Max(theta, 0.1), 1.5);
         }
 
@@ -110,7 +147,7 @@ namespace Rill.Tests.Reference
                 {
                     int beyond = Beside(cell, axis, up);
                     if (beyond >= 0)
-                        sum += FaceWeight(cell, beyond) / (size[axis] * size[axis]);
+                        sum += FaceWeight(cell, axis, up) / (size[axis] * size[axis]);
                 }
             return sum;
         }
@@ -145,7 +182,7 @@ namespace Rill.Tests.Reference
                     int beyond = Beside(cell, axis, up);
                     double outward = up ? 1.0 : -1.0;
                     if (beyond >= 0)
-                        sum -= outward * (potential[beyond] - potential[cell]) / size[axis] * FaceWeight(cell, beyond);
+                        sum -= outward * (potential[beyond] - potential[cell]) / size[axis] * FaceWeight(cell, axis, up);
                     else if (flow != null)
                         sum -= outward * IntoWall(cell, Beside(cell, axis, !up), axis, outward, flow);
                 }

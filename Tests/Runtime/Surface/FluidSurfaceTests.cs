@@ -134,7 +134,7 @@ namespace Rill.Tests
             floor.transform.position = new Vector3(0f, -0.5f, 0.175f);
             floor.transform.localScale = new Vector3(0.3f, 0.3f, 1f);
             fluid.gameObject.SetActive(true);
-            yield return Frames(150);
+            yield return Frames(350);       // its waves have died by then
             float4[] last = scene.Pixels();
             int version = fluid.Solver.SurfaceVersion;
             var differences = new List<float>();
@@ -151,9 +151,8 @@ namespace Rill.Tests
             Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version + 8), "awake");
             Assert.That(last[Pixels * Pixels / 2 + Pixels / 2].y, Is.LessThan(0.3f), "the floor is seen in the middle");
             Assert.That(last[Pixels * 3 + 3].y, Is.GreaterThan(0.5f), "and the white beside it in the corner");
-            // 0.5 and 3 are aimed at and missed.
-            Assert.That(rms, Is.LessThan(0.65f));
-            Assert.That(high, Is.LessThan(8f));
+            Assert.That(rms, Is.LessThanOrEqualTo(0.5f));
+            Assert.That(high, Is.LessThanOrEqualTo(3f));
         }
 
         [UnityTest]

@@ -27,17 +27,17 @@ namespace Rill.Tests
             Assert.That(drawn.degrees, Is.LessThanOrEqualTo(2.0));
         }
 
-        // With the coarse grid pools come to rest in long low heaps: the isosurface of the raw particles has them too.
-        [TestCase(24f, 6f, 0.5f, 150, 0f)]
-        [TestCase(30f, 8f, 0.5f, 200, 0f)]
-        [TestCase(30f, 8f, 0.01f, 400, 0f)]
-        [TestCase(30f, 8f, 0.5f, 200, 8f)]
-        public void A_pool_is_a_plane_as_high_as_its_volume(float side, float depth, float viscosity, int steps, float tilt)
+        // 24 x 6 x 24: the surface lies at the centres of the coarse grid's cells, which is where it is found worst.
+        [TestCase(24f, 6f, 0.5f, 150, 0f, 0.2f, 5f)]
+        [TestCase(30f, 8f, 0.5f, 200, 0f, 0.1f, 2.5f)]
+        [TestCase(30f, 8f, 0.01f, 400, 0f, 0.1f, 2.5f)]
+        [TestCase(30f, 8f, 0.5f, 200, 8f, 0.25f, 5.5f)]
+        public void A_pool_is_a_plane_as_high_as_its_volume(float side, float depth, float viscosity, int steps, float tilt, float unevenness, float slope)
         {
             Flatness drawn = Pool(SolverSettings.Default, side, depth, viscosity, steps, tilt);
             Assert.That(Math.Abs(drawn.mean), Is.LessThanOrEqualTo(0.1));
-            Assert.That(drawn.rms, Is.LessThanOrEqualTo(0.35), "what is reached");
-            Assert.That(drawn.degrees, Is.LessThanOrEqualTo(7.0), "2 is aimed at");
+            Assert.That(drawn.rms, Is.LessThanOrEqualTo(unevenness), "what is reached");
+            Assert.That(drawn.degrees, Is.LessThanOrEqualTo(slope), "what is reached; 2 is aimed at");
         }
 
         struct Flatness
