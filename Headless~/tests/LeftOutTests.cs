@@ -27,7 +27,7 @@ namespace Host.Tests
             ("nothing", null, s => { }, new string[0]),
             ("deep water", null, Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), new[]
             {
-                "+1 CoarseGrid.compute BinFlow", "+1 CoarseGrid.compute FindDivergence", "+1 CoarseGrid.compute DisplaceFlow", "+1 CoarseGrid.compute FindErrors",
+                "+1 CoarseGrid.compute BinFlow", "+1 CoarseGrid.compute FindSurface", "+1 CoarseGrid.compute FindDivergence", "+1 CoarseGrid.compute DisplaceFlow", "+1 CoarseGrid.compute FindErrors",
                 "+1 CoarseGrid.compute DisplaceErrors", "+2 CoarseGrid.compute ExtendDisplacements", "+2 CoarseSolver.compute *", "+1 Rill.Coarse.*",
                 "-1 NeighborSearch.compute CountCells", "+1 NeighborSearch.compute CountCellsDeep",
                 "-1 DensityConstraint.compute BuildList", "+1 DensityConstraint.compute BuildListDeep",
@@ -83,7 +83,7 @@ namespace Host.Tests
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepBeside",
             }
                 .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "Beside")).Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "Beside"))
-                .Concat(new[] { "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "Solids")))
+                .Concat(new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "Solids")))
                 .Concat(new[] { "Smooth", "RestrictGrid", "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "Solids"))).ToArray()),
             ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
             ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
