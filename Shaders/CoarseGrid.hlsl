@@ -28,6 +28,13 @@ cbuffer RillCoarse
 
 static const float kInactive = 1e30;    // right-hand side of a cell that is not solved for: its potential is 0
 
+// Flags of a cell, see _Surface in CoarseGrid.compute.
+static const uint kAtSurface = 1;       // the cell or one beside it is active, not both
+static const uint kNearSurface = 2;     // one of the 27 around the cell is at the surface
+static const uint kActive = 4;          // in the projection of this substep
+static const uint kBesideSolid = 8;     // one of the 27 is not all open
+static const uint kSurfaceFlags = 15;
+
 uint CoarseCell(float3 p)
 {
     uint3 cell = min(uint3(max(p * _InverseCoarseSize, 0.0)), _CoarseCounts - 1);

@@ -30,7 +30,7 @@ namespace Rill
             bool hasSteps = lastSubsteps > 0;
             float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
-            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, hasNew || !hasSteps, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null);
+            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, hasNew || !hasSteps, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null, hasSteps ? coarseCorrection : null);
             SurfaceIsCurrent = true;
             substepsSinceSurface = 0;
         }

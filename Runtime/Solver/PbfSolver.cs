@@ -261,7 +261,7 @@ namespace Rill
                 VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
                 Rill.Foam.Describe(foam, input, densityConstraint.Lists),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
-                SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions),
+                SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions, coarseCorrection != null),
                 StatisticsPass.Describe(statistics, statisticsInterval, colliders),
             };
         }

@@ -28,7 +28,8 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
-        readonly int addNew, estimate, storeDrawn, smooth, shape;
+        readonly int addNew, estimate, estimateWide, storeDrawn, smooth, shape;
+        readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
 
@@ -37,6 +38,7 @@ namespace Rill
         {
             addNew = shader.FindKernel("AddNew");
             estimate = shader.FindKernel("Estimate");
+            estimateWide = shader.FindKernel("Estimate" + KernelNeed.Wide);
             storeDrawn = shader.FindKernel("StoreDrawn");
             smooth = shader.FindKernel("Smooth");
             shape = shader.FindKernel("Shape");
@@ -85,7 +87,8 @@ namespace Rill
         /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
         /// <param name="substepsSince">Substeps since the surface before.</param>
         /// <param name="resting">Null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, bool hasNew, float substepTime, int version, int substepsSince, RestingRegions resting = null)
+        /// <param name="coarse">Null where the last step was none of deep water.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, bool hasNew, float substepTime, int version, int substepsSince, RestingRegions resting = null, CoarseCorrection coarse = null)
         {
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
@@ -96,7 +99,7 @@ namespace Rill
             if (constants != null)
             {
                 cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-                RecordEstimate(cmd, particles, lists, search, resting);
+                RecordEstimate(cmd, particles, lists, search, resting, coarse);
             }
             RecordDrawn(cmd);
             if (constants != null)
@@ -119,7 +122,8 @@ namespace Rill
 
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(SurfaceParticles stage, NeighborLists lists, RestingRegions resting)
+        /// <param name="isDeep">Whether a step solves for the pressure of deep water.</param>
+        public static StageDescription Describe(SurfaceParticles stage, NeighborLists lists, RestingRegions resting, bool isDeep)
         {
             string reason = stage != null ? $"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over what is drawn" : "no component draws the surface";
             var description = new StageDescription("Surface particles", stage != null, reason);
@@ -127,7 +131,7 @@ namespace Rill
                 return description;
             string variant = RestingRegions.Variant(lists.Variant, resting);
             description.Kernel("SurfaceParticles", "AddNew", 0);
-            description.Kernel("SurfaceParticles", "Estimate", 0, variant);
+            description.Kernel("SurfaceParticles", isDeep && stage.isWide ? "Estimate" + KernelNeed.Wide : "Estimate", 0, variant);
             description.Kernel("SurfaceParticles", "StoreDrawn", 0);
             description.Kernel("SurfaceParticles", "Smooth", 0, variant);
             description.Kernel("SurfaceParticles", "Shape", 0, variant);
@@ -151,13 +155,20 @@ namespace Rill
             cmd.DispatchCompute(shader, addNew, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
-        void RecordEstimate(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        void RecordEstimate(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting, CoarseCorrection coarse)
         {
-            BindNeighbors(cmd, estimate, particles, lists, search, resting);
-            cmd.SetComputeBufferParam(shader, estimate, Ids.Counters, particles.Counters);
-            cmd.SetComputeBufferParam(shader, estimate, Ids.Planes, planes);
-            cmd.SetComputeBufferParam(shader, estimate, Ids.SmoothPlanes, smoothPlanes);
-            cmd.DispatchCompute(shader, estimate, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            bool leavesOutDeep = isWide && coarse != null;
+            int kernel = leavesOutDeep ? estimateWide : estimate;
+            if (leavesOutDeep)
+            {
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, coarse.Cells.surface);
+            }
+            BindNeighbors(cmd, kernel, particles, lists, search, resting);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Planes, planes);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.SmoothPlanes, smoothPlanes);
+            cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordDrawn(CommandBuffer cmd)
@@ -211,6 +222,7 @@ namespace Rill
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int Planes = Shader.PropertyToID("_Planes");
             public static readonly int SmoothPlanes = Shader.PropertyToID("_SmoothPlanes");
+            public static readonly int CoarseSurface = Shader.PropertyToID("_CoarseSurface");
             public static readonly int Surface = Shader.PropertyToID("_Surface");
             public static readonly int SurfaceCounters = Shader.PropertyToID("_SurfaceCounters");
             public static readonly int SurfaceArguments = Shader.PropertyToID("_SurfaceArguments");

@@ -127,11 +127,14 @@ namespace Rill
             return isSupported;
         }
 
-        // Whether another kernel runs in its place: the stand-in where the device holds the large one, and the other way about.
+        // Whether another kernel runs in its place: the stand-in where the device holds the large one, and the other way about; that for
+        // more buffers where it has not enough.
         bool IsReplaced(in KernelNeed need)
         {
             if (IsStandIn(need.Kernel, KernelNeed.Small, out string large) || IsStandIn(need.Kernel, KernelNeed.Narrow, out large))
                 return limits.Holds(need.File, large);
+            if (IsStandIn(need.Kernel, KernelNeed.Wide, out _))
+                return !limits.Holds(need.File, need.Kernel);
             return HasStandIn(need, KernelNeed.Small) || HasStandIn(need, KernelNeed.Narrow);
         }
 

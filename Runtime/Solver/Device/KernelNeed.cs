@@ -7,6 +7,8 @@ namespace Rill
         public const string Small = "Small";
         /// <summary>Ends the name of a kernel that stands in for another where a kernel has 8 storage buffers.</summary>
         public const string Narrow = "Narrow";
+        /// <summary>Ends the name of a kernel that does the work of another faster where a kernel has more than 8 storage buffers.</summary>
+        public const string Wide = "Wide";
 
         /// <summary>In place of a kernel's name, the vertex stage of a draw shader.</summary>
         public const string Vertex = "Vertex";
