@@ -14,25 +14,25 @@ float _LastChangeScale;             // of that in the last one
 
 // How much of a change is taken to last: of one like the last change all, of one that is new or turns back none, since impacts
 // would bounce and noise would grow.
-float SteadyShare(float3 change, float3 last)
+float SteadyFraction(float3 change, float3 last)
 {
     return saturate(kSteady * dot(change, last) / max(dot(change, change), 1e-20)) * saturate(2.0 - length(change) / _LongestExtrapolation);
 }
 
-// A share of the change of the mean velocity once more, as the acceleration goes on. What is new or awake again has none: it gets
+// A fraction of the change of the mean velocity once more, as the acceleration goes on. What is new or awake again has none: it gets
 // what gravity gives.
 float3 Extrapolate(uint i, float3 mean)
 {
     uint4 last = _Means[i];
     float3 change = _GravityStep * (_InverseTimeStep / _AccelerationShare);
-    float share = 1.0;
+    float fraction = 1.0;
     if (last.w != 0)
     {
         change = _ChangeScale * (mean - asfloat(last.xyz));
-        share = SteadyShare(change, _LastChangeScale * UnpackVector(last.w ^ kNoChange));
+        fraction = SteadyFraction(change, _LastChangeScale * UnpackVector(last.w ^ kNoChange));
     }
     _Means[i] = uint4(asuint(mean), PackVector(change) ^ kNoChange);
-    return _Extrapolation * share * change;
+    return _Extrapolation * fraction * change;
 }
 
 #endif

@@ -45,7 +45,7 @@ namespace Rill
         [Tooltip("Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.")]
         [Range(0f, 1f)] public float sleepSpeed;
 
-        [Tooltip("Numerical damping of waves and turning water, as a share of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, and makes still water noisier. Fluids with a shear modulus always have 1.")]
+        [Tooltip("Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, and makes still water noisier. Fluids with a shear modulus always have 1.")]
         [Range(0f, 1f)] public float numericalDamping;
 
         public static SolverSettings Default => new SolverSettings

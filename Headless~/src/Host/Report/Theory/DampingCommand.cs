@@ -19,7 +19,7 @@ namespace Host.Report
         public static Command Create()
         {
             var scene = new Argument<string>("scene") { Description = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s> or bucket:<radius, d>:<layers>:<rad/s>." };
-            var damping = new Option<float[]>("--damping") { Description = "Numerical dampings, as shares of a first-order step's.", AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1f, 0.5f, 0f } };
+            var damping = new Option<float[]>("--damping") { Description = "Numerical dampings, as fractions of a first-order step's.", AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1f, 0.5f, 0f } };
             var substeps = new Option<int[]>("--substeps") { AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1, 2, 4 } };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => 2 };
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.On };
@@ -30,13 +30,13 @@ namespace Host.Report
             {
                 using var session = new Session(Session.Root());
                 Console.WriteLine(session.DescribeDevice());
-                foreach (float share in parsed.GetValue(damping))
+                foreach (float fraction in parsed.GetValue(damping))
                     foreach (int count in parsed.GetValue(substeps))
                     {
                         StepInput input = FluidRun.Water(count, parsed.GetValue(iterations), parsed.GetValue(deep));
-                        input.settings.numericalDamping = share;
+                        input.settings.numericalDamping = fraction;
                         input.material.viscosity = parsed.GetValue(viscosity);
-                        Console.WriteLine($"{parsed.GetValue(scene)} damping {share} {count} x {input.settings.iterations}: {Run(parsed.GetValue(scene), input, parsed.GetValue(seconds))}");
+                        Console.WriteLine($"{parsed.GetValue(scene)} damping {fraction} {count} x {input.settings.iterations}: {Run(parsed.GetValue(scene), input, parsed.GetValue(seconds))}");
                     }
                 return 0;
             });
