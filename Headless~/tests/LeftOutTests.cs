@@ -72,13 +72,13 @@ namespace Host.Tests
             ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[] { "+1 Colliders.compute BinColliders" }),
             ("motion of a collider in deep water", s => { AddCollider(s, false); Settings((ref SolverSettings v) => v.deepWater = DeepWater.On)(s); }, s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[]
             {
-                "+1 Colliders.compute BinColliders", "+1 CoarseSolids.compute OpenCells",
+                "+1 Colliders.compute BinColliders", "+1 CoarseSolids.compute OpenCells", "+1 CoarseSolids.compute LinkCells",
             }),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {
                 "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths",
                 $"+{Iterations - 1} Colliders.compute Collide", "+1 Colliders.compute CollideLast",
-                "+1 Rill.Coarse.OpenShares *", "+1 Rill.Coarse.SolidFlow *", "+1 Rill.Coarse.SolidSurfaces *",
+                "+1 Rill.Coarse.RawShares *", "+1 Rill.Coarse.OpenShares *", "+1 Rill.Coarse.OpenCenters *", "+1 Rill.Coarse.SolidFlow *",
                 "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCellsDeepBeside", "-1 NeighborSearch.compute Gather", "+1 NeighborSearch.compute GatherBeside",
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepBeside",
             }

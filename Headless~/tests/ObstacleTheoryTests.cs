@@ -32,20 +32,22 @@ namespace Host.Tests
             Assert.That(bucket.Turning, Is.InRange(0.8, 1.0));
         }
 
-        // A wall that slips acts by its pressure alone. With plain iterations it neither brakes nor drives; in deep water it still brakes.
-        [Test]
-        public void A_slippery_round_wall_leaves_turning_water_what_the_step_leaves()
+        // A wall that slips acts by its pressure alone: it neither brakes nor drives. The coarse grid brakes by what its cells of a few particles
+        // do not see of a curve so tight: 5 % here, less in wider buckets.
+        [TestCase(DeepWater.Off, 0.94, 1.02)]
+        [TestCase(DeepWater.On, 0.93, 1.02)]
+        public void A_slippery_round_wall_leaves_turning_water_what_the_step_leaves(DeepWater deepWater, double least, double most)
         {
-            RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, DeepWater.Off), 0.8, 0.8, 0f);
+            RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, deepWater), 0.8, 0.8, 0f);
             double expected = RotatingBucket.TurningLeft(3, 1.0 / 60, 1.2);
             TestContext.WriteLine($"turning {bucket.Turning:0.000} of {expected:0.000}");
-            Assert.That(bucket.Turning / expected, Is.InRange(0.94, 1.02));
+            Assert.That(bucket.Turning / expected, Is.InRange(least, most));
         }
 
         [Test]
-        public void A_slippery_round_wall_that_turns_moves_none_of_the_still_water_in_it()
+        public void A_slippery_round_wall_that_turns_moves_none_of_the_still_water_in_it([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            RotatingBucket bucket = RotatingBucket.Run(12, 3, true, FluidRun.Water(1, 2, DeepWater.Off), 0.4, 0.4, 0f, true);
+            RotatingBucket bucket = RotatingBucket.Run(12, 3, true, FluidRun.Water(1, 2, deepWater), 0.4, 0.4, 0f, true);
             TestContext.WriteLine($"turning {bucket.Turning:0.00000} of the wall's");
             Assert.That(bucket.Turning, Is.Zero.Within(0.002));
         }

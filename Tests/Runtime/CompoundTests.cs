@@ -100,7 +100,7 @@ namespace Rill.Tests
                 Assert.That(tiles.jitter, Is.LessThan(one.jitter + 0.02f), "jitter");
                 Assert.That(tiles.height, Is.EqualTo(one.height).Within(0.03f), "mean height");
                 Assert.That(tiles.overSeams, Is.EqualTo(one.overSeams).Within(0.06f), "height of the lowest layer over the seams");
-                // The grid's share of the force is counted in faces of its cells, whose quarters the seams divide.
+                // The grid's share of the force is counted in faces of its cells, which the seams divide.
                 Assert.That(tiles.force.y, Is.EqualTo(one.force.y).Within((deepWater == DeepWater.On ? 0.1f : 0.01f) * math.abs(one.force.y)), "the sum of the forces, in the water's weight");
                 Assert.That(math.length(tiles.force.xz), Is.LessThan(0.005f), "nothing pushes sideways");
             }

@@ -12,21 +12,23 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolids");
         readonly CoarseGrid grid;
-        readonly int openCells;
+        readonly int openCells, linkCells;
         int seen = -1;
         bool recorded;
-        GraphicsBuffer open, flow, surfaces;
+        GraphicsBuffer raw, open, centers, flow;
 
         public CoarseSolids(CoarseGrid grid)
         {
             this.grid = grid;
             openCells = shader.FindKernel("OpenCells");
-            open = GpuBuffer.Structured<uint>("Rill.Coarse.OpenShares", grid.Total);
+            linkCells = shader.FindKernel("LinkCells");
+            raw = GpuBuffer.Structured<Unity.Mathematics.uint2>("Rill.Coarse.RawShares", grid.Total);
+            open = GpuBuffer.Structured<Unity.Mathematics.uint2>("Rill.Coarse.OpenShares", grid.Total);
+            centers = GpuBuffer.Structured<Unity.Mathematics.uint4>("Rill.Coarse.OpenCenters", grid.Total);
             flow = GpuBuffer.Structured<Unity.Mathematics.float4>("Rill.Coarse.SolidFlow", grid.Total);
-            surfaces = GpuBuffer.Structured<Unity.Mathematics.float4>("Rill.Coarse.SolidSurfaces", grid.Total);
         }
 
-        /// <summary>uint [cells], see PackOpen in CoarseSolids.hlsl.</summary>
+        /// <summary>uint2 [cells], see PackFaces and PackOpen in CoarseSolids.hlsl.</summary>
         public GraphicsBuffer Open => open;
 
         /// <summary>float4 [cells], xyz displacement of the solid at the low faces in the substep, d.</summary>
@@ -44,10 +46,13 @@ namespace Rill
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             colliders.BindShapes(cmd, shader, openCells);
-            cmd.SetComputeBufferParam(shader, openCells, Ids.OpenCells, open);
+            cmd.SetComputeBufferParam(shader, openCells, Ids.OpenCells, raw);
+            cmd.SetComputeBufferParam(shader, openCells, Ids.CellCenters, centers);
             cmd.SetComputeBufferParam(shader, openCells, Ids.CellFlow, flow);
-            cmd.SetComputeBufferParam(shader, openCells, Ids.CellSurfaces, surfaces);
             CoarseGrid.Dispatch(cmd, shader, openCells, grid.Total);
+            cmd.SetComputeBufferParam(shader, linkCells, Ids.RawCells, raw);
+            cmd.SetComputeBufferParam(shader, linkCells, Ids.OpenCells, open);
+            CoarseGrid.Dispatch(cmd, shader, linkCells, grid.Total);
             cmd.EndSample(Marker);
         }
 
@@ -55,8 +60,8 @@ namespace Rill
         public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
             cmd.SetComputeBufferParam(reader, kernel, Ids.OpenShares, open);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.OpenCenters, centers);
             cmd.SetComputeBufferParam(reader, kernel, Ids.SolidFlow, flow);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.SolidSurfaces, surfaces);
         }
 
         /// <summary>Sums the pressure on the solids; null where none wants to know.</summary>
@@ -65,27 +70,33 @@ namespace Rill
         public void Describe(StageDescription description, int substeps)
         {
             if (recorded)
+            {
                 description.Kernel("CoarseSolids", "OpenCells", substeps);
+                description.Kernel("CoarseSolids", "LinkCells", substeps);
+            }
+            description.Buffer("Rill.Coarse.RawShares", raw);
             description.Buffer("Rill.Coarse.OpenShares", open);
+            description.Buffer("Rill.Coarse.OpenCenters", centers);
             description.Buffer("Rill.Coarse.SolidFlow", flow);
-            description.Buffer("Rill.Coarse.SolidSurfaces", surfaces);
         }
 
         public void Dispose()
         {
+            GpuBuffer.Release(ref raw);
             GpuBuffer.Release(ref open);
+            GpuBuffer.Release(ref centers);
             GpuBuffer.Release(ref flow);
-            GpuBuffer.Release(ref surfaces);
         }
 
         static class Ids
         {
             public static readonly int OpenCells = Shader.PropertyToID("_OpenCells");
+            public static readonly int RawCells = Shader.PropertyToID("_RawCells");
+            public static readonly int CellCenters = Shader.PropertyToID("_CellCenters");
             public static readonly int CellFlow = Shader.PropertyToID("_CellFlow");
-            public static readonly int CellSurfaces = Shader.PropertyToID("_CellSurfaces");
             public static readonly int OpenShares = Shader.PropertyToID("_OpenShares");
+            public static readonly int OpenCenters = Shader.PropertyToID("_OpenCenters");
             public static readonly int SolidFlow = Shader.PropertyToID("_SolidFlow");
-            public static readonly int SolidSurfaces = Shader.PropertyToID("_SolidSurfaces");
         }
     }
 }
