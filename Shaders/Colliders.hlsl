@@ -20,7 +20,7 @@ struct Collider
     float fieldUnit;        // d, of one stored unit of distance
     float3 fieldCenter;     // share of the atlas at its own frame's origin
     float voxel;            // side of a voxel, d
-    float friction;         // share of the velocity along the surface that a substep takes from what touches
+    float friction;         // share of the velocity along the surface that a substep takes from what touches; with kHoldsByViscosity of no slip
     float bounce;           // share of the velocity into the surface that is given back
     float momentArm;        // by which moments about position are divided where they are summed, d
     float leastShare;       // of the height over a height field that is surely free on all sides
@@ -51,6 +51,7 @@ static const uint kHeightField = 5;
 static const uint kInsideOut = 1;           // the fluid is in it
 static const uint kCarriesDensity = 2;
 static const uint kReacts = 4;              // what the fluid does to it is summed
+static const uint kHoldsByViscosity = 8;    // friction is by ViscosityWalls.hlsl
 
 static const uint kNoCollider = 0xFFFFu;
 

@@ -24,6 +24,7 @@ namespace Rill.Editor
                 new InspectorField("material.density", "kg/m³"),
                 new InspectorField("material.viscosity", "share in 1/60 s"),
                 new InspectorField("material.dynamicViscosity", "Pa s"),
+                new InspectorField("material.wallFriction"),
                 new InspectorField("material.vorticity", "m/s"),
                 new InspectorField("material.artificialPressure"),
                 new InspectorField("material.artificialPressureDistance", "support radii", When.IsPositive("material.artificialPressure")),

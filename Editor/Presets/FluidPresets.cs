@@ -48,6 +48,7 @@ namespace Rill.Editor
                     property.FindPropertyRelative("density").floatValue = material.density;
                     property.FindPropertyRelative("viscosity").floatValue = material.viscosity;
                     property.FindPropertyRelative("dynamicViscosity").floatValue = material.dynamicViscosity;
+                    property.FindPropertyRelative("wallFriction").floatValue = material.wallFriction;
                     property.FindPropertyRelative("vorticity").floatValue = material.vorticity;
                     property.FindPropertyRelative("artificialPressure").floatValue = material.artificialPressure;
                     property.FindPropertyRelative("artificialPressureDistance").floatValue = material.artificialPressureDistance;
@@ -69,7 +70,7 @@ namespace Rill.Editor
 
         static bool Same(in FluidMaterial a, in FluidMaterial b)
         {
-            return Near(a.density, b.density) && Near(a.viscosity, b.viscosity) && Near(a.dynamicViscosity, b.dynamicViscosity) && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
+            return Near(a.density, b.density) && Near(a.viscosity, b.viscosity) && Near(a.dynamicViscosity, b.dynamicViscosity) && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
                 && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension
                 && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
         }

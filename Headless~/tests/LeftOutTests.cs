@@ -41,7 +41,7 @@ namespace Host.Tests
             ("dynamic viscosity", null, Material((ref FluidMaterial v) => v.dynamicViscosity = 10f), new[]
             {
                 "+1 ImplicitViscosity.compute FindCoefficients", "+1 ImplicitViscosity.compute FindResidual", "+1 ImplicitViscosity.compute FirstPass", "+2 ImplicitViscosity.compute NextPass",
-                "+1 Rill.ViscousVelocities *", "+1 Rill.NextViscousVelocities *", "+1 Rill.ViscousChanges *",
+                "+1 Rill.ViscousVelocities *", "+1 Rill.NextViscousVelocities *", "+1 Rill.ViscousChanges *", "+1 Rill.ViscousHolds *",
             }),
             ("elasticity", null, Material((ref FluidMaterial v) => v.shearModulus = 100f), new[]
             {

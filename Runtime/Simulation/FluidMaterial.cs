@@ -16,6 +16,9 @@ namespace Rill
         [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Viscosity smooths comes on top.")]
         [Min(0f)] public float dynamicViscosity;
 
+        [Tooltip("How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of colliders: Friction.")]
+        [Range(0f, 1f)] public float wallFriction;
+
         [Tooltip("Vorticity confinement, m/s: acceleration per unit of vorticity that keeps eddies alive. 0 (off) to 10.")]
         [Range(0f, 10f)] public float vorticity;
 
@@ -39,6 +42,7 @@ namespace Rill
             density = 1000f,
             viscosity = 0.01f,
             dynamicViscosity = 0f,
+            wallFriction = 1f,
             vorticity = 0f,
             artificialPressure = 0f,
             artificialPressureDistance = 0.2f,
@@ -87,6 +91,7 @@ namespace Rill
             Limit.Clamp("density", ref density, 1e-3f, 1e6f, water.density, ref problem);
             Limit.Clamp("viscosity", ref viscosity, 0f, 1f, water.viscosity, ref problem);
             Limit.Clamp("dynamic viscosity", ref dynamicViscosity, 0f, 1e6f, water.dynamicViscosity, ref problem);
+            Limit.Clamp("wall friction", ref wallFriction, 0f, 1f, water.wallFriction, ref problem);
             Limit.Clamp("vorticity", ref vorticity, 0f, 10f, water.vorticity, ref problem);
             Limit.Clamp("artificial pressure", ref artificialPressure, 0f, 1f, water.artificialPressure, ref problem);
             Limit.Clamp("artificial pressure distance", ref artificialPressureDistance, 0.1f, 0.3f, water.artificialPressureDistance, ref problem);

@@ -21,14 +21,15 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.ImplicitViscosity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ImplicitViscosity");
-        readonly int applyProjection, findCoefficients, findResidual, firstPass, nextPass;
+        readonly int applyProjection, findCoefficients, findCoefficientsBeside, findResidual, firstPass, nextPass;
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer solution, nextSolution, changes;
+        GraphicsBuffer solution, nextSolution, changes, holds;
 
         public ImplicitViscosity(int capacity)
         {
             applyProjection = shader.FindKernel("ApplyProjection");
             findCoefficients = shader.FindKernel("FindCoefficients");
+            findCoefficientsBeside = shader.FindKernel("FindCoefficientsBeside");
             findResidual = shader.FindKernel("FindResidual");
             firstPass = shader.FindKernel("FirstPass");
             nextPass = shader.FindKernel("NextPass");
@@ -37,6 +38,7 @@ namespace Rill
             solution = GpuBuffer.Structured<float4>("Rill.ViscousVelocities", capacity);
             nextSolution = GpuBuffer.Structured<float4>("Rill.NextViscousVelocities", capacity);
             changes = GpuBuffer.Structured<float4>("Rill.ViscousChanges", capacity);
+            holds = GpuBuffer.Structured<float4>("Rill.ViscousHolds", 2L * capacity);
         }
 
         public static bool IsNeeded(in StepInput input) => input.material.dynamicViscosity > 0f;
@@ -64,7 +66,8 @@ namespace Rill
         /// <param name="lists">Of the last substep.</param>
         /// <param name="coarse">Its projection is added to the velocities of all particles first; null for none.</param>
         /// <param name="resting">Whose particles stay where they are; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, SolverLayout layout, in StepInput input, CoarseCorrection coarse = null, RestingRegions resting = null)
+        /// <param name="colliders">Where they are in this substep; null for none.</param>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, SolverLayout layout, in StepInput input, CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null)
         {
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
@@ -83,9 +86,15 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.LeastMoment, (float)(LeastFill * LatticeKernels.ViscosityMoment));
             cmd.SetComputeFloatParam(shader, Ids.LeastReach, (float)(LeastReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
 
-            Bind(cmd, findCoefficients, particles, lists, resting);
-            cmd.SetComputeBufferParam(shader, findCoefficients, Ids.Solution, solution);
-            Dispatch(cmd, findCoefficients, particles);
+            cmd.SetComputeFloatParam(shader, Ids.WallFriction, input.material.wallFriction);
+            cmd.SetComputeFloatParam(shader, Ids.WallHold, (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold));
+            cmd.SetComputeVectorParam(shader, Ids.WallMissing, new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares, 0f, 0f));
+
+            int coefficients = colliders != null ? findCoefficientsBeside : findCoefficients;
+            Bind(cmd, coefficients, particles, lists, resting);
+            colliders?.BindShapes(cmd, shader, coefficients);
+            cmd.SetComputeBufferParam(shader, coefficients, Ids.Solution, solution);
+            Dispatch(cmd, coefficients, particles);
             Bind(cmd, findResidual, particles, lists, resting);
             cmd.SetComputeBufferParam(shader, findResidual, Ids.Solution, solution);
             cmd.SetComputeBufferParam(shader, findResidual, Ids.Changes, changes);
@@ -115,12 +124,14 @@ namespace Rill
             GpuBuffer.Release(ref solution);
             GpuBuffer.Release(ref nextSolution);
             GpuBuffer.Release(ref changes);
+            GpuBuffer.Release(ref holds);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="deep">Whether a coarse correction runs.</param>
         /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(ImplicitViscosity stage, in StepInput input, SolverLayout layout, NeighborLists lists, bool deep, RestingRegions resting)
+        /// <param name="colliders">Null for none.</param>
+        public static StageDescription Describe(ImplicitViscosity stage, in StepInput input, SolverLayout layout, NeighborLists lists, bool deep, RestingRegions resting, Colliders colliders)
         {
             bool needed = IsNeeded(input);
             var description = new StageDescription("Implicit viscosity", needed, needed ? $"{input.material.dynamicViscosity} Pa s" : "the dynamic viscosity is 0");
@@ -130,7 +141,7 @@ namespace Rill
             int substeps = input.settings.substeps, passes = PassesFor(Strength(input, layout));
             if (deep)
                 description.Kernel("ImplicitViscosity", "ApplyProjection", substeps, variant);
-            description.Kernel("ImplicitViscosity", "FindCoefficients", substeps, variant);
+            description.Kernel("ImplicitViscosity", colliders != null ? "FindCoefficientsBeside" : "FindCoefficients", substeps, variant);
             description.Kernel("ImplicitViscosity", "FindResidual", substeps, variant);
             description.Kernel("ImplicitViscosity", "FirstPass", substeps, variant);
             if (passes > 1)
@@ -138,6 +149,7 @@ namespace Rill
             description.Buffer("Rill.ViscousVelocities", stage.solution);
             description.Buffer("Rill.NextViscousVelocities", stage.nextSolution);
             description.Buffer("Rill.ViscousChanges", stage.changes);
+            description.Buffer("Rill.ViscousHolds", stage.holds);
             return description;
         }
 
@@ -149,6 +161,7 @@ namespace Rill
         {
             lists.Bind(cmd, shader, kernel);
             resting?.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Holds, holds);
         }
 
         void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles)
@@ -167,6 +180,10 @@ namespace Rill
             public static readonly int Solution = Shader.PropertyToID("_Solution");
             public static readonly int NextSolution = Shader.PropertyToID("_NextSolution");
             public static readonly int Changes = Shader.PropertyToID("_Changes");
+            public static readonly int Holds = Shader.PropertyToID("_Holds");
+            public static readonly int WallFriction = Shader.PropertyToID("_WallFriction");
+            public static readonly int WallHold = Shader.PropertyToID("_WallHold");
+            public static readonly int WallMissing = Shader.PropertyToID("_WallMissing");
             public static readonly int Strength = Shader.PropertyToID("_Strength");
             public static readonly int Blend = Shader.PropertyToID("_Blend");
             public static readonly int LeastMoment = Shader.PropertyToID("_LeastMoment");

@@ -46,8 +46,17 @@ namespace Rill
         /// <summary>An upper bound of the largest eigenvalue of that Laplacian on the lattice, 1/d²: twice what a particle's neighbors brake it by.</summary>
         public static readonly double ViscosityEigenvalue = 2.0 * ViscosityScale * ViscositySquares / (3.0 * ViscosityMoment);
 
+        /// <summary>By which <see cref="ViscosityWallShape"/> over the distance is the hold of a wall without slip, so that the layers of the lattice are together held by ν times the shear; 1/d² of Δt ν.</summary>
+        public static readonly double ViscosityWallHold = 1.0 / (ViscosityWallShape(0.5) + ViscosityWallShape(1.5));
+
+        /// <summary>By which it is the part of Σ w r⁴ that a lattice particle half a spacing from a wall misses.</summary>
+        public static readonly double ViscosityWallMoment = MissingBehindWall(r => ViscosityWeight(r) * r * r * r * r) / ViscosityWallShape(0.5);
+
+        /// <summary>And of Σ w r².</summary>
+        public static readonly double ViscosityWallSquares = MissingBehindWall(r => ViscosityWeight(r) * r * r) / ViscosityWallShape(0.5);
+
         /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
-        public static readonly double WallScale = MissingBehindWall() / HalfSpaceDensity(0.5);
+        public static readonly double WallScale = MissingBehindWall(Poly6) / RestDensity / HalfSpaceDensity(0.5);
 
         /// <summary>poly6 W(r), 1/d³.</summary>
         public static double Poly6(double r) => r < Support ? Poly6Scale * Math.Pow(Support * Support - r * r, 3) : 0.0;
@@ -65,6 +74,13 @@ namespace Rill
             return t * t * (t + ViscosityBlend);
         }
 
+        /// <summary>Σ w x² y of the viscosity's pairs over the half space y &gt; <paramref name="s"/>, but for its factor π/480; see ViscosityWalls.hlsl.</summary>
+        public static double ViscosityWallShape(double s)
+        {
+            double a = Math.Max(Support * Support - s * s, 0.0);
+            return Math.Pow(a, 5) * (a + 2.0 * ViscosityBlend);
+        }
+
         /// <summary>poly6 integrated over the half space beyond distance <paramref name="s"/>: 1/2 at s = 0, 0 at s ≥ h.</summary>
         public static double HalfSpaceDensity(double s)
         {
@@ -73,16 +89,16 @@ namespace Rill
             return 0.5 - 315.0 / 256.0 * x * (1.0 + y * (-4.0 / 3.0 + y * (6.0 / 5.0 + y * (-4.0 / 7.0 + y / 9.0))));
         }
 
-        // Share of the rest density that the layers below a lattice particle contribute.
-        static double MissingBehindWall()
+        // What the layers below a lattice particle contribute.
+        static double MissingBehindWall(Func<double, double> value)
         {
             double missing = 0.0;
             ForLattice((x, y, z, r) =>
             {
                 if (y < 0)
-                    missing += Poly6(r);
+                    missing += value(r);
             });
-            return missing / RestDensity;
+            return missing;
         }
 
         // Σ w (x⁴ - 3 x²y²) with w = (h² - r²)^power.

@@ -187,7 +187,7 @@ namespace Rill
                 coarse?.RecordProjection(cmd, constants, particles);
                 bool hasLists = lastSubsteps > 0 || substep > 0;
                 if (hasLists)
-                    viscous?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, coarse, resting);
+                    viscous?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, coarse, resting, obstacles);
                 neighborSearch.RecordSort(cmd, constants, particles, viscous == null || !hasLists ? coarse : null, resting, obstacles, elastic?.Origins, extrapolation);
                 tags?.RecordSort(cmd, particles, neighborSearch);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
@@ -251,7 +251,7 @@ namespace Rill
                 ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
                 Rill.Colliders.Describe(colliders, input),
-                Rill.ImplicitViscosity.Describe(implicitViscosity, input, Layout, densityConstraint.Lists, coarseCorrection != null, restingRegions),
+                Rill.ImplicitViscosity.Describe(implicitViscosity, input, Layout, densityConstraint.Lists, coarseCorrection != null, restingRegions, colliders),
                 neighborSearch.Describe(input.settings, coarseCorrection != null && implicitViscosity == null, restingRegions, colliders),
                 ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
                 densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),

@@ -82,6 +82,7 @@ namespace Rill.Tests
             {
                 FluidMaterial material = FluidMaterial.Water;
                 material.viscosity = 0f;
+                material.wallFriction = 0f;         // so that nothing but the fluid acts
                 StepInput input = SolverStages.Still(SolverStages.Roomy, material);
                 input.material.dynamicViscosity = (float)(strength * material.density * SolverStages.Spacing * SolverStages.Spacing / input.timeStep);
                 Stages = new SolverStages(state, input, capacity, largestBinding);

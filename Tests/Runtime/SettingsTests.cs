@@ -137,9 +137,9 @@ namespace Rill.Tests
         [TestCase(2e6f)]
         public void A_material_out_of_range_becomes_valid_and_says_so(float bad)
         {
-            var material = new FluidMaterial { density = bad, viscosity = bad, dynamicViscosity = bad, vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad, relaxationTime = bad };
+            var material = new FluidMaterial { density = bad, viscosity = bad, dynamicViscosity = bad, wallFriction = bad, vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad, relaxationTime = bad };
             Assert.That(material.Validate(out string problem), Is.False);
-            foreach (string name in new[] { "density", "viscosity", "dynamic viscosity", "vorticity", "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
+            foreach (string name in new[] { "density", "viscosity", "dynamic viscosity", "wall friction", "vorticity", "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
                 Assert.That(problem, Does.Contain($"{name} {bad} is outside"));
             Assert.That(material.Validate(out problem), Is.True, problem);
         }

@@ -25,7 +25,7 @@ namespace Rill
         public float momentArm;
         public float leastShare;
 
-        const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4;       // as in Colliders.hlsl
+        const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4, HoldsByViscosity = 8;       // as in Colliders.hlsl
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
         /// <summary>Whether all bits are the same.</summary>
@@ -36,8 +36,9 @@ namespace Rill
         /// <param name="to">And ends.</param>
         /// <param name="timeStep">Length of the substep, s.</param>
         /// <param name="accelerationShare">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>: friction does.</param>
+        /// <param name="viscous">Whether its friction is by the fluid's viscosity, see ViscosityWalls.hlsl.</param>
         /// <param name="brick">Where the atlas holds the field of a mesh.</param>
-        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationShare, in FieldBrick brick)
+        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationShare, bool viscous, in FieldBrick brick)
         {
             RigidPose last = RigidPose.Between(motion.start, motion.end, from);
             RigidPose pose = RigidPose.Between(motion.start, motion.end, to);
@@ -48,10 +49,10 @@ namespace Rill
                 position = pose.position,
                 shape = (uint)motion.shape,
                 lastPosition = last.position,
-                flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u) | (motion.reacts ? Reacts : 0u),
+                flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u) | (motion.reacts ? Reacts : 0u) | (viscous ? HoldsByViscosity : 0u),
                 size = motion.size,
                 sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * math.max(motion.Radius, 1f),
-                friction = 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationShare),
+                friction = viscous ? motion.friction : 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationShare),
                 bounce = motion.bounce,
                 momentArm = motion.MomentArm,
             };
