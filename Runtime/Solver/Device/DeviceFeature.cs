@@ -9,30 +9,30 @@ namespace Rill
         /// <summary>Fluid in its box: without it there is nothing.</summary>
         None = 0,
         /// <summary>Neighbor lists in two buffers, because one cannot hold the capacity: part of the fluid, where it is so large.</summary>
-        TwoLists = 1,
-        Colliders = 2,
-        DeepWater = 4,
-        Viscosity = 8,
-        Emitters = 16,
+        TwoLists = 1 << 0,
+        Colliders = 1 << 1,
+        DeepWater = 1 << 2,
+        Viscosity = 1 << 3,
+        Emitters = 1 << 4,
         /// <summary>Phases and lifetimes of particles.</summary>
-        Tags = 32,
-        Drains = 64,
-        ForceFields = 128,
-        Elasticity = 256,
-        Vorticity = 512,
-        /// <summary>What the fluid does to colliders.</summary>
-        Reactions = 1024,
-        Sleep = 2048,
-        /// <summary>Less numerical damping than that of a first-order step.</summary>
-        Extrapolation = 4096,
-        /// <summary>Foam, spray and bubbles.</summary>
-        Foam = 8192,
-        Statistics = 16384,
-        /// <summary>What has to be drawn of the water's surface, found once a frame.</summary>
-        Surface = 32768,
-        /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
-        Baking = 65536,
+        Tags = 1 << 5,
+        Drains = 1 << 6,
+        ForceFields = 1 << 7,
         /// <summary>Viscosity in Pa s.</summary>
-        DynamicViscosity = 131072,
+        DynamicViscosity = 1 << 8,
+        Elasticity = 1 << 9,
+        Vorticity = 1 << 10,
+        /// <summary>What the fluid does to colliders.</summary>
+        Reactions = 1 << 11,
+        Sleep = 1 << 12,
+        /// <summary>Less numerical damping than that of a first-order step.</summary>
+        Extrapolation = 1 << 13,
+        /// <summary>Foam, spray and bubbles.</summary>
+        Foam = 1 << 14,
+        Statistics = 1 << 15,
+        /// <summary>What has to be drawn of the water's surface, found once a frame. The last that a scene can ask for.</summary>
+        Surface = 1 << 16,
+        /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
+        Baking = 1 << 17,
     }
 }

@@ -127,8 +127,8 @@ namespace Rill
             return isSupported;
         }
 
-        // Whether another kernel runs in its place: the stand-in where the device holds the large one, and the other way about; that for
-        // more buffers where it has not enough.
+        // Whether another kernel runs in its place: the stand-in where the device holds the large one, the large one where it does
+        // not, and the one for more buffers where it has not enough.
         bool IsReplaced(in KernelNeed need)
         {
             if (IsStandIn(need.Kernel, KernelNeed.Small, out string large) || IsStandIn(need.Kernel, KernelNeed.Narrow, out large))

@@ -61,6 +61,15 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_device_without_storage_buffers_refuses_each_feature_by_name()
+        {
+            DeviceGate gate = With(0);
+            gate.Decide(Everything);
+            Assert.That(gate.Refused, Is.EqualTo(Everything & ~DeviceFeature.Reactions), "forces on colliders go with the colliders");
+            Assert.That(gate.Refusals.Select(refusal => refusal.problem), Has.All.StartsWith("goes on without "));
+        }
+
+        [Test]
         public void With_eight_the_surface_of_a_fluid_with_two_lists_is_refused_by_name_and_that_with_one_is_not()
         {
             DeviceGate gate = With(8);
