@@ -5,7 +5,7 @@
 
 static const float kLeastOpen = 0.25;       // of a cell's volume: in less there is no room for a layer of particles
 static const float kFaceSteps = 1023.0;     // of the open fraction of a face
-static const float kCenterSteps = 1022.0;    // even: 0 is one of them
+static const float kCenterSteps = 1022.0;   // even: 0 is one of them
 static const float kVolumeSteps = 4095.0;
 static const uint kRoomy = 6;               // links of a cell, see PackOpen
 static const uint kSolid = 7;

@@ -83,6 +83,9 @@ namespace Rill
         /// <summary>uint [cells, 8], see CoarseBins.hlsl; the density constraint sums its errors there.</summary>
         public GraphicsBuffer Bins { get; private set; }
 
+        /// <summary>uint [cells], bits: where the water's surface is; see CoarseGrid.compute.</summary>
+        public GraphicsBuffer Surface => surface;
+
         /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
         public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer surface, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
             => (flow, fill, surface, source, lastErrors, diagonal, flowPotential, errorPotential);

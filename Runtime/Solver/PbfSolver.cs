@@ -361,6 +361,12 @@ namespace Rill
             return null;
         }
 
+        void ReleaseViscoelasticity()
+        {
+            viscoelasticity?.Dispose();
+            viscoelasticity = null;
+        }
+
         VelocityExtrapolation ExtrapolationFor(in StepInput input)
         {
             if (VelocityExtrapolation.IsNeeded(input))
@@ -373,12 +379,6 @@ namespace Rill
         {
             velocityExtrapolation?.Dispose();
             velocityExtrapolation = null;
-        }
-
-        void ReleaseViscoelasticity()
-        {
-            viscoelasticity?.Dispose();
-            viscoelasticity = null;
         }
 
         // Another budget is other buffers: what floated is gone.

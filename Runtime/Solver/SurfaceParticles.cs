@@ -162,7 +162,7 @@ namespace Rill
             if (leavesOutDeep)
             {
                 cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, coarse.Cells.surface);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, coarse.Surface);
             }
             BindNeighbors(cmd, kernel, particles, lists, search, resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);

@@ -1,4 +1,5 @@
 using System;
+using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -22,10 +23,10 @@ namespace Rill
             this.grid = grid;
             openCells = shader.FindKernel("OpenCells");
             linkCells = shader.FindKernel("LinkCells");
-            raw = GpuBuffer.Structured<Unity.Mathematics.uint2>("Rill.Coarse.RawShares", grid.Total);
-            open = GpuBuffer.Structured<Unity.Mathematics.uint2>("Rill.Coarse.OpenShares", grid.Total);
-            centers = GpuBuffer.Structured<Unity.Mathematics.uint4>("Rill.Coarse.OpenCenters", grid.Total);
-            flow = GpuBuffer.Structured<Unity.Mathematics.float4>("Rill.Coarse.SolidFlow", grid.Total);
+            raw = GpuBuffer.Structured<uint2>("Rill.Coarse.RawShares", grid.Total);
+            open = GpuBuffer.Structured<uint2>("Rill.Coarse.OpenShares", grid.Total);
+            centers = GpuBuffer.Structured<uint4>("Rill.Coarse.OpenCenters", grid.Total);
+            flow = GpuBuffer.Structured<float4>("Rill.Coarse.SolidFlow", grid.Total);
         }
 
         /// <summary>uint2 [cells], see PackFaces and PackOpen in CoarseSolids.hlsl.</summary>

@@ -13,7 +13,7 @@ namespace Host.Fluids
     {
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m> spill:<layers>:<side>:<spacing in m> or bucket:<particles across the radius>:<friction of its wall>." };
+            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m> or bucket:<particles across the radius>:<friction of its wall>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };

@@ -54,16 +54,15 @@ namespace Host.Report.Obstacles
         /// <param name="flat">Whether the water starts level, and not as the parabola.</param>
         /// <param name="settle">Before the mean over <paramref name="seconds"/>, s.</param>
         /// <param name="friction">Of the wall: 0 slips and acts by its pressure alone, 1 sticks.</param>
-        /// <param name="still">Whether the water starts still and level, in a bucket that turns.</param>
+        /// <param name="still">Whether the water starts still, in a bucket that turns.</param>
         public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds, float friction = 1f, bool still = false)
         {
             float spacing = (float)(Radius / across), middle = across + 1f;
-            float3[] places = Lattice(across, middle, r => (flat || still ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
+            float3[] places = Lattice(across, middle, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
             float height = (float)(Surface(Depth, speed, Radius) / spacing) + across;
             float3 Velocity(float3 p) => (still ? 0f : (float)speed) * spacing * new float3(p.z - middle, 0f, middle - p.x);
             using var run = new FluidRun("bucket", new float3(2f * middle, height, 2f * middle), spacing, places, Velocity, input);
-            ColliderMotion wall = Solids.Still(ColliderShape.Capsule, new float3(across, 2f * height + across, 0f), new float3(middle, height / 2f, middle));
-            wall.insideOut = true;
+            ColliderMotion wall = Solids.RoundTank(across, height, new float3(middle, height / 2f, middle));
             wall.friction = friction;
 
             double[] heights = new double[Rings], counts = new double[Rings], momenta = new double[Rings], moments = new double[Rings];

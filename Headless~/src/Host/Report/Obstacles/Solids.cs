@@ -15,6 +15,15 @@ namespace Host.Report.Obstacles
             return new ColliderMotion { shape = shape, size = size, start = pose, end = pose, carriesDensity = true };
         }
 
+        /// <summary>The inside of an upright round tank, whose floor is the domain's.</summary>
+        /// <param name="center">Of the domain, d.</param>
+        public static ColliderMotion RoundTank(float radius, float height, float3 center)
+        {
+            ColliderMotion wall = Still(ColliderShape.Capsule, new float3(radius, 2f * height + radius, 0f), center);
+            wall.insideOut = true;
+            return wall;
+        }
+
         /// <summary>A box from corner to corner.</summary>
         public static ColliderMotion Box(float3 low, float3 high) => Still(ColliderShape.Box, (high - low) / 2f, (high + low) / 2f);
     }

@@ -14,11 +14,12 @@ namespace Host.Report
     /// <summary><c>damping</c>: what the time step takes of motion that ideal water keeps, for numerical dampings and substeps.</summary>
     static class DampingCommand
     {
+        const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s> or bucket:<radius, d>:<layers>:<rad/s>.";
         const float SettlingTime = 1f;      // s
 
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s> or bucket:<radius, d>:<layers>:<rad/s>." };
+            var scene = new Argument<string>("scene") { Description = Scenes };
             var damping = new Option<float[]>("--damping") { Description = "Numerical dampings, as fractions of a first-order step's.", AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1f, 0.5f, 0f } };
             var substeps = new Option<int[]>("--substeps") { AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1, 2, 4 } };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => 2 };
@@ -46,18 +47,21 @@ namespace Host.Report
         static string Run(string scene, in StepInput input, double seconds)
         {
             string[] words = scene.Split(':');
-            if (words.Length != 4)
-                throw new HostException($"'{scene}' is no scene of this command; see its help.");
-            int size = int.Parse(words[1], CultureInfo.InvariantCulture), layers = int.Parse(words[2], CultureInfo.InvariantCulture);
-            double strength = double.Parse(words[3], CultureInfo.InvariantCulture);
+            if (words.Length != 4 || !TryParse(words[1], out int size) || !TryParse(words[2], out int layers)
+                || !double.TryParse(words[3], NumberStyles.Float, CultureInfo.InvariantCulture, out double strength) || !(strength > 0) || double.IsInfinity(strength))
+                throw BadScene(scene);
             return words[0] switch
             {
                 "slosh" => Slosh(size, layers, strength, input, seconds),
                 "vortex" => Vortex(size, layers, (float)strength, input, seconds > 0 ? seconds : 1),
                 "bucket" => Bucket(size, layers, strength, input, seconds > 0 ? seconds : 3.8),
-                _ => throw new HostException($"'{scene}' is no scene of this command; see its help."),
+                _ => throw BadScene(scene),
             };
         }
+
+        static bool TryParse(string word, out int count) => int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;
+
+        static HostException BadScene(string scene) => new HostException($"scene \"{scene}\": give {Scenes} Two whole numbers and one number, all above 0, as in slosh:40:20:2 or bucket:12:12:6.3.");
 
         static string Slosh(int along, int layers, double wave, in StepInput input, double seconds)
         {
@@ -118,9 +122,7 @@ namespace Host.Report
                 }
             float height = (float)Surface(radius) + radius;
             using var run = new FluidRun("bucket", new float3(2f * middle, height, 2f * middle), spacing, places, p => (float)speed * spacing * new float3(p.z - middle, 0f, middle - p.x), input);
-            ColliderMotion wall = Solids.Still(ColliderShape.Capsule, new float3(radius, 2f * height + radius, 0f), new float3(middle, height / 2f, middle));
-            wall.insideOut = true;
-            run.Use(wall);
+            run.Use(Solids.RoundTank(radius, height, new float3(middle, height / 2f, middle)));
             while (run.Time < seconds)
                 run.Step();
             float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
