@@ -37,7 +37,7 @@ cbuffer RillSolver
     float _AllowedTension;      // negative density error that is still corrected, >= 0
     float _ArtificialPressure;  // k of s_corr, d^2
     float _ArtificialPressureReference; // 1 / W(dq), without W's normalisation
-    float _Viscosity;           // XSPH c of this substep
+    float _Smoothing;           // XSPH c of this substep
     float _Confinement;         // vorticity confinement, d/s
     float _Extrapolation;       // share of the last change of velocity that is added once more, see VelocityExtrapolation.cs; 0 for none
     float _AccelerationShare;   // 1 less it: of an acceleration that lasts, what acts at once

@@ -22,7 +22,7 @@ namespace Rill.Editor
                 new InspectorField("seed")),
             new InspectorSection(FluidTitle, true,
                 new InspectorField("material.density", "kg/m³"),
-                new InspectorField("material.viscosity", "share in 1/60 s"),
+                new InspectorField("material.velocitySmoothing", "fraction in 1/60 s"),
                 new InspectorField("material.dynamicViscosity", "Pa s"),
                 new InspectorField("material.wallFriction"),
                 new InspectorField("material.vorticity", "m/s"),
@@ -116,7 +116,7 @@ namespace Rill.Editor
         void DrawPresets()
         {
             serializedObject.ApplyModifiedProperties();
-            int current = targets.Length == 1 ? FluidPresets.IndexOf(Simulation.Material, Simulation.ParticleSpacing) : -1;
+            int current = targets.Length == 1 ? FluidPresets.IndexOf(Simulation.Material) : -1;
             int chosen = EditorGUILayout.Popup("Preset", current + 1, FluidPresets.Names) - 1;
             if (chosen >= 0 && chosen != current)
             {
@@ -125,7 +125,8 @@ namespace Rill.Editor
             }
             if (targets.Length > 1)
                 return;
-            InspectorRows.Text("Acts like", FluidPresets.ViscosityText(Simulation.Material, Simulation.ParticleSpacing));
+            if (Simulation.Material.velocitySmoothing > 0f)
+                InspectorRows.Text("Smoothing acts like", FluidPresets.SmoothingText(Simulation.Material, Simulation.ParticleSpacing));
             if (Simulation.Material.shearModulus > 0f)
                 InspectorRows.Text("Elastic", FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing, Simulation.FixedStep / Simulation.Settings.substeps));
             if (current >= 0)

@@ -18,13 +18,22 @@ namespace Rill.Editor
         /// <summary>What the figures are at.</summary>
         public readonly string Conditions;
 
-        // Keep an elastic fluid whole: without tension it swells where it is drawn out, and tension without pressure between near ones makes clumps.
-        const float ElasticTension = 0.05f, ElasticPressure = 0.1f;
+        // Keep a fluid whole that is elastic or so thick that it draws threads: without tension it swells or comes apart where it is drawn out,
+        // and tension without pressure between near ones makes clumps.
+        const float Tension = 0.05f, TensionPressure = 0.1f;
+
+        const float ThreadViscosity = 5f;      // Pa s
 
         // The largest modulus is that of fluid at rest; drawn out to twice its length, where B has the trace 5, it is this much less.
         const float DrawnOut = 3f;
 
         const float UsualStep = 1f / 60f;
+
+        // Pa s. Thinner fluids are as water is: passes for their viscosity would cost time and change nothing that is seen.
+        const float LeastViscosity = 0.01f;
+
+        // What the solver itself damps eddies by at least, d² a step; see NumericalViscosityTests.
+        const double NumericalViscosity = 0.07;
 
         public FluidPreset(string name, float density, float viscosity, string conditions, float shearModulus = 0f, float relaxationTime = 1f)
         {
@@ -36,31 +45,35 @@ namespace Rill.Editor
             Conditions = conditions;
         }
 
-        /// <summary>Its figures at a spacing, m, within what the solver uses.</summary>
-        public FluidMaterial MaterialAt(float spacing)
+        /// <summary>Its figures, the same at every spacing.</summary>
+        public FluidMaterial Material
         {
-            FluidMaterial material = FluidMaterial.Like(Density, Viscosity, spacing);
-            // Less than water's default leaves the solver's own noise; more than all of the difference in 1/60 s there is not.
-            material.viscosity = Math.Min(Math.Max(material.viscosity, FluidMaterial.Water.viscosity), 1f);
-            if (ShearModulus <= 0f)
+            get
+            {
+                FluidMaterial material = FluidMaterial.Viscous(Density, Viscosity < LeastViscosity ? 0f : Viscosity);
+                bool isElastic = ShearModulus > 0f;
+                if (isElastic)
+                {
+                    material.shearModulus = ShearModulus;
+                    material.relaxationTime = RelaxationTime;
+                }
+                if (isElastic || Viscosity >= ThreadViscosity)
+                {
+                    material.allowedTension = Tension;
+                    material.artificialPressure = TensionPressure;
+                }
                 return material;
-            material.shearModulus = ShearModulus;
-            material.relaxationTime = RelaxationTime;
-            material.allowedTension = ElasticTension;
-            material.artificialPressure = ElasticPressure;
-            return material;
+            }
         }
 
-        /// <summary>Figures, and what becomes of them at a spacing.</summary>
+        /// <summary>Figures, and what a spacing, m, leaves of them.</summary>
         public string Describe(float spacing)
         {
-            FluidMaterial asked = FluidMaterial.Like(Density, Viscosity, spacing), used = MaterialAt(spacing);
-            string text = $"{Name}: {Density:0.#} kg/m³, {Viscosity:G4} Pa s{ElasticText(used, spacing)} ({Conditions}).";
-            if (asked.viscosity < used.viscosity)
-                return $"{text} At this spacing no less than {used.DynamicViscosity(spacing):G3} Pa s can be had: a viscosity below {used.viscosity} leaves the solver's noise.";
-            if (asked.viscosity > used.viscosity)
-                return $"{text} At this spacing no more than {used.DynamicViscosity(spacing):G3} Pa s can be had. Raise the spacing.";
-            return text;
+            string text = $"{Name}: {Density:0.#} kg/m³, {Viscosity:G4} Pa s{ElasticText(Material, spacing)} ({Conditions}).";
+            double numerical = NumericalViscosity * Density * spacing * spacing / UsualStep;
+            if (Viscosity >= numerical)
+                return text;
+            return $"{text} At this spacing and 60 steps a second the solver itself damps eddies as {numerical:G2} Pa s would, or more. Lower the spacing to see less than that.";
         }
 
         string ElasticText(in FluidMaterial material, float spacing)

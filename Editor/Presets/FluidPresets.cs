@@ -28,25 +28,24 @@ namespace Rill.Editor
         public static readonly string[] Names = new[] { "Custom" }.Concat(All.Select(preset => preset.Name)).ToArray();
 
         /// <summary>Number of the preset that a material has the values of, -1 for none.</summary>
-        /// <param name="spacing">m.</param>
-        public static int IndexOf(in FluidMaterial material, float spacing)
+        public static int IndexOf(in FluidMaterial material)
         {
             for (int i = 0; i < All.Length; i++)
-                if (Same(material, All[i].MaterialAt(spacing)))
+                if (Same(material, All[i].Material))
                     return i;
             return -1;
         }
 
-        /// <summary>Gives simulations a preset's material, each at its spacing, as one step of undo.</summary>
+        /// <summary>Gives simulations a preset's material, as one step of undo.</summary>
         public static void Apply(FluidPreset preset, Object[] simulations)
         {
             foreach (Object target in simulations)
                 using (var one = new SerializedObject(target))
                 {
-                    FluidMaterial material = preset.MaterialAt(one.FindProperty("particleSpacing").floatValue);
+                    FluidMaterial material = preset.Material;
                     SerializedProperty property = one.FindProperty("material");
                     property.FindPropertyRelative("density").floatValue = material.density;
-                    property.FindPropertyRelative("viscosity").floatValue = material.viscosity;
+                    property.FindPropertyRelative("velocitySmoothing").floatValue = material.velocitySmoothing;
                     property.FindPropertyRelative("dynamicViscosity").floatValue = material.dynamicViscosity;
                     property.FindPropertyRelative("wallFriction").floatValue = material.wallFriction;
                     property.FindPropertyRelative("vorticity").floatValue = material.vorticity;
@@ -60,7 +59,7 @@ namespace Rill.Editor
             Undo.SetCurrentGroupName($"Fluid preset {preset.Name}");
         }
 
-        public static string ViscosityText(in FluidMaterial material, float spacing) => $"{material.DynamicViscosity(spacing):G3} Pa s at this spacing (water 0.001, honey about 10)";
+        public static string SmoothingText(in FluidMaterial material, float spacing) => $"{material.SmoothingViscosity(spacing):G3} Pa s at this spacing";
 
         /// <param name="substep">s.</param>
         public static string ElasticityText(in FluidMaterial material, float spacing, float substep)
@@ -70,7 +69,7 @@ namespace Rill.Editor
 
         static bool Same(in FluidMaterial a, in FluidMaterial b)
         {
-            return Near(a.density, b.density) && Near(a.viscosity, b.viscosity) && Near(a.dynamicViscosity, b.dynamicViscosity) && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
+            return Near(a.density, b.density) && Near(a.velocitySmoothing, b.velocitySmoothing) && Near(a.dynamicViscosity, b.dynamicViscosity) && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
                 && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension
                 && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
         }

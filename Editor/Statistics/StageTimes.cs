@@ -41,7 +41,7 @@ namespace Rill.Editor
             ("Rill.Lambda", "Pressure"),
             ("Rill.Displace", "Displacement"),
             ("Rill.DensityCorrection", "Deep water: density"),
-            ("Rill.Velocity", "Velocity, viscosity"),
+            ("Rill.Velocity", "Velocity, smoothing"),
             ("Rill.Viscoelasticity", "Viscoelasticity"),
             ("Rill.Vorticity", "Vorticity"),
             ("Rill.Foam", "Foam"),

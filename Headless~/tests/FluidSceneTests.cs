@@ -19,7 +19,7 @@ namespace Host.Tests
         static readonly (string Name, Action<FluidSimulation> Change, bool Particles, bool Domain)[] Scenes =
         {
             ("everything off", Both(WithDeepWater((ref SolverSettings s) => s.deepWater = DeepWater.Off), WithMaterial((ref FluidMaterial m) => { })), false, false),
-            ("viscosity", WithMaterial((ref FluidMaterial m) => m.viscosity = 0.01f), false, false),
+            ("viscosity", WithMaterial((ref FluidMaterial m) => m.velocitySmoothing = 0.01f), false, false),
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
             ("dynamic viscosity", WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f), false, false),
             ("dynamic viscosity and sleep in deep water, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f)), false, false),
@@ -176,7 +176,7 @@ namespace Host.Tests
         static Action<FluidSimulation> WithMaterial(MaterialChange change) => simulation =>
         {
             FluidMaterial material = simulation.Material;
-            material.viscosity = 0f;
+            material.velocitySmoothing = 0f;
             change(ref material);
             simulation.Material = material;
         };

@@ -221,7 +221,7 @@ namespace Host.Tests
                     Player.Device.WaitIdle();
                     times.Update(Time.frameCount);
                 }
-                Assert.That(times.Rows.Select(row => row.Label), Is.SupersetOf(new[] { "Sort", "Neighbor list", "Pressure", "Displacement", "Velocity, viscosity" }).And.No.Member("Vorticity").And.No.Member("Emitters"));
+                Assert.That(times.Rows.Select(row => row.Label), Is.SupersetOf(new[] { "Sort", "Neighbor list", "Pressure", "Displacement", "Velocity, smoothing" }).And.No.Member("Vorticity").And.No.Member("Emitters"));
                 Assert.That(times.Rows.Max(row => row.Share), Is.EqualTo(1f));
             }
         }

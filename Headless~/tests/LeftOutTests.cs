@@ -346,7 +346,7 @@ namespace Host.Tests
 
         static void Aside(FluidDrain drain) => drain.transform.localPosition = new Vector3(0f, 5f, 0f);
 
-        static void Inviscid(FluidSimulation simulation) => Material((ref FluidMaterial v) => v.viscosity = 0f)(simulation);
+        static void Inviscid(FluidSimulation simulation) => Material((ref FluidMaterial v) => v.velocitySmoothing = 0f)(simulation);
 
         static void ColorByDensity(FluidSimulation simulation) => simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
 

@@ -208,7 +208,7 @@ namespace Host.Tests
         {
             StepInput input = Input(DeepWater.Off, 1, 3);
             input.settings.relaxation = 0f;         // no method moves anything, and the viscosity has what it needs
-            input.material.viscosity = 0.5f;
+            input.material.velocitySmoothing = 0.5f;
             float4[] package = Play(input, new Jacobi(), Block(), 3);
             foreach (ConstraintMethod method in new ConstraintMethod[] { new ScheduledJacobi(0f), new ChebyshevJacobi(0.9, 1), new NesterovJacobi(true), new NeighborMean(0f), new GaussSeidel(false), new GaussSeidel(true) })
                 Assert.That(Different(Play(input, method, Block(), 3), package), Is.Zero, method.GetType().Name);
@@ -239,7 +239,7 @@ namespace Host.Tests
         // Without gravity or viscosity: positions are what the passes made of them.
         static StepInput Still(float relaxation, int iterations = 1)
         {
-            StepInput input = new MethodVariant { Iterations = iterations, Relaxation = relaxation, Viscosity = 0f, NeighborCapacity = 256 }.Input();
+            StepInput input = new MethodVariant { Iterations = iterations, Relaxation = relaxation, Smoothing = 0f, NeighborCapacity = 256 }.Input();
             input.gravity = 0f;
             return input;
         }

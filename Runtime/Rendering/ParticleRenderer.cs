@@ -22,7 +22,7 @@ namespace Rill
         [Range(0.1f, 2f)]
         [SerializeField] float radius = 0.6f;
 
-        [Tooltip("What the colour shows. Density costs a visit to the neighbors if viscosity is 0. Phase: the number that the emitter gave, 0 without one.")]
+        [Tooltip("What the colour shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the emitter gave, 0 without one.")]
         [SerializeField] Quantity colorBy = Quantity.Speed;
 
         [Tooltip("Speed, m/s, or relative density error at which the last colour is reached.")]

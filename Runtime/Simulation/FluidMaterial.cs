@@ -1,5 +1,6 @@
 using System;
 using UnityEngine;
+using UnityEngine.Serialization;
 
 namespace Rill
 {
@@ -10,10 +11,11 @@ namespace Rill
         [Tooltip("Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is elastic.")]
         [Min(1e-3f)] public float density;
 
-        [Tooltip("XSPH viscosity: share of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1.")]
-        [Range(0f, 1f)] public float viscosity;
+        [Tooltip("XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against noise: it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.")]
+        [FormerlySerializedAs("viscosity")]
+        [Range(0f, 1f)] public float velocitySmoothing;
 
-        [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Viscosity smooths comes on top.")]
+        [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.")]
         [Min(0f)] public float dynamicViscosity;
 
         [Tooltip("How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of colliders: Friction.")]
@@ -40,7 +42,7 @@ namespace Rill
         public static FluidMaterial Water => new FluidMaterial
         {
             density = 1000f,
-            viscosity = 0.01f,
+            velocitySmoothing = 0.01f,
             dynamicViscosity = 0f,
             wallFriction = 1f,
             vorticity = 0f,
@@ -51,35 +53,32 @@ namespace Rill
             relaxationTime = 1f,
         };
 
-        /// <summary>Water's other values, with a density and the viscosity setting that acts like a given viscosity.</summary>
+        /// <summary>A fluid as thick as a real one, the same at every spacing and step; else as water.</summary>
         /// <param name="density">kg/m³.</param>
-        /// <param name="dynamicViscosity">Pa s; what the setting can express at a spacing is <see cref="DynamicViscosity"/> of 0 to 1.</param>
-        /// <param name="spacing">Particle spacing, m.</param>
-        /// <returns>Its viscosity may be above 1, which no simulation uses.</returns>
-        public static FluidMaterial Like(float density, float dynamicViscosity, float spacing)
+        /// <param name="dynamicViscosity">Pa s, 0 to 1e6. What smoothing acts like would come on top, so above 0 there is none.</param>
+        public static FluidMaterial Viscous(float density, float dynamicViscosity)
         {
             FluidMaterial material = Water;
             material.density = density;
-            material.viscosity = (float)(dynamicViscosity / (density * KinematicViscosityOfOne(spacing)));
+            material.dynamicViscosity = dynamicViscosity;
+            if (dynamicViscosity > 0f)
+                material.velocitySmoothing = 0f;
             return material;
         }
 
-        /// <summary>Viscosity that the setting acts like, Pa s, in flow that is smooth over a few particles; the solver's own damping comes on top.</summary>
+        /// <summary>Dynamic viscosity that the velocity smoothing acts like, Pa s, in flow that is smooth over a few particles.</summary>
         /// <remarks>
         /// XSPH evens out the velocity's curvature over the kernel: Σ (v_j − v_i) W / ρ0 ≈ ½ Σ W x² / ρ0 · ∇²v, each 1/60 s times the setting. So
         /// it grows with the square of the spacing, and the same setting is a thicker fluid at a coarser resolution.
         /// </remarks>
         /// <param name="spacing">Particle spacing, m.</param>
-        public float DynamicViscosity(float spacing) => (float)(viscosity * density * KinematicViscosityOfOne(spacing));
+        public float SmoothingViscosity(float spacing) => (float)(0.5 * velocitySmoothing * density * SolverConstants.SmoothingRate * LatticeKernels.Poly6Spread * spacing * spacing);
 
         /// <summary>Shear modulus that the setting acts like at most, Pa: beyond it waves, at √(G/ρ), would outrun what a substep can follow.</summary>
         /// <remarks>That of fluid at rest; one that is stretched, or at a ragged surface, is limited earlier. See Viscoelasticity.compute.</remarks>
         /// <param name="spacing">Particle spacing, m.</param>
         /// <param name="substep">Length of a substep, s.</param>
         public float LargestShearModulus(float spacing, float substep) => (float)(Viscoelasticity.MostStiffness * density * spacing * spacing / ((double)substep * substep));
-
-        // m²/s.
-        static double KinematicViscosityOfOne(double spacing) => 0.5 * SolverConstants.ViscosityRate * LatticeKernels.Poly6Spread * spacing * spacing;
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
@@ -89,7 +88,7 @@ namespace Rill
             problem = null;
             FluidMaterial water = Water;
             Limit.Clamp("density", ref density, 1e-3f, 1e6f, water.density, ref problem);
-            Limit.Clamp("viscosity", ref viscosity, 0f, 1f, water.viscosity, ref problem);
+            Limit.Clamp("velocity smoothing", ref velocitySmoothing, 0f, 1f, water.velocitySmoothing, ref problem);
             Limit.Clamp("dynamic viscosity", ref dynamicViscosity, 0f, 1e6f, water.dynamicViscosity, ref problem);
             Limit.Clamp("wall friction", ref wallFriction, 0f, 1f, water.wallFriction, ref problem);
             Limit.Clamp("vorticity", ref vorticity, 0f, 10f, water.vorticity, ref problem);

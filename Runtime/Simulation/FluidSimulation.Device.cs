@@ -70,7 +70,7 @@ namespace Rill
             }
             if ((refused & DeviceFeature.Viscosity) != 0)
             {
-                input.material.viscosity = 0f;
+                input.material.velocitySmoothing = 0f;
                 input.needsDensity = false;
             }
             if ((refused & DeviceFeature.DynamicViscosity) != 0)
@@ -122,7 +122,7 @@ namespace Rill
             Want(Colliders.IsNeeded(input), DeviceFeature.Colliders);
             Want(Colliders.IsNeeded(input) && input.colliders.Reacts, DeviceFeature.Reactions);
             Want(pbf.IsDeep(input), DeviceFeature.DeepWater);
-            Want(input.material.viscosity > 0f || input.needsDensity, DeviceFeature.Viscosity);
+            Want(input.material.velocitySmoothing > 0f || input.needsDensity, DeviceFeature.Viscosity);
             Want(ImplicitViscosity.IsNeeded(input), DeviceFeature.DynamicViscosity);
             Want(Viscoelasticity.IsNeeded(input), DeviceFeature.Elasticity);
             Want(VorticityConfinement.IsNeeded(input), DeviceFeature.Vorticity);

@@ -50,7 +50,7 @@ namespace Rill
             }
             GetPlace(out _, out takenRotation);
             double spacing = particleSpacing;
-            takenImpulse = material.density * spacing * spacing * spacing * spacing * input.settings.substeps / FixedStep / (1f - VelocityExtrapolation.WeightFor(input));
+            takenImpulse = material.density * spacing * spacing * spacing * spacing * input.settings.substeps / FixedStep / VelocityExtrapolation.FractionAtOnce(input);
             reactions.RecordTake(commands);
             return reactions;
         }

@@ -47,7 +47,7 @@ namespace Rill
         public static double Strength(in StepInput input, SolverLayout layout)
         {
             double substep = (double)input.timeStep / input.settings.substeps;
-            return (1.0 - VelocityExtrapolation.WeightFor(input)) * input.material.dynamicViscosity / input.material.density * substep / ((double)layout.Spacing * layout.Spacing);
+            return (double)VelocityExtrapolation.FractionAtOnce(input) * input.material.dynamicViscosity / input.material.density * substep / ((double)layout.Spacing * layout.Spacing);
         }
 
         /// <summary>Passes of Chebyshev's iteration that leave <see cref="Tolerance"/> of the error where no particle is braked more than twice as hard as in the lattice, <see cref="MaxPasses"/> at most.</summary>

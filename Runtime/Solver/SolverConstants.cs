@@ -31,7 +31,7 @@ namespace Rill
         public float allowedTension;
         public float artificialPressure;
         public float artificialPressureReference;
-        public float viscosity;
+        public float smoothing;
         public float confinement;
         public float extrapolation;
         public float accelerationShare;
@@ -41,15 +41,22 @@ namespace Rill
         /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
         public const float MaxCorrection = 0.5f;
 
-        /// <summary>Rate, 1/s, at which the viscosity setting is quoted.</summary>
-        public const float ViscosityRate = 60f;
+        /// <summary>Rate, 1/s, at which the velocity smoothing is quoted.</summary>
+        public const float SmoothingRate = 60f;
+
+        /// <summary>XSPH's c of a substep.</summary>
+        public static float Smoothing(in StepInput input)
+        {
+            float dt = input.timeStep / input.settings.substeps;
+            return math.min(input.material.velocitySmoothing * SmoothingRate * dt, 1f) * VelocityExtrapolation.FractionAtOnce(input);
+        }
 
         /// <param name="input">Valid settings and material; the time step is that of the whole step.</param>
         public static SolverConstants For(SolverLayout layout, in StepInput input, uint stepIndex)
         {
             float dt = input.timeStep / input.settings.substeps;
             FluidMaterial material = input.material;
-            float extrapolation = VelocityExtrapolation.WeightFor(input), atOnce = 1f - extrapolation;
+            float atOnce = VelocityExtrapolation.FractionAtOnce(input);
             double pressureAt = LatticeKernels.Support * LatticeKernels.Support * (1.0 - (double)material.artificialPressureDistance * material.artificialPressureDistance);
             return new SolverConstants
             {
@@ -77,9 +84,9 @@ namespace Rill
                 allowedTension = material.allowedTension,
                 artificialPressure = (float)(material.artificialPressure / LatticeKernels.ReferenceSquares),
                 artificialPressureReference = (float)(1.0 / (pressureAt * pressureAt * pressureAt)),
-                viscosity = math.min(material.viscosity * ViscosityRate * dt, 1f) * atOnce,
+                smoothing = Smoothing(input),
                 confinement = material.vorticity / layout.Spacing * atOnce,
-                extrapolation = extrapolation,
+                extrapolation = VelocityExtrapolation.WeightFor(input),
                 accelerationShare = atOnce,
                 longestExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
             };

@@ -40,6 +40,9 @@ namespace Rill
             return IsNeeded(input) ? (1f - damping) / (2f - damping) : 0f;
         }
 
+        /// <summary>1 − β: the fraction of an acceleration that acts at once; the rest comes by the extrapolation if it lasts.</summary>
+        public static float FractionAtOnce(in StepInput input) => 1f - WeightFor(input);
+
         /// <summary>Longest change of velocity in a substep that is extrapolated, d/s.</summary>
         public static float Longest(in StepInput input, float spacing)
         {
@@ -64,7 +67,7 @@ namespace Rill
             float lastOverThis = lastTimeStep > 0f ? lastTimeStep / dt : 1f;
             cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f : 1f / (lastWeight * lastOverThis + 1f - weight));
             cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
-            cmd.SetComputeFloatParam(shader, Ids.Smoothing, VorticityConfinement.IsNeeded(input) ? 0f : math.min(input.material.viscosity * SolverConstants.ViscosityRate * dt, 1f) * (1f - weight));
+            cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, VorticityConfinement.IsNeeded(input) ? 0f : SolverConstants.Smoothing(input));
             cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
             (means, sorted) = (sorted, means);
             lastTimeStep = dt;
@@ -97,7 +100,7 @@ namespace Rill
             public static readonly int SortedMeans = Shader.PropertyToID("_SortedMeans");
             public static readonly int ChangeScale = Shader.PropertyToID("_ChangeScale");
             public static readonly int LastChangeScale = Shader.PropertyToID("_LastChangeScale");
-            public static readonly int Smoothing = Shader.PropertyToID("_Smoothing");
+            public static readonly int SmoothingHere = Shader.PropertyToID("_SmoothingHere");
         }
     }
 }

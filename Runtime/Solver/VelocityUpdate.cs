@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Velocities from the corrected positions and, in the same pass, XSPH viscosity; ends a substep.</summary>
+    /// <summary>Velocities from the corrected positions and, in the same pass, XSPH; ends a substep.</summary>
     sealed class VelocityUpdate
     {
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Velocity");
@@ -24,10 +24,10 @@ namespace Rill
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
 
-        /// <summary>Whether the pass visits the neighbors: to extrapolate, or for viscosity or the density unless a later stage does both.</summary>
+        /// <summary>Whether the pass visits the neighbors: to extrapolate, or for smoothing or the density unless a later stage does both.</summary>
         public static bool VisitsNeighbors(in StepInput input)
         {
-            return VelocityExtrapolation.IsNeeded(input) || (input.material.viscosity > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
+            return VelocityExtrapolation.IsNeeded(input) || (input.material.velocitySmoothing > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
         }
 
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
@@ -60,8 +60,8 @@ namespace Rill
         {
             bool visits = VisitsNeighbors(input);
             string reason = visits
-                ? input.material.viscosity > 0f ? $"with XSPH: viscosity is {input.material.viscosity}" : "with neighbors: the density is shown"
-                : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: viscosity is 0";
+                ? input.material.velocitySmoothing > 0f ? $"with XSPH: velocity smoothing is {input.material.velocitySmoothing}" : "with neighbors: the density is shown"
+                : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
             string kernel = VelocityExtrapolation.IsNeeded(input) ? "UpdateVelocityExtrapolated" : visits ? "UpdateVelocityViscous" : "UpdateVelocity";
             stage.Kernel("VelocityUpdate", visits && colliders != null ? kernel + "Beside" : kernel, input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));

@@ -1,5 +1,6 @@
 using System.Linq;
 using NUnit.Framework;
+using Rill.Tests;
 using UnityEditor;
 using UnityEngine;
 
@@ -16,34 +17,63 @@ namespace Rill.Editor.Tests
         public void DestroyScene() => scene.Dispose();
 
         [Test]
-        public void Every_preset_gives_a_valid_material_at_every_spacing()
+        public void Every_preset_gives_a_valid_material_that_is_found_again()
         {
-            foreach (FluidPreset preset in FluidPresets.All)
-                foreach (float spacing in new[] { 0.001f, 0.01f, 0.05f, 0.2f, 1f })
-                {
-                    FluidMaterial material = preset.MaterialAt(spacing);
-                    Assert.That(material.Validate(out string problem), $"{preset.Name} at {spacing}: {problem}");
-                    Assert.That(FluidPresets.IndexOf(material, spacing), Is.GreaterThanOrEqualTo(0));
-                }
+            for (int i = 0; i < FluidPresets.All.Length; i++)
+            {
+                FluidMaterial material = FluidPresets.All[i].Material;
+                Assert.That(material.Validate(out string problem), $"{FluidPresets.All[i].Name}: {problem}");
+                Assert.That(FluidPresets.IndexOf(material), Is.EqualTo(i));
+            }
             Assert.That(FluidPresets.Names, Is.Unique);
         }
 
-        [Test]
-        public void A_fluid_within_what_the_solver_expresses_has_its_own_viscosity()
+        [TestCase("Olive oil", 0.084f, false)]
+        [TestCase("Glycerol", 1.41f, false)]
+        [TestCase("Honey", 10f, true)]
+        [TestCase("Basaltic lava", 100f, true)]
+        public void A_thick_fluid_has_its_viscosity_in_Pa_s_and_no_smoothing(string name, float viscosity, bool drawsThreads)
         {
-            FluidPreset honey = FluidPresets.All.Single(preset => preset.Name == "Honey");
-            Assert.That(honey.MaterialAt(0.05f).DynamicViscosity(0.05f), Is.EqualTo(honey.Viscosity).Within(1e-3f));
-            Assert.That(honey.Describe(0.05f), Does.Contain("10 Pa s").And.Not.Contain("spacing"));
+            FluidMaterial material = Named(name).Material;
+            Assert.That(material.dynamicViscosity, Is.EqualTo(viscosity));
+            Assert.That(material.velocitySmoothing, Is.Zero);
+            Assert.That(material.wallFriction, Is.EqualTo(1f));
+            Assert.That(material.allowedTension > 0f && material.artificialPressure > 0f, Is.EqualTo(drawsThreads));
+        }
+
+        [TestCase("Water")]
+        [TestCase("Seawater")]
+        [TestCase("Mercury")]
+        public void A_thin_fluid_is_as_water_but_for_its_density(string name)
+        {
+            FluidMaterial expected = FluidMaterial.Water;
+            expected.density = Named(name).Density;
+            Assert.That(Named(name).Material, Is.EqualTo(expected));
         }
 
         [Test]
-        public void A_fluid_beyond_what_the_solver_expresses_says_what_it_acts_like()
+        public void A_spacing_too_coarse_for_a_viscosity_is_named_with_what_the_solver_damps()
         {
-            FluidPreset water = FluidPresets.All.Single(preset => preset.Name == "Water"), honey = FluidPresets.All.Single(preset => preset.Name == "Honey");
-            Assert.That(water.MaterialAt(0.05f).viscosity, Is.EqualTo(FluidMaterial.Water.viscosity));
-            Assert.That(water.Describe(0.05f), Does.Contain($"no less than {water.MaterialAt(0.05f).DynamicViscosity(0.05f):G3} Pa s"));
-            Assert.That(honey.MaterialAt(0.01f).viscosity, Is.EqualTo(1f));
-            Assert.That(honey.Describe(0.01f), Does.Contain($"no more than {honey.MaterialAt(0.01f).DynamicViscosity(0.01f):G3} Pa s"));
+            Assert.That(Named("Honey").Describe(0.01f), Does.Contain("10 Pa s").And.Not.Contain("solver"));
+            Assert.That(Named("Honey").Describe(0.05f), Does.Contain("damps eddies as 15 Pa s"));
+            Assert.That(Named("Water").Describe(0.02f), Does.Contain("damps eddies as 1.7 Pa s"));
+        }
+
+        // Over what the solver itself damps, which is subtracted.
+        [Test]
+        public void A_fluid_is_as_viscous_at_half_the_spacing([Values("Glycerol", "Honey", "Basaltic lava")] string name)
+        {
+            const float Coarse = 0.02f, TimeStep = 1f / 60f;
+            double coarse = Decay(new ViscousEddy(20, 4f), Coarse), fine = Decay(new ViscousEddy(40, 8f), 0.5f * Coarse);
+            TestContext.Out.WriteLine($"an eddy of {4f * Coarse} m decays by {coarse:g4} at {Coarse} m and {fine:g4} at {0.5f * Coarse} m");
+            Assert.That(coarse, Is.EqualTo(fine).Within(0.03 * fine));
+
+            double Decay(ViscousEddy eddy, float spacing)
+            {
+                FluidMaterial viscous = Named(name).Material, inviscid = viscous;
+                inviscid.dynamicViscosity = 0f;
+                return System.Math.Log(eddy.Left(eddy.Lattice, inviscid, spacing, TimeStep, 2) / eddy.Left(eddy.Lattice, viscous, spacing, TimeStep, 2));
+            }
         }
 
         [Test]
@@ -53,7 +83,7 @@ namespace Rill.Editor.Tests
             Assert.That(elastic.Select(preset => preset.Name), Has.Member("Viscoelastic slime").And.Member("Pectin gel"));
             foreach (FluidPreset preset in elastic)
             {
-                FluidMaterial material = preset.MaterialAt(0.01f);
+                FluidMaterial material = preset.Material;
                 Assert.That(material.shearModulus, Is.EqualTo(preset.ShearModulus));
                 Assert.That(material.relaxationTime, Is.EqualTo(preset.RelaxationTime));
                 Assert.That(material.allowedTension, Is.GreaterThan(0f));
@@ -63,23 +93,21 @@ namespace Rill.Editor.Tests
                 Assert.That(material.LargestShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.ShearModulus));
                 Assert.That(preset.Describe(1f), Does.Contain(" 1 substeps"));
             }
-            Assert.That(FluidPresets.All.Where(preset => preset.ShearModulus == 0f).Select(preset => preset.MaterialAt(0.05f).shearModulus), Is.All.EqualTo(0f));
+            Assert.That(FluidPresets.All.Where(preset => preset.ShearModulus == 0f).Select(preset => preset.Material.shearModulus), Is.All.EqualTo(0f));
         }
 
         [Test]
-        public void Applying_a_preset_to_several_fluids_gives_each_its_own_setting_and_is_one_step_of_undo()
+        public void Applying_a_preset_to_several_fluids_gives_each_the_same_material_and_is_one_step_of_undo()
         {
             FluidSimulation coarse = scene.Add<FluidSimulation>(), fine = scene.Add<FluidSimulation>();
             coarse.Configure(Vector3.one, 0.1f, 1000);
             fine.Configure(Vector3.one, 0.05f, 1000);
             FluidMaterial before = coarse.Material;
-            FluidPreset honey = FluidPresets.All.Single(preset => preset.Name == "Honey");
             Undo.IncrementCurrentGroup();
-            FluidPresets.Apply(honey, new Object[] { coarse, fine });
+            FluidPresets.Apply(Named("Honey"), new Object[] { coarse, fine });
             Assert.That(Undo.GetCurrentGroupName(), Is.EqualTo("Fluid preset Honey"));
-            Assert.That(FluidPresets.All[FluidPresets.IndexOf(coarse.Material, 0.1f)], Is.SameAs(honey));
-            Assert.That(FluidPresets.All[FluidPresets.IndexOf(fine.Material, 0.05f)], Is.SameAs(honey));
-            Assert.That(fine.Material.viscosity, Is.EqualTo(4f * coarse.Material.viscosity).Within(1e-5f));
+            Assert.That(coarse.Material, Is.EqualTo(Named("Honey").Material));
+            Assert.That(fine.Material, Is.EqualTo(Named("Honey").Material));
             Undo.PerformUndo();
             Assert.That(coarse.Material, Is.EqualTo(before));
             Assert.That(fine.Material, Is.EqualTo(before));
@@ -89,8 +117,10 @@ namespace Rill.Editor.Tests
         public void A_material_of_ones_own_is_no_preset()
         {
             FluidMaterial own = FluidMaterial.Water;
-            own.viscosity = 0.3f;
-            Assert.That(FluidPresets.IndexOf(own, 0.05f), Is.EqualTo(-1));
+            own.velocitySmoothing = 0.3f;
+            Assert.That(FluidPresets.IndexOf(own), Is.EqualTo(-1));
         }
+
+        static FluidPreset Named(string name) => FluidPresets.All.Single(preset => preset.Name == name);
     }
 }

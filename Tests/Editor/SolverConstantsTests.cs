@@ -68,15 +68,15 @@ namespace Rill.Editor.Tests
         }
 
         [Test]
-        public void Viscosity_over_the_substeps_is_that_over_the_step()
+        public void Smoothing_over_the_substeps_is_that_over_the_step()
         {
             StepInput input = SolverStages.Still();
-            input.material.viscosity = 0.08f;
-            Assert.That(For(input).viscosity, Is.EqualTo(0.08).Within(1e-6));
+            input.material.velocitySmoothing = 0.08f;
+            Assert.That(For(input).smoothing, Is.EqualTo(0.08).Within(1e-6));
             input.settings.substeps = 4;
-            Assert.That(For(input).viscosity, Is.EqualTo(0.02).Within(1e-6));
+            Assert.That(For(input).smoothing, Is.EqualTo(0.02).Within(1e-6));
             input.timeStep = 10f;
-            Assert.That(For(input).viscosity, Is.EqualTo(1f), "more than all of a difference cannot be evened out");
+            Assert.That(For(input).smoothing, Is.EqualTo(1f), "more than all of a difference cannot be evened out");
         }
 
         [TestCase(1f, 1f)]
@@ -86,7 +86,7 @@ namespace Rill.Editor.Tests
         {
             StepInput input = SolverStages.Still();
             input.gravity = new float3(0f, -9.81f, 0f);
-            input.material.viscosity = 0.1f;
+            input.material.velocitySmoothing = 0.1f;
             input.material.vorticity = 1f;
             input.settings.numericalDamping = 1f;
             SolverConstants first = For(input);
@@ -95,7 +95,7 @@ namespace Rill.Editor.Tests
             Assert.That(constants.extrapolation, Is.EqualTo(1f - share).Within(1e-6f));
             Assert.That(constants.accelerationShare, Is.EqualTo(share).Within(1e-6f));
             Assert.That(constants.gravityStep.y, Is.EqualTo(share * first.gravityStep.y).Within(1e-6f));
-            Assert.That(constants.viscosity, Is.EqualTo(share * first.viscosity).Within(1e-6f));
+            Assert.That(constants.smoothing, Is.EqualTo(share * first.smoothing).Within(1e-6f));
             Assert.That(constants.confinement, Is.EqualTo(share * first.confinement).Within(1e-6f));
         }
 

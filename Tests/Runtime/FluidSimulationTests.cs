@@ -625,7 +625,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Fluid("Odd", new Vector3(1.1f, 0.7f, 0.53f), 0.03f, 5000, new Vector3(0.3f, 0.3f, 0.3f));
             yield return Frames(3);
             FluidMaterial material = fluid.Material;
-            material.viscosity = 0.1f;
+            material.velocitySmoothing = 0.1f;
             fluid.Material = material;
             SolverSettings settings = fluid.Settings;
             settings.iterations = 2;
@@ -679,7 +679,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Dam(f =>
             {
                 FluidMaterial material = FluidMaterial.Water;
-                material.viscosity = 0f;
+                material.velocitySmoothing = 0f;
                 f.Material = material;
             });
             yield return Frames(2);

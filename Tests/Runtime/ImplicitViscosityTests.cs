@@ -81,7 +81,7 @@ namespace Rill.Tests
             public Stage(ParticleState state, double strength, long largestBinding = 0, int capacity = 0)
             {
                 FluidMaterial material = FluidMaterial.Water;
-                material.viscosity = 0f;
+                material.velocitySmoothing = 0f;
                 material.wallFriction = 0f;         // so that nothing but the fluid acts
                 StepInput input = SolverStages.Still(SolverStages.Roomy, material);
                 input.material.dynamicViscosity = (float)(strength * material.density * SolverStages.Spacing * SolverStages.Spacing / input.timeStep);

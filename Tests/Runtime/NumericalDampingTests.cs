@@ -232,7 +232,7 @@ namespace Rill.Tests
             AsyncGPUReadback.WaitAllRequests();
             reactions.Get(0, out double3 sum, out double3 _);
             double mass = fluid.Input.material.density * math.pow(Spacing, 3);
-            return (float)(-sum.y * mass * Spacing / (fluid.Input.timeStep * reactions.Duration * (1f - VelocityExtrapolation.WeightFor(fluid.Input))));
+            return (float)(-sum.y * mass * Spacing / (fluid.Input.timeStep * reactions.Duration * VelocityExtrapolation.FractionAtOnce(fluid.Input)));
         }
 
         [Test]

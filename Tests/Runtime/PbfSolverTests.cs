@@ -337,7 +337,7 @@ namespace Rill.Tests
             {
                 fluid.Input.settings.iterations = 3;
                 fluid.Input.settings.substeps = 2;
-                fluid.Input.material.viscosity = 0f;
+                fluid.Input.material.velocitySmoothing = 0f;
                 var kernels = fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).ToDictionary(kernel => kernel.kernel, kernel => kernel.perStep);
                 Assert.That(kernels["DensityConstraint.compute: BuildList"], Is.EqualTo(2));
                 Assert.That(kernels["DensityConstraint.compute: SolveLambda"], Is.EqualTo(4));

@@ -137,9 +137,9 @@ namespace Rill.Tests
         [TestCase(2e6f)]
         public void A_material_out_of_range_becomes_valid_and_says_so(float bad)
         {
-            var material = new FluidMaterial { density = bad, viscosity = bad, dynamicViscosity = bad, wallFriction = bad, vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad, relaxationTime = bad };
+            var material = new FluidMaterial { density = bad, velocitySmoothing = bad, dynamicViscosity = bad, wallFriction = bad, vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad, relaxationTime = bad };
             Assert.That(material.Validate(out string problem), Is.False);
-            foreach (string name in new[] { "density", "viscosity", "dynamic viscosity", "wall friction", "vorticity", "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
+            foreach (string name in new[] { "density", "velocity smoothing", "dynamic viscosity", "wall friction", "vorticity", "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
                 Assert.That(problem, Does.Contain($"{name} {bad} is outside"));
             Assert.That(material.Validate(out problem), Is.True, problem);
         }
@@ -148,9 +148,9 @@ namespace Rill.Tests
         public void A_value_that_is_no_number_becomes_that_of_water()
         {
             FluidMaterial material = FluidMaterial.Water;
-            material.viscosity = float.NaN;
+            material.velocitySmoothing = float.NaN;
             material.Validate(out _);
-            Assert.That(material.viscosity, Is.EqualTo(FluidMaterial.Water.viscosity));
+            Assert.That(material.velocitySmoothing, Is.EqualTo(FluidMaterial.Water.velocitySmoothing));
         }
 
         static void AssertClamped(bool valid, string problem, bool clamped, string message)

@@ -83,7 +83,7 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(new float3(24f, 30f, 24f) * 0.05f, 0.05f, 6000))
             {
                 fluid.Input.settings.sleepSpeed = 0.05f;
-                fluid.Input.material.viscosity = 0.5f;
+                fluid.Input.material.velocitySmoothing = 0.5f;
                 fluid.AddBlock(0f, new float3(24f, 8f, 24f) * 0.05f);
                 uint[] states = null;
                 for (int step = 0; step < 400 && (states == null || states.Any(state => state != 0)); step += 20)

@@ -16,7 +16,7 @@ namespace Rill.Tests
             const float side = 36f, depth = 10f, margin = 4f;
             using (var fluid = new TestFluid(new float3(side, 30f, side) * Spacing, Spacing, 13000))
             {
-                fluid.Input.material.viscosity = 0.5f;
+                fluid.Input.material.velocitySmoothing = 0.5f;
                 fluid.AddBlock(0f, new float3(side, depth, side) * Spacing, jitter: 0.3f).Step(200);
                 SurfaceShape[] shapes = Shapes(fluid);
                 double height = fluid.Alive / (side * side);
@@ -42,7 +42,7 @@ namespace Rill.Tests
         {
             using (var fluid = new TestFluid(new float3(20f, 16f, 20f) * Spacing, Spacing, 4000))
             {
-                fluid.Input.material.viscosity = 0.5f;
+                fluid.Input.material.velocitySmoothing = 0.5f;
                 fluid.AddBlock(0f, new float3(20f, 8f, 20f) * Spacing, jitter: 0.3f).Step(120);
                 SurfaceShape[] shapes = Shapes(fluid);
                 // Along x from its low wall, on y and z; along y from the floor, on z and x.

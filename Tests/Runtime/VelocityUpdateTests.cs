@@ -12,7 +12,7 @@ namespace Rill.Tests
         [TestCaseSource(typeof(GpuTest), nameof(GpuTest.Sizes))]
         public void Velocity_is_the_way_over_the_time_step(int count)
         {
-            using (var stages = Updated(ParticleState.Random(count, seed: count, speed: 20f), viscosity: 0f, iterations: 1))
+            using (var stages = Updated(ParticleState.Random(count, seed: count, speed: 20f), smoothing: 0f, iterations: 1))
             {
                 float4[] start = stages.Start, corrected = stages.Predicted, velocities = stages.Velocities;
                 Compare.Vectors("velocities", count, i => velocities[i].xyz, i => ((double3)corrected[i].xyz - start[i].xyz) / TimeStep, i => 1e-5 * (1.0 + math.length(velocities[i].xyz)));
@@ -23,7 +23,7 @@ namespace Rill.Tests
         [TestCaseSource(typeof(GpuTest), nameof(GpuTest.Sizes))]
         public void Viscosity_evens_velocities_out_as_the_reference_does(int count)
         {
-            using (var stages = Updated(ParticleState.Random(count, seed: count + 1, speed: 20f), viscosity: 0.3f, iterations: 1, relaxation: 0f))
+            using (var stages = Updated(ParticleState.Random(count, seed: count + 1, speed: 20f), smoothing: 0.3f, iterations: 1, relaxation: 0f))
             {
                 float4[] velocities = stages.Velocities;
                 ListedAt(stages, out double3[] points, out int[][] neighbors);
@@ -43,7 +43,7 @@ namespace Rill.Tests
         {
             var random = new Unity.Mathematics.Random(11u);
             ParticleState state = ParticleState.Lattice(300f, 120f, 12, jitter: 0.2f).With(p => random.NextFloat3Direction() * math.exp(random.NextFloat(math.log(shortest), math.log(longest))) * 60f);
-            using (var stages = Updated(state, viscosity: 0.01f, iterations: 1, relaxation: 0f))
+            using (var stages = Updated(state, smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 float4[] start = stages.Start, corrected = stages.Predicted;
                 double3[] ways = corrected.Select((to, i) => (double3)(to.xyz - start[i].xyz)).ToArray();
@@ -57,7 +57,7 @@ namespace Rill.Tests
         [TestCase(100003)]
         public void The_density_comes_with_the_velocities(int count)
         {
-            using (var stages = Updated(ParticleState.Random(count, seed: count + 2), viscosity: 0.01f, iterations: 1, relaxation: 0f))
+            using (var stages = Updated(ParticleState.Random(count, seed: count + 2), smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 ListedAt(stages, out double3[] points, out int[][] neighbors);
                 var reference = new Constraint(stages.Layout.DomainSize, points, neighbors);
@@ -72,7 +72,7 @@ namespace Rill.Tests
             // Far apart, at all distances from faces, edges and corners.
             var random = new Unity.Mathematics.Random(5u);
             float3[] places = Enumerable.Range(0, 200).Select(i => new float3(i % 2 == 0 ? 0.5f + 2f * random.NextFloat() : 5f, 3f + 5f * (i / 2), i % 3 == 0 ? 0.5f + 2f * random.NextFloat() : 5f)).ToArray();
-            using (var stages = Updated(new ParticleState(new float3(12f, 510f, 12f), places), viscosity: 0.01f, iterations: 1, relaxation: 0f))
+            using (var stages = Updated(new ParticleState(new float3(12f, 510f, 12f), places), smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 float4[] velocities = stages.Velocities, positions = stages.Predicted;
                 double own = Kernels.Poly6(0.0) / Kernels.RestDensity;
@@ -89,8 +89,8 @@ namespace Rill.Tests
         public void Viscosity_conserves_momentum()
         {
             ParticleState state = ParticleState.Lattice(40f, 10f, 16, jitter: 0.2f).With(p => 10f * math.sin(p.zxy));
-            using (var smooth = Updated(state, viscosity: 0.5f, iterations: 1, relaxation: 0f))
-            using (var plain = Updated(state, viscosity: 0f, iterations: 1, relaxation: 0f))
+            using (var smooth = Updated(state, smoothing: 0.5f, iterations: 1, relaxation: 0f))
+            using (var plain = Updated(state, smoothing: 0f, iterations: 1, relaxation: 0f))
             {
                 double3 expected = plain.Velocities.Aggregate(new double3(0.0), (sum, v) => sum + (double3)v.xyz);
                 double3 actual = smooth.Velocities.Aggregate(new double3(0.0), (sum, v) => sum + (double3)v.xyz);
@@ -100,11 +100,11 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Fluid_that_moves_as_one_feels_no_viscosity()
+        public void Fluid_that_moves_as_one_is_not_smoothed()
         {
             ParticleState state = ParticleState.Lattice(40f, 10f, 10, jitter: 0.2f).With(p => new float3(3f, -5f, 7f));
-            using (var smooth = Updated(state, viscosity: 1f, iterations: 1, relaxation: 0f))
-            using (var plain = Updated(state, viscosity: 0f, iterations: 1, relaxation: 0f))
+            using (var smooth = Updated(state, smoothing: 1f, iterations: 1, relaxation: 0f))
+            using (var plain = Updated(state, smoothing: 0f, iterations: 1, relaxation: 0f))
             {
                 float4[] expected = plain.Velocities, actual = smooth.Velocities;
                 Compare.Vectors("velocities", state.Count, i => actual[i].xyz, i => expected[i].xyz, i => 2e-4);
@@ -116,7 +116,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(300, seed: 6);
             state.positions[17].x = float.NaN;
-            using (var stages = Updated(state, viscosity: 0.01f, iterations: 1))
+            using (var stages = Updated(state, smoothing: 0.01f, iterations: 1))
             {
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.EqualTo(299));
                 Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(299)));
@@ -125,9 +125,9 @@ namespace Rill.Tests
 
         [TestCase(0f)]
         [TestCase(0.5f)]
-        public void Without_particles_only_the_counters_are_written(float viscosity)
+        public void Without_particles_only_the_counters_are_written(float smoothing)
         {
-            using (var stages = Updated(ParticleState.Random(0, seed: 7), viscosity, iterations: 1))
+            using (var stages = Updated(ParticleState.Random(0, seed: 7), smoothing, iterations: 1))
             {
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.Zero);
                 Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(0)));
@@ -139,8 +139,8 @@ namespace Rill.Tests
         public void A_whole_substep_does_not_depend_on_the_order_of_the_input()
         {
             ParticleState state = ParticleState.Random(997, seed: 9, speed: 10f);
-            using (var stages = Updated(state, viscosity: 0.1f, iterations: 3))
-            using (var shuffled = Updated(state.Shuffled(seed: 10), viscosity: 0.1f, iterations: 3))
+            using (var stages = Updated(state, smoothing: 0.1f, iterations: 3))
+            using (var shuffled = Updated(state.Shuffled(seed: 10), smoothing: 0.1f, iterations: 3))
             {
                 Compare.Same("ids", shuffled.SortedIds, stages.SortedIds);
                 Compare.Same("positions", shuffled.Predicted, stages.Predicted);
@@ -153,7 +153,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 8, speed: 10f);
             FluidMaterial material = FluidMaterial.Water;
-            material.viscosity = 0.5f;
+            material.velocitySmoothing = 0.5f;
             StepInput input = SolverStages.Still(SolverStages.Roomy, material);
             using (var one = new SolverStages(state, input).Sort().Constrain(2).UpdateVelocities())
             using (var two = new SolverStages(state, input, largestBinding: 96 * 4 * 512).Sort().Constrain(2).UpdateVelocities())
@@ -163,12 +163,12 @@ namespace Rill.Tests
             }
         }
 
-        static SolverStages Updated(ParticleState state, float viscosity, int iterations, float relaxation = 0.8f)
+        static SolverStages Updated(ParticleState state, float smoothing, int iterations, float relaxation = 0.8f)
         {
             SolverSettings settings = SolverStages.Roomy;
             settings.relaxation = relaxation;
             FluidMaterial material = FluidMaterial.Water;
-            material.viscosity = viscosity;
+            material.velocitySmoothing = smoothing;
             return new SolverStages(state, SolverStages.Still(settings, material)).Sort().Constrain(iterations).UpdateVelocities();
         }
 

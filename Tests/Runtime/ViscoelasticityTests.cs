@@ -187,7 +187,7 @@ namespace Rill.Tests
                 FluidMaterial material = FluidMaterial.Water;
                 material.shearModulus = modulus;
                 material.relaxationTime = relaxationTime;
-                material.viscosity = 0f;
+                material.velocitySmoothing = 0f;
                 Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, largestBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 places = Stages.Predicted;

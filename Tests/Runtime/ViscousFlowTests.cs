@@ -9,7 +9,8 @@ namespace Rill.Tests
     public class ViscousFlowTests
     {
         const int Side = 30;            // d, of a block
-        const float Width = 6f;         // d, of the eddy in it: little of it is left at the surface
+
+        static readonly ViscousEddy Whirl = new ViscousEddy(Side, 6f);
 
         static float3[] flowed;
 
@@ -19,7 +20,7 @@ namespace Rill.Tests
         public void An_eddy_decays_by_its_viscosity_at_every_spacing_and_step(
             [Values(0.001f, 0.01f, 0.1f, 1f)] float viscosity, [Values(0.05f, 0.025f)] float spacing, [Values(0.004f, 0.016f)] float timeStep)
         {
-            AssertDecays(Lattice, viscosity, spacing, timeStep);
+            AssertDecays(Whirl.Lattice, viscosity, spacing, timeStep);
         }
 
         [Test]
@@ -75,14 +76,12 @@ namespace Rill.Tests
         {
             const int Steps = 2;
             double strength = viscosity * timeStep / (spacing * spacing);
-            double without = Left(places, 0f, spacing, timeStep, Steps), left = Left(places, viscosity, spacing, timeStep, Steps);
-            double decay = Math.Log(without / left), expected = -Math.Log(Expected(strength, Steps));
+            double without = Whirl.Left(places, 0f, spacing, timeStep, Steps), left = Whirl.Left(places, viscosity, spacing, timeStep, Steps);
+            double decay = Math.Log(without / left), expected = -Math.Log(Whirl.Expected(strength, Steps));
             TestContext.Out.WriteLine($"ν Δt/d² {strength:g3}, {ImplicitViscosity.PassesFor(strength)} passes: {100.0 * (decay / expected - 1.0):0.0} % off {expected:g4}; {-Math.Log(without):g3} without viscosity");
-            // At ν Δt / d² = 25 a step reaches 5 d, into the surface, and the passes are fewer than it takes.
+            // At ν Δt / d² = 25 a step reaches 5 d, and two reach the surface.
             Assert.That(decay, Is.EqualTo(expected).Within((strength > 10.0 ? 0.15 : 0.03) * expected));
         }
-
-        static float3[] Lattice => ParticleState.Lattice(0f, 0.5f, Side).positions.Select(p => p.xyz).ToArray();
 
         // A block that has run out over the floor of a narrow tank and come to rest.
         static float3[] Flowed
@@ -100,21 +99,6 @@ namespace Rill.Tests
                     float3 center = places.Aggregate((a, b) => a + b) / places.Length;
                     return flowed = places.Select(p => p - center + 0.5f * Side).ToArray();
                 }
-            }
-        }
-
-        // Of the eddy, after some steps of the whole solver.
-        static double Left(float3[] places, float viscosity, float spacing, float timeStep, int steps)
-        {
-            using (var fluid = new TestFluid((Side + 4f) * spacing, spacing, places.Length))
-            {
-                fluid.Input.gravity = 0f;
-                fluid.Input.timeStep = timeStep;
-                fluid.Input.material.viscosity = 0f;
-                fluid.Add(places.Select(p => (p + 2f) * spacing).ToArray(), p => 2f * spacing * Eddy(p / spacing)).Step();       // the first step has no lists
-                double before = Along(fluid.Read());
-                fluid.Input.material.dynamicViscosity = viscosity * fluid.Input.material.density;
-                return Along(fluid.Step(steps).Read()) / before;
             }
         }
 
@@ -139,37 +123,6 @@ namespace Rill.Tests
                 }
                 return spin.y / squares / Rate;
             }
-        }
-
-        static float3 Eddy(float3 p)
-        {
-            p -= 0.5f * Side + 2f;
-            return new float3(-p.y, p.x, 0f) * math.exp(-math.lengthsq(p) / (Width * Width));
-        }
-
-        static double Along(ParticleState state)
-        {
-            double along = 0.0, all = 0.0;
-            for (int i = 0; i < state.Count; i++)
-            {
-                float3 eddy = Eddy(state.positions[i].xyz);
-                along += math.dot(eddy, state.velocities[i].xyz);
-                all += math.dot(eddy, eddy);
-            }
-            return along / all;
-        }
-
-        // Over the eddy's spectrum, k⁴ exp(-k²w²/2).
-        static double Expected(double strength, int steps)
-        {
-            double left = 0.0, all = 0.0;
-            for (double k = 0.0005; k < 3.0; k += 0.001)
-            {
-                double weight = Math.Pow(k, 4) * Math.Exp(-0.5 * k * k * Width * Width);
-                left += weight * Math.Pow(1.0 + strength * k * k, -steps);
-                all += weight;
-            }
-            return left / all;
         }
     }
 }

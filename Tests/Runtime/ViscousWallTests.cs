@@ -88,7 +88,7 @@ namespace Rill.Tests
             var fluid = new TestFluid(new float3(gap + behind, length + 2 * Margin, Thickness + 2 * Margin) * spacing, spacing, gap * length * Thickness);
             fluid.Input.gravity = 0f;
             fluid.Input.timeStep = TimeStep;
-            fluid.Input.material.viscosity = 0f;
+            fluid.Input.material.velocitySmoothing = 0f;
             fluid.Input.material.dynamicViscosity = strength * spacing * spacing / TimeStep * fluid.Input.material.density;
             return fluid.AddBlock(new float3(0f, Margin, Margin) * spacing, new float3(gap, length, Thickness) * spacing, jitter: 0f);
         }

@@ -116,7 +116,7 @@ namespace Rill.Tests
             {
                 FluidMaterial material = FluidMaterial.Water;
                 material.vorticity = vorticity;
-                material.viscosity = Viscosity;
+                material.velocitySmoothing = Viscosity;
                 Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, largestBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 Points = Compare.Points(Stages.Predicted);

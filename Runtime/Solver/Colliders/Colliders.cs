@@ -90,7 +90,7 @@ namespace Rill
             {
                 ref readonly ColliderMotion motion = ref set.Items[i];
                 FieldBrick brick = (motion.shape == ColliderShape.HeightField ? heights : meshes).Brick(motion);
-                ColliderState state = ColliderState.For(motion, from, to, input.timeStep / substeps, 1f - VelocityExtrapolation.WeightFor(input), ImplicitViscosity.IsNeeded(input), brick);
+                ColliderState state = ColliderState.For(motion, from, to, input.timeStep / substeps, VelocityExtrapolation.FractionAtOnce(input), ImplicitViscosity.IsNeeded(input), brick);
                 changed |= !state.Equals(statesUpload[i]);
                 statesUpload[i] = state;
             }

@@ -160,7 +160,7 @@ namespace Rill
             {
                 case DeviceFeature.Colliders: return "colliders";
                 case DeviceFeature.DeepWater: return "the pressure of deep water";
-                case DeviceFeature.Viscosity: return "viscosity";
+                case DeviceFeature.Viscosity: return "velocity smoothing";
                 case DeviceFeature.Emitters: return "emitters";
                 case DeviceFeature.Tags: return "phases and lifetimes of emitted particles";
                 case DeviceFeature.Drains: return "drains";
@@ -184,7 +184,7 @@ namespace Rill
             {
                 case DeviceFeature.Colliders: return "disable the colliders in its box";
                 case DeviceFeature.DeepWater: return "set Deep Water to Off and keep the water shallow";
-                case DeviceFeature.Viscosity: return "set viscosity to 0";
+                case DeviceFeature.Viscosity: return "set the velocity smoothing to 0";
                 case DeviceFeature.Emitters: return "disable its emitters";
                 case DeviceFeature.Tags: return "set phase and lifetime of its emitters to 0";
                 case DeviceFeature.Drains: return "disable its drains";

@@ -22,7 +22,7 @@ namespace Rill.Tests
         {
             Input = SolverStages.Still();
             Input.timeStep = fluidStep;
-            Input.material.viscosity = 0f;
+            Input.material.velocitySmoothing = 0f;
             Input.foam = settings;
             Input.foamSeed = seed;
             Stages = new SolverStages(state, Input, capacity, largestBinding);

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests.Reference
 {
-    /// <summary>XSPH viscosity and vorticity confinement (Macklin and Müller 2013, eq. 15-17) in double precision.</summary>
+    /// <summary>XSPH and vorticity confinement (Macklin and Müller 2013, eq. 15-17) in double precision.</summary>
     sealed class Velocities
     {
         readonly double3[] points, velocities;

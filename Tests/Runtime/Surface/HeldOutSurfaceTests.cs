@@ -55,7 +55,7 @@ namespace Rill.Tests
                 float radians = math.radians(tilt);
                 var up = new float3(-math.sin(radians), math.cos(radians), 0f);
                 fluid.Input.gravity = -9.81f * up;
-                fluid.Input.material.viscosity = viscosity;
+                fluid.Input.material.velocitySmoothing = viscosity;
                 fluid.AddBlock(0f, new float3(side, depth, side) * Spacing, jitter: 0.3f).Step(steps);
                 float3 middle = new float3(0.5f * side, depth, 0.5f * side) * Spacing;
                 var water = new Isosurface(Compare.Points(fluid.Read().positions), fluid.Solver.Layout.DomainSize);

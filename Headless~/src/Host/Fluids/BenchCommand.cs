@@ -26,7 +26,7 @@ namespace Host.Fluids
             var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.", DefaultValueFactory = _ => SolverSettings.Default.relaxation };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
-            var viscosity = new Option<float>("--viscosity") { Description = "XSPH viscosity.", DefaultValueFactory = _ => FluidMaterial.Water.viscosity };
+            var smoothing = new Option<float>("--smoothing") { Description = "Velocity smoothing, XSPH.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
             var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.", DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
@@ -35,7 +35,7 @@ namespace Host.Fluids
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, viscosity, shearModulus, deepWater, window, steps, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), SurfaceBench.Create() };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, shearModulus, deepWater, window, steps, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), SurfaceBench.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -46,7 +46,7 @@ namespace Host.Fluids
                 settings.deepWater = parsed.GetValue(deepWater);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 FluidMaterial material = FluidMaterial.Water;
-                material.viscosity = parsed.GetValue(viscosity);
+                material.velocitySmoothing = parsed.GetValue(smoothing);
                 material.shearModulus = parsed.GetValue(shearModulus);
                 if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
@@ -68,7 +68,7 @@ namespace Host.Fluids
         static int Execute(ExperimentScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.viscosity}, shear modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} list entries");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.velocitySmoothing}, shear modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
@@ -117,7 +117,7 @@ namespace Host.Fluids
                 substeps = input.settings.substeps,
                 iterations = input.settings.iterations,
                 relaxation = input.settings.relaxation,
-                viscosity = input.material.viscosity,
+                smoothing = input.material.velocitySmoothing,
                 deep_water = input.settings.deepWater.ToString(),
                 neighbor_capacity = input.settings.neighborCapacity,
                 bytes,

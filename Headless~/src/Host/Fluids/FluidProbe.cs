@@ -85,7 +85,7 @@ namespace Host.Fluids
                 yield return Row("domain", $"{size.x} x {size.y} x {size.z} m");
                 yield return Row("particle spacing", $"{simulation.ParticleSpacing} m");
                 yield return Row("solver", $"{solver.substeps} substeps x {solver.iterations} iterations, relaxation {solver.relaxation}, step {simulation.FixedStep * 1000f:0.##} ms");
-                yield return Row("material", $"viscosity {material.viscosity}, vorticity {material.vorticity} m/s, artificial pressure {material.artificialPressure}, tension {material.allowedTension}, shear modulus {material.shearModulus} Pa relaxing in {material.relaxationTime} s");
+                yield return Row("material", $"viscosity {material.dynamicViscosity} Pa s, velocity smoothing {material.velocitySmoothing}, vorticity {material.vorticity} m/s, artificial pressure {material.artificialPressure}, tension {material.allowedTension}, shear modulus {material.shearModulus} Pa relaxing in {material.relaxationTime} s");
                 if (simulation.TryGetStatistics(out FluidStatistics last))
                     yield return Row("particles", last.particles.ToString("N0", CultureInfo.InvariantCulture));
             }

@@ -33,7 +33,7 @@ namespace Host.Report.ErrorTime
                     sweep.Add(ExperimentFigures.Of(experiment));
                     run.Log($"{plan.Scene.Name} {plan.Scene.Particles}, {setting}");
                 }
-            run.Save(Sweep, sweep, $"steps of 1/60 s, viscosity {Rill.FluidMaterial.Water.viscosity}, {Rill.SolverSettings.Default.neighborCapacity} list entries, statistics every {SampleEvery} steps");
+            run.Save(Sweep, sweep, $"steps of 1/60 s, smoothing {Rill.FluidMaterial.Water.velocitySmoothing}, {Rill.SolverSettings.Default.neighborCapacity} list entries, statistics every {SampleEvery} steps");
             run.Save(Front, FrontOf(SweepResult.All(sweep)), "the settings of error-time.csv that hold and that no other one beats, by scene and rising ms");
         }
 

@@ -19,7 +19,7 @@ namespace Host.Report.Methods
             yield return new MethodStudy("capacity", "Entries of a neighbor list", "neighbor capacity",
                 (quick ? new[] { 64 } : new[] { 48, 64, 96, 128 }).SelectMany(capacity => Both("capacity", capacity).Select(variant => variant with { NeighborCapacity = capacity })).ToArray());
             yield return new MethodStudy("viscosity", "XSPH", "XSPH c",
-                (quick ? new[] { 0f } : new[] { 0f, 0.003f, 0.01f, 0.03f, 0.1f }).SelectMany(viscosity => Both("XSPH", viscosity).Select(variant => variant with { Viscosity = viscosity })).ToArray());
+                (quick ? new[] { 0f } : new[] { 0f, 0.003f, 0.01f, 0.03f, 0.1f }).SelectMany(smoothing => Both("XSPH", smoothing).Select(variant => variant with { Smoothing = smoothing })).ToArray());
         }
 
         static MethodVariant With(string series, double value, CoarseVariation variation) =>

@@ -19,7 +19,7 @@ namespace Host.Report.Methods
         public int Iterations { get; init; }
         public float Relaxation { get; init; } = SolverSettings.Default.relaxation;
         public int NeighborCapacity { get; init; } = SolverSettings.Default.neighborCapacity;
-        public float Viscosity { get; init; } = FluidMaterial.Water.viscosity;
+        public float Smoothing { get; init; } = FluidMaterial.Water.velocitySmoothing;
         public Func<ConstraintMethod> Method { get; init; } = () => new Jacobi();
         public CoarseVariation Coarse { get; init; } = new();
         /// <summary>Passes over all neighbors in an iteration; Gauss-Seidel does in one what Jacobi does in two.</summary>
@@ -35,7 +35,7 @@ namespace Host.Report.Methods
             settings.relaxation = Relaxation;
             settings.neighborCapacity = NeighborCapacity;
             FluidMaterial material = FluidMaterial.Water;
-            material.viscosity = Viscosity;
+            material.velocitySmoothing = Smoothing;
             return ExperimentFigures.Input(settings, material);
         }
 

@@ -25,8 +25,8 @@ namespace Host.Report
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => 2 };
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.On };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time of the motion; 0: four periods of a wave, 1 s of a vortex, 3.8 s of a bucket." };
-            var viscosity = new Option<float>("--viscosity") { Description = "XSPH's.", DefaultValueFactory = _ => FluidMaterial.Water.viscosity };
-            var command = new Command("damping", "Measures what the time step takes of sloshing and turning water.") { scene, damping, substeps, iterations, deep, seconds, viscosity };
+            var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
+            var command = new Command("damping", "Measures what the time step takes of sloshing and turning water.") { scene, damping, substeps, iterations, deep, seconds, smoothing };
             command.SetAction(parsed =>
             {
                 using var session = new Session(Session.Root());
@@ -36,7 +36,7 @@ namespace Host.Report
                     {
                         StepInput input = FluidRun.Water(count, parsed.GetValue(iterations), parsed.GetValue(deep));
                         input.settings.numericalDamping = fraction;
-                        input.material.viscosity = parsed.GetValue(viscosity);
+                        input.material.velocitySmoothing = parsed.GetValue(smoothing);
                         Console.WriteLine($"{parsed.GetValue(scene)} damping {fraction} {count} x {input.settings.iterations}: {Run(parsed.GetValue(scene), input, parsed.GetValue(seconds))}");
                     }
                 return 0;

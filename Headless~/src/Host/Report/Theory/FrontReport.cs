@@ -23,7 +23,7 @@ namespace Host.Report
             {
                 StepInput input = FluidRun.Water(substeps, iterations);
                 if (change == "no viscosity")
-                    input.material.viscosity = 0;
+                    input.material.velocitySmoothing = 0;
                 if (change == "plain")
                     input.settings.deepWater = DeepWater.Off;
                 DamBreakFront dam = DamBreakFront.Run(across, input, change == "twice as thick" ? 16 : 8);
