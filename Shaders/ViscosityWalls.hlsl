@@ -9,7 +9,7 @@
 
 float _WallFriction;        // of the domain's walls: 0 slip, 1 no slip
 float _WallHold;            // 1/d^2 of a^5 (a + 2 blend) / s, see LatticeKernels.ViscosityWallHold
-float2 _WallMissing;        // of the same without 1 / s: sum w |x|^4, d^4, and sum w |x|^2, d^2, that are missing behind a wall
+float3 _WallMissing;        // of the same without 1 / s: sum w |x|^4, d^4, sum w |x|^2, d^2, and |sum w |x|^2 x|, d^3, that are missing behind a wall
 
 // The strongest of the walls near a particle, one for each direction.
 struct Walls
@@ -88,6 +88,7 @@ struct WallHold
     float3 others;          // yz, zx, xy
     float3 pull;            // 1/(d s)
     float shape;            // of all walls
+    float3 lean;            // of all, along their normals
 };
 
 // Its velocity is counted without what gravity adds in the substep, which acts before the wall does.
@@ -98,12 +99,13 @@ WallHold HoldOf(Walls walls)
     for (uint k = 0; k < 3; k++)
     {
         float3 normal = walls.normals[k];
-        float hold = _WallHold * walls.shapes[k] / max(walls.distances[k], kWallInset);
+        float hold = _WallHold * walls.shapes[k] / walls.distances[k];
         float3 velocity = walls.velocities[k] - _GravityStep * _InverseTimeStep;
         result.diagonal += hold * (1.0 - normal * normal);
         result.others -= hold * normal.yzx * normal.zxy;
         result.pull += hold * (velocity - normal * dot(normal, velocity));
         result.shape += walls.shapes[k];
+        result.lean += walls.shapes[k] * normal;
     }
     return result;
 }

@@ -13,7 +13,7 @@ namespace Rill
     sealed class ImplicitViscosity : IDisposable
     {
         /// <summary>Passes at most, however viscous the fluid.</summary>
-        public const int MaxPasses = 48;
+        public const int MaxPasses = 96;
 
         /// <summary>What the passes leave of the first error where they are fewer than <see cref="MaxPasses"/>.</summary>
         public const double Tolerance = 0.004;
@@ -83,12 +83,13 @@ namespace Rill
             double strength = Strength(input, layout);
             cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * strength));
             cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
+            cmd.SetComputeVectorParam(shader, Ids.Surface, new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
             cmd.SetComputeFloatParam(shader, Ids.LeastMoment, (float)(LeastFill * LatticeKernels.ViscosityMoment));
             cmd.SetComputeFloatParam(shader, Ids.LeastReach, (float)(LeastReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
 
             cmd.SetComputeFloatParam(shader, Ids.WallFriction, input.material.wallFriction);
             cmd.SetComputeFloatParam(shader, Ids.WallHold, (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold));
-            cmd.SetComputeVectorParam(shader, Ids.WallMissing, new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares, 0f, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.WallMissing, new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares, (float)LatticeKernels.ViscosityWallLean, 0f));
 
             int coefficients = colliders != null ? findCoefficientsBeside : findCoefficients;
             Bind(cmd, coefficients, particles, lists, resting);
@@ -186,6 +187,7 @@ namespace Rill
             public static readonly int WallMissing = Shader.PropertyToID("_WallMissing");
             public static readonly int Strength = Shader.PropertyToID("_Strength");
             public static readonly int Blend = Shader.PropertyToID("_Blend");
+            public static readonly int Surface = Shader.PropertyToID("_Surface");
             public static readonly int LeastMoment = Shader.PropertyToID("_LeastMoment");
             public static readonly int LeastReach = Shader.PropertyToID("_LeastReach");
             public static readonly int Pass = Shader.PropertyToID("_Pass");

@@ -50,13 +50,25 @@ namespace Rill
         public static readonly double ViscosityWallHold = 1.0 / (ViscosityWallShape(0.5) + ViscosityWallShape(1.5));
 
         /// <summary>By which it is the part of Σ w r⁴ that a lattice particle half a spacing from a wall misses.</summary>
-        public static readonly double ViscosityWallMoment = MissingBehindWall(r => ViscosityWeight(r) * r * r * r * r) / ViscosityWallShape(0.5);
+        public static readonly double ViscosityWallMoment = MissingBehindWall((y, r) => ViscosityWeight(r) * r * r * r * r) / ViscosityWallShape(0.5);
 
         /// <summary>And of Σ w r².</summary>
-        public static readonly double ViscosityWallSquares = MissingBehindWall(r => ViscosityWeight(r) * r * r) / ViscosityWallShape(0.5);
+        public static readonly double ViscosityWallSquares = MissingBehindWall((y, r) => ViscosityWeight(r) * r * r) / ViscosityWallShape(0.5);
+
+        /// <summary>And of |Σ w r² x|.</summary>
+        public static readonly double ViscosityWallLean = MissingBehindWall((y, r) => -ViscosityWeight(r) * r * r * y) / ViscosityWallShape(0.5);
+
+        /// <summary>
+        /// What a free surface adds to Σ w r⁴ of a particle, over |Σ w r² x|² / Σ w r² above that of disorder: as much as gives the outermost layer of the lattice the
+        /// Σ w x²z² of flow along the surface that it has inside, half of the lattice's own and half of its plane's.
+        /// </summary>
+        public static readonly double ViscositySurface = SurfaceMoment();
+
+        /// <summary>|Σ w r² x|² / Σ w r² over Σ w r⁴ that disorder inside the fluid may have without being a surface; the lattice's surface has 0.094.</summary>
+        public const double ViscosityDisorder = 0.008;
 
         /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
-        public static readonly double WallScale = MissingBehindWall(Poly6) / RestDensity / HalfSpaceDensity(0.5);
+        public static readonly double WallScale = MissingBehindWall((y, r) => Poly6(r)) / RestDensity / HalfSpaceDensity(0.5);
 
         /// <summary>poly6 W(r), 1/d³.</summary>
         public static double Poly6(double r) => r < Support ? Poly6Scale * Math.Pow(Support * Support - r * r, 3) : 0.0;
@@ -90,15 +102,30 @@ namespace Rill
         }
 
         // What the layers below a lattice particle contribute.
-        static double MissingBehindWall(Func<double, double> value)
+        static double MissingBehindWall(Func<double, double, double> value)
         {
             double missing = 0.0;
             ForLattice((x, y, z, r) =>
             {
                 if (y < 0)
-                    missing += value(r);
+                    missing += value(y, r);
             });
             return missing;
+        }
+
+        static double SurfaceMoment()
+        {
+            double along = 0.0, alongInside = 0.0;
+            ForLattice((x, y, z, r) =>
+            {
+                double shear = ViscosityWeight(r) * x * x * z * z;
+                alongInside += shear;
+                along += y >= 0 ? shear : 0.0;
+            });
+            double moment = ViscosityMoment - MissingBehindWall((y, r) => ViscosityWeight(r) * r * r * r * r);
+            double squares = ViscositySquares - MissingBehindWall((y, r) => ViscosityWeight(r) * r * r);
+            double lean = MissingBehindWall((y, r) => -ViscosityWeight(r) * r * r * y);
+            return (along / alongInside * ViscosityMoment - moment) / (lean * lean / squares - ViscosityDisorder * moment);
         }
 
         // Σ w (x⁴ - 3 x²y²) with w = (h² - r²)^power.

@@ -9,11 +9,11 @@ namespace Rill.Tests
     public class ViscousWallTests
     {
         const float Spacing = 0.05f, TimeStep = 0.01f;
-        const float PathPerStep = 0.02f;            // d of the fastest, so that the block keeps its shape
+        const float PathPerStep = 0.02f;           // d of the fastest, so that the block keeps its shape
         const int Thickness = 6, Margin = 3;        // d
 
-        // Starts at rest; the profile after some steps is that of implicit steps of the heat equation. Between the plates fluid is up to 4 %
-        // slower than that, and 8 % where the passes are fewer than it takes.
+        // Starts at rest; the profile after some steps is that of implicit steps of the heat equation. At first the fluid beside the plates
+        // shears within 2 layers, which ten across are too few for: 2.5 %.
         [Test]
         public void Fluid_that_falls_between_plates_has_the_profile_of_its_viscosity([Values(1, 2)] int finer, [Values(0.06f, 0.6f, 6f)] float strength)
         {
@@ -24,10 +24,11 @@ namespace Rill.Tests
                 float fall = 8f * strength * PathPerStep / (gap * gap);        // g Δt²
                 fluid.Input.gravity = new float3(0f, -fall * fluid.Spacing / (TimeStep * TimeStep), 0f);
                 fluid.Step(1 + steps);
-                AssertProfile(fluid, gap, x => -Sum(m => m % 2 == 0 ? 0.0 : 4.0 / (m * Math.PI) * Math.Sin(m * Math.PI * x / gap) * fall * Gained(Left(m, gap, strength), steps)), strength > 10f ? 0.09 : 0.04);
+                AssertProfile(fluid, gap, x => -Sum(m => m % 2 == 0 ? 0.0 : 4.0 / (m * Math.PI) * Math.Sin(m * Math.PI * x / gap) * fall * Gained(Left(m, gap, strength), steps)), gap == 10 && strength < 0.1f ? 0.03 : 0.02);
             }
         }
 
+        // Layers that have slid past each other by 2 d are no lattice any more and up to 3 % less viscous, so the plate slides half a spacing at most.
         [Test]
         public void Fluid_beside_a_plate_that_slides_is_dragged_by_its_viscosity([Values(1, 2)] int finer, [Values(0.06f, 0.6f, 6f)] float strength)
         {
@@ -35,8 +36,9 @@ namespace Rill.Tests
             strength *= finer * finer;
             using (TestFluid fluid = Between(gap, Margin, finer, strength))
             {
-                Slide(fluid, gap, friction: 1f, 1 + steps);
-                AssertProfile(fluid, gap, x => PathPerStep * (x / gap + Sum(m => 2.0 / (m * Math.PI) * (m % 2 == 0 ? 1.0 : -1.0) * Math.Sin(m * Math.PI * x / gap) * Math.Pow(Left(m, gap, strength), steps))));
+                float path = Math.Min(PathPerStep, 0.5f / steps);
+                Slide(fluid, gap, friction: 1f, path, 1 + steps);
+                AssertProfile(fluid, gap, x => path * (x / gap + Sum(m => 2.0 / (m * Math.PI) * (m % 2 == 0 ? 1.0 : -1.0) * Math.Sin(m * Math.PI * x / gap) * Math.Pow(Left(m, gap, strength), steps))));
             }
         }
 
@@ -60,7 +62,7 @@ namespace Rill.Tests
         {
             using (TestFluid fluid = Between(10, Margin, 1, 0.6f))
             {
-                Slide(fluid, 10, friction: 0f, 21);
+                Slide(fluid, 10, friction: 0f, PathPerStep, 21);
                 Assert.That(Profile(fluid, 10).Select(layer => layer.speed), Is.All.EqualTo(0.0).Within(0.01 * PathPerStep));
             }
         }
@@ -93,14 +95,14 @@ namespace Rill.Tests
             return fluid.AddBlock(new float3(0f, Margin, Margin) * spacing, new float3(gap, length, Thickness) * spacing, jitter: 0f);
         }
 
-        static void Slide(TestFluid fluid, int gap, float friction, int steps)
+        static void Slide(TestFluid fluid, int gap, float friction, float pathPerStep, int steps)
         {
             float3 size = new float3(Margin, 1000f, 1000f);
             ColliderMotion plate = ColliderTests.Still(ColliderShape.Box, size, new float3(gap + Margin, 0f, 0f), quaternion.identity);
             plate.friction = friction;
             for (int i = 0; i < steps; i++)
             {
-                plate.end.position.y = plate.start.position.y + PathPerStep;
+                plate.end.position.y = plate.start.position.y + pathPerStep;
                 ColliderTests.Use(fluid, plate);
                 fluid.Step();
                 plate.start = plate.end;
