@@ -78,11 +78,14 @@ bool IsFinite(float3 v)
     return exponent.x != 0x7f800000u && exponent.y != 0x7f800000u && exponent.z != 0x7f800000u;
 }
 
+static const float kMaxRestDensity = 2.0;   // by what colliders leave: with less room than that, particles lie in them by mistake
+
 // Density that the constraint seeks, relative to rest: above 1 where a closed box holds more than it can, which no iteration
-// could press out of it and all would fight over.
-float RestDensity(uint particles)
+// could press out of it and all would fight over. 'open' is the fraction of the box that colliders leave.
+float RestDensity(uint particles, float open)
 {
-    return max(particles / (_DomainSize.x * _DomainSize.y * _DomainSize.z), 1.0);
+    float mean = particles / (_DomainSize.x * _DomainSize.y * _DomainSize.z);
+    return max(min(mean / max(open, 1e-6), max(mean, kMaxRestDensity)), 1.0);
 }
 
 float3 ClampToDomain(float3 p)

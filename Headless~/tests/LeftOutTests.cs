@@ -69,10 +69,10 @@ namespace Host.Tests
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
             ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false), WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomBeside").ToArray()),
             ("a collider whose force is measured", null, s => AddCollider(s, true), WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
-            ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[] { "+1 Colliders.compute BinColliders" }),
+            ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[] { "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureSolid" }),
             ("motion of a collider in deep water", s => { AddCollider(s, false); Settings((ref SolverSettings v) => v.deepWater = DeepWater.On)(s); }, s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[]
             {
-                "+1 Colliders.compute BinColliders", "+1 CoarseSolids.compute OpenCells", "+1 CoarseSolids.compute LinkCells",
+                "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureSolid", "+1 CoarseSolids.compute OpenCells", "+1 CoarseSolids.compute LinkCells",
             }),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {

@@ -49,6 +49,7 @@ namespace Rill
                     cmd.BeginSample(LambdaMarker);
                     int solve = colliders != null ? solveLambdaBeside : solveLambda;
                     colliders?.BindDensity(cmd, shader, solve);
+                    colliders?.BindVolume(cmd, shader, solve);
                     Dispatch(cmd, solve, particles, particles.Predicted, particles.Current, resting);
                     cmd.EndSample(LambdaMarker);
                 }
@@ -74,6 +75,7 @@ namespace Rill
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             colliders?.BindDensity(cmd, shader, build);
+            colliders?.BindVolume(cmd, shader, build);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             if (coarse != null)
             {

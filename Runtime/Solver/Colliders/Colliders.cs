@@ -17,13 +17,13 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
-        readonly int binColliders, findBoundary;
+        readonly int binColliders, measureSolid, findBoundary;
         readonly int[] collidePaths, collide, collideLast;        // without and with reactions
         readonly FieldAtlas meshes, heights;
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
         readonly float cellSize;
-        GraphicsBuffer constants, states, masks, boundary, insets, pathBoundary, pathInsets;
+        GraphicsBuffer constants, states, masks, solidVolume, boundary, insets, pathBoundary, pathInsets;
         readonly ColliderConstants[] constantsUpload = new ColliderConstants[1];
         readonly ColliderState[] statesUpload = new ColliderState[ColliderSet.Most];
         int words, recordedCount;
@@ -34,6 +34,7 @@ namespace Rill
         public Colliders(SolverLayout layout)
         {
             binColliders = shader.FindKernel("BinColliders");
+            measureSolid = shader.FindKernel("MeasureSolid");
             collidePaths = Kernels("CollidePaths");
             findBoundary = shader.FindKernel("FindBoundary");
             collide = Kernels("Collide");
@@ -47,6 +48,7 @@ namespace Rill
             heights = new FieldAtlas(shader, ColliderShape.HeightField, "Rill.Colliders.Heights", "height fields");
             constants = GpuBuffer.Constants<ColliderConstants>("Rill.Colliders.Constants");
             states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
+            solidVolume = GpuBuffer.Structured<uint>("Rill.Colliders.SolidVolume", 1);
             boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
             insets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
             pathBoundary = GpuBuffer.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
@@ -63,6 +65,9 @@ namespace Rill
 
         /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
         public GraphicsBuffer Distances => insets;
+
+        /// <summary>uint [1], what they take of the domain's volume; see OpenFraction.hlsl.</summary>
+        public GraphicsBuffer SolidVolume => solidVolume;
 
         /// <summary>What the fluid does to them; null where none wants to know.</summary>
         public ColliderReactions Reactions => reactions;
@@ -114,8 +119,13 @@ namespace Rill
             {
                 cmd.SetBufferData(constants, constantsUpload);
                 cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
+                int total = cells.x * cells.y * cells.z;
                 BindShapes(cmd, shader, binColliders);
-                CoarseGrid.Dispatch(cmd, shader, binColliders, cells.x * cells.y * cells.z * words);
+                cmd.SetComputeBufferParam(shader, binColliders, Ids.SolidVolume, solidVolume);
+                CoarseGrid.Dispatch(cmd, shader, binColliders, total * words);
+                BindShapes(cmd, shader, measureSolid);
+                cmd.SetComputeBufferParam(shader, measureSolid, Ids.SolidVolume, solidVolume);
+                CoarseGrid.Dispatch(cmd, shader, measureSolid, total);
             }
             cmd.EndSample(Marker);
         }
@@ -176,6 +186,7 @@ namespace Rill
             GpuBuffer.Release(ref constants);
             GpuBuffer.Release(ref states);
             GpuBuffer.Release(ref masks);
+            GpuBuffer.Release(ref solidVolume);
             GpuBuffer.Release(ref boundary);
             GpuBuffer.Release(ref insets);
             GpuBuffer.Release(ref pathBoundary);
@@ -192,7 +203,10 @@ namespace Rill
             int substeps = input.settings.substeps;
             string variant = colliders.reactions != null ? "React" : "";
             if (colliders.binned)
+            {
                 description.Kernel("Colliders", "BinColliders", substeps);
+                description.Kernel("Colliders", "MeasureSolid", substeps);
+            }
             description.Kernel("Colliders", "CollidePaths" + variant, substeps);
             if (input.settings.iterations > 1)
                 description.Kernel("Colliders", "Collide" + variant, substeps * (input.settings.iterations - 1));
@@ -201,6 +215,7 @@ namespace Rill
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
             description.Buffer("Rill.Colliders.Masks", colliders.masks);
+            description.Buffer("Rill.Colliders.SolidVolume", colliders.solidVolume);
             description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
             description.Buffer("Rill.Colliders.Insets", colliders.insets);
             description.Buffer("Rill.Colliders.PathBoundary", colliders.pathBoundary);
@@ -255,6 +270,9 @@ namespace Rill
             cmd.SetComputeBufferParam(reader, kernel, Ids.Insets, insets);
         }
 
+        /// <summary>Records how much of the domain the obstacles leave, as a kernel reads it; see OpenFraction.hlsl.</summary>
+        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.SolidVolume, solidVolume);
+
         void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
             cmd.SetComputeTextureParam(reader, kernel, id, atlas.Texture != null ? (Texture)atlas.Texture : noField);
 
@@ -302,6 +320,7 @@ namespace Rill
             public static readonly int Constants = Shader.PropertyToID("RillColliders");
             public static readonly int Colliders = Shader.PropertyToID("_Colliders");
             public static readonly int ColliderMasks = Shader.PropertyToID("_ColliderMasks");
+            public static readonly int SolidVolume = Shader.PropertyToID("_SolidVolume");
             public static readonly int Fields = Shader.PropertyToID("_Fields");
             public static readonly int Heights = Shader.PropertyToID("_Heights");
             public static readonly int Positions = Shader.PropertyToID("_Positions");

@@ -96,7 +96,8 @@ namespace Rill
                 case "SMALL":
                 case "SMOOTH":
                 case "SPAWN":
-                case "STORE_DRAWN": return DeviceFeature.None;
+                case "STORE_DRAWN":
+                case "VOLUME": return DeviceFeature.None;
                 case "BESIDE":
                 case "CARRIES":
                 case "SOLIDS": return DeviceFeature.Colliders;
