@@ -79,13 +79,16 @@ bool IsFinite(float3 v)
 }
 
 static const float kMaxRestDensity = 2.0;   // by what colliders leave: with less room than that, particles lie in them by mistake
+static const float kMaxSlack = 0.007;       // above the mean density, of rest
 
 // Density that the constraint seeks, relative to rest: above 1 where a closed box holds more than it can, which no iteration
-// could press out of it and all would fight over. 'open' is the fraction of the box that colliders leave.
+// could press out of it and all would fight over. Above the mean by a slack: the constraint presses and does not pull, so that
+// exactly the mean would keep half of the particles pushing. 'open' is the fraction of the box that colliders leave.
 float RestDensity(uint particles, float open)
 {
     float mean = particles / (_DomainSize.x * _DomainSize.y * _DomainSize.z);
-    return max(min(mean / max(open, 1e-6), max(mean, kMaxRestDensity)), 1.0);
+    float rest = max(min(mean / max(open, 1e-6), max(mean, kMaxRestDensity)), 1.0);
+    return rest + min(0.5 * (rest - 1.0), kMaxSlack);
 }
 
 float3 ClampToDomain(float3 p)

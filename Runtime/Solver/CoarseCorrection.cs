@@ -133,7 +133,10 @@ namespace Rill
 
             int find = solids == null ? findSurface : findSurfaceSolids;
             BindCells(cmd, find, flowPotential);
+            solids?.BindVolume(cmd, shader, find);
             cmd.SetComputeBufferParam(shader, find, Ids.WeightedCounts, weightedCounts);
+            cmd.SetComputeBufferParam(shader, find, Ids.Source, source);
+            cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
             Dispatch(cmd, find);
 
             RecordSource(cmd, solids == null ? findDivergence : findDivergenceSolids, flowPotential);

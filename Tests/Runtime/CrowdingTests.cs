@@ -89,6 +89,23 @@ namespace Rill.Tests
             }
         }
 
+        // 60 layers where 50 fit: the water is under pressure up to the lid and does not fall off it.
+        [Test]
+        public void A_deep_closed_box_with_too_many_particles_is_as_calm_as_an_open_one()
+        {
+            float3[] places = Enumerable.Range(0, 8 * 60 * 8).Select(i => (new float3(i % 8, i / 8 % 60 * (5f / 6f), i / 480) + new float3(0.5f, 5f / 12f, 0.5f)) * Spacing).ToArray();
+            SolverSettings settings = Settings(DeepWater.On);
+            settings.iterations = 2;
+            using (var fluid = new TestFluid(new float3(8f, 50f, 8f) * Spacing, Spacing, places.Length, settings).Add(places))
+            {
+                FluidStatistics statistics = fluid.Step(120).MeasureWhole();
+                TestContext.Out.WriteLine($"C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, jitter {statistics.jitter:0.000} m/s");
+                Assert.That(statistics.densityError, Is.InRange(0.1f, 0.26f));
+                Assert.That(statistics.densityError999, Is.LessThan(1.5f * statistics.densityError));
+                Assert.That(statistics.jitter, Is.LessThan(0.045f));
+            }
+        }
+
         // m/s: each pass moves a particle half a spacing at most, the grid's density correction two spacings.
         static float LimitOfTwoSteps(TestFluid fluid)
         {

@@ -16,6 +16,7 @@ namespace Rill
         readonly int openCells, linkCells;
         int seen = -1;
         bool recorded;
+        Colliders volume;
         GraphicsBuffer raw, open, centers, flow;
 
         public CoarseSolids(CoarseGrid grid)
@@ -38,6 +39,7 @@ namespace Rill
         /// <summary>Records what is open in this substep: nothing where all obstacles rest as they did.</summary>
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, GraphicsBuffer coarseConstants, Colliders colliders)
         {
+            volume = colliders;
             Reacting = colliders.Reactions != null ? colliders : null;
             recorded = colliders.Changes != seen;
             if (!recorded)
@@ -64,6 +66,9 @@ namespace Rill
             cmd.SetComputeBufferParam(reader, kernel, Ids.OpenCenters, centers);
             cmd.SetComputeBufferParam(reader, kernel, Ids.SolidFlow, flow);
         }
+
+        /// <summary>Records how much of the domain the obstacles leave, as a kernel reads it.</summary>
+        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => volume.BindVolume(cmd, reader, kernel);
 
         /// <summary>Sums the pressure on the solids; null where none wants to know.</summary>
         public Colliders Reacting { get; private set; }
