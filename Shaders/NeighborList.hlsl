@@ -56,24 +56,20 @@ void StoreBlock(uint i, uint base, uint k, uint4 block)
     _Neighbors[base + k * 8] = block;
 }
 
-// Adds neighbor number 'count'; 'block' holds those since the last multiple of 4.
+// Adds neighbor number 'count'; 'block' holds the last four, the new one behind: moving them all takes no test of which is its place.
 void AddNeighbor(uint i, uint base, inout uint4 block, uint count, uint neighbor)
 {
-    uint place = count & 3;
-    block.x = place == 0 ? neighbor : block.x;
-    block.y = place == 1 ? neighbor : block.y;
-    block.z = place == 2 ? neighbor : block.z;
-    block.w = neighbor;
-    if (place == 3 && count < _NeighborCapacity)
+    block = uint4(block.yzw, neighbor);
+    if ((count & 3) == 3 && count < _NeighborCapacity)
         StoreBlock(i, base, count - 3, block);
 }
 
-// Stores a last block that is not full.
+// Stores a last block that is not full: its one, two or three neighbors, then the particle itself.
 void EndNeighbors(uint i, uint base, uint4 block, uint count)
 {
     uint last = count & 3;
     if (last != 0 && count < _NeighborCapacity)
-        StoreBlock(i, base, count & ~3u, uint4(block.x, last > 1 ? block.y : i, last > 2 ? block.z : i, i));
+        StoreBlock(i, base, count & ~3u, last == 1 ? uint4(block.w, i, i, i) : last == 2 ? uint4(block.zw, i, i) : uint4(block.yzw, i));
 }
 #endif
 
