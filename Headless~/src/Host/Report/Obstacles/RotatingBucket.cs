@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Rill;
 using Unity.Mathematics;
-using Random = Unity.Mathematics.Random;
 
 namespace Host.Report.Obstacles
 {
@@ -58,7 +57,7 @@ namespace Host.Report.Obstacles
         public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds, float friction = 1f, bool still = false)
         {
             float spacing = (float)(Radius / across), middle = across + 1f;
-            float3[] places = Lattice(across, middle, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
+            List<float3> places = TurningTank.Lattice(across, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
             float height = (float)(Surface(Depth, speed, Radius) / spacing) + across;
             float3 Velocity(float3 p) => (still ? 0f : (float)speed) * spacing * new float3(p.z - middle, 0f, middle - p.x);
             using var run = new FluidRun("bucket", new float3(2f * middle, height, 2f * middle), spacing, places, Velocity, input);
@@ -88,8 +87,8 @@ namespace Host.Report.Obstacles
 
             var bucket = new RotatingBucket
             {
-                Particles = places.Length,
-                RestDepth = places.Length * Math.Pow(spacing, 3) / (Math.PI * Radius * Radius),
+                Particles = places.Count,
+                RestDepth = places.Count * Math.Pow(spacing, 3) / (Math.PI * Radius * Radius),
                 Turning = momenta.Sum() / moments.Sum() / speed,
             };
             bucket.Compare(speed, Enumerable.Range(0, Rings).Select(i => (Math.Sqrt(moments[i] / counts[i]) * spacing, heights[i] / counts[i], momenta[i] / moments[i])).ToArray());
@@ -121,20 +120,5 @@ namespace Host.Report.Obstacles
         }
 
         static double Squared(double value) => value * value;
-
-        static float3[] Lattice(int across, float middle, Func<double, double> height)
-        {
-            var random = new Random(7);
-            var places = new List<float3>();
-            for (int x = -across; x < across; x++)
-                for (int z = -across; z < across; z++)
-                {
-                    double r = Math.Sqrt((x + 0.5) * (x + 0.5) + (z + 0.5) * (z + 0.5));
-                    int layers = (int)Math.Round(height(r));
-                    for (int y = 0; y < layers && r <= across - 0.3; y++)
-                        places.Add(new float3(middle + x + 0.5f, y + 0.5f, middle + z + 0.5f) + random.NextFloat3(-0.02f, 0.02f));
-                }
-            return places.ToArray();
-        }
     }
 }

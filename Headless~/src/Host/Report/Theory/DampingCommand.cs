@@ -1,13 +1,8 @@
 using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
-using System.Linq;
 using Host.Fluids;
-using Host.Report.Obstacles;
 using Rill;
-using Unity.Mathematics;
-using Random = Unity.Mathematics.Random;
 
 namespace Host.Report
 {
@@ -15,7 +10,6 @@ namespace Host.Report
     static class DampingCommand
     {
         const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s> or bucket:<radius, d>:<layers>:<rad/s>.";
-        const float SettlingTime = 1f;      // s
 
         public static Command Create()
         {
@@ -71,69 +65,16 @@ namespace Host.Report
             return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; offset {(fit.Offset - Sloshing.Middle) / Sloshing.Offset(depth, lean):0.00}, misfit {100 * fit.Misfit:0.0} %");
         }
 
-        // The slowest flow along the walls of a square tank, in turns about the vertical: u = U (sin x cos z, -cos x sin z), a Taylor-Green
-        // vortex. What the step takes of the energy is q Δt times the mean of the squared acceleration, so dU/dt = -q Δt (π/L)² U³ / 2.
         static string Vortex(int side, int layers, float speed, in StepInput input, double seconds)
         {
-            const float spacing = 0.05f;
-            float wave = math.PI / side;
-            float3 Flow(float3 p) => new float3(math.sin(wave * p.x) * math.cos(wave * p.z), 0f, -math.cos(wave * p.x) * math.sin(wave * p.z));
-            double Amplitude(FluidRun run)
-            {
-                float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
-                return Enumerable.Range(0, positions.Length).Sum(i => (double)math.dot(velocities[i].xyz, Flow(positions[i].xyz))) / positions.Sum(p => math.lengthsq(Flow(p.xyz))) * spacing;
-            }
-            var still = new List<float3>();
-            var random = new Random(7);
-            for (int i = 0; i < side * side * layers; i++)
-                still.Add(new float3(i % side, i / (side * side), i / side % side) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
-            float3 box = new float3(side, layers + side / 2f, side);
-            using (var settling = new FluidRun("vortex", box, spacing, still, _ => 0f, input))
-            {
-                while (settling.Time < SettlingTime)
-                    settling.Step();
-                still = settling.ReadPositions().Select(p => p.xyz).ToList();
-            }
-            using var turning = new FluidRun("vortex", box, spacing, still, p => speed * Flow(p), input);
-            double highest = 0, start = turning.Measure().Energy;
-            while (turning.Time < seconds)
-            {
-                turning.Step();
-                highest = Math.Max(highest, turning.Measure().Energy);
-            }
-            double left = Amplitude(turning) / speed, k = wave / spacing;
-            return Text($"{left:0.000} of the amplitude after {turning.Time:0.0} s, {1 / Math.Sqrt(1 + k * k * speed * speed * Substep(input) * turning.Time):0.000} by a first-order step alone; highest energy {highest / start:0.0000}");
+            TaylorGreenVortex vortex = TaylorGreenVortex.Run(side, layers, speed, input, seconds);
+            return Text($"{vortex.Left:0.000} of the amplitude after {vortex.Time:0.0} s, {vortex.LeftAtFirstOrder:0.000} by a first-order step alone: damping {vortex.Damping:0.00} of its; highest energy {vortex.HighestEnergy:0.0000}");
         }
 
-        // Water that turns in a cylinder without friction.
         static string Bucket(int radius, int layers, double speed, in StepInput input, double seconds)
         {
-            const float spacing = 0.025f;
-            float middle = radius + 1f;
-            double Surface(double r) => layers + speed * speed / (2 * FluidRun.Gravity) * (r * r - radius * radius / 2.0) * spacing;
-            var random = new Random(7);
-            var places = new List<float3>();
-            for (int x = -radius; x < radius; x++)
-                for (int z = -radius; z < radius; z++)
-                {
-                    double r = Math.Sqrt((x + 0.5) * (x + 0.5) + (z + 0.5) * (z + 0.5));
-                    for (int y = 0; y < Math.Round(Surface(r)) && r <= radius - 0.3; y++)
-                        places.Add(new float3(middle + x + 0.5f, y + 0.5f, middle + z + 0.5f) + random.NextFloat3(-0.02f, 0.02f));
-                }
-            float height = (float)Surface(radius) + radius;
-            using var run = new FluidRun("bucket", new float3(2f * middle, height, 2f * middle), spacing, places, p => (float)speed * spacing * new float3(p.z - middle, 0f, middle - p.x), input);
-            run.Use(Solids.RoundTank(radius, height, new float3(middle, height / 2f, middle)));
-            while (run.Time < seconds)
-                run.Step();
-            float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
-            double momentum = 0, moment = 0;
-            for (int i = 0; i < positions.Length; i++)
-            {
-                float2 arm = positions[i].xz - middle;
-                momentum += arm.y * velocities[i].x - arm.x * velocities[i].z;
-                moment += math.lengthsq(arm);
-            }
-            return Text($"{momentum / moment / speed:0.000} of its turning after {run.Time:0.0} s, {RotatingBucket.TurningLeft(speed, Substep(input), run.Time):0.000} by a first-order step alone; jitter {run.Measure().jitter:0.000} m/s");
+            TurningTank tank = TurningTank.Run(radius, layers, speed, input, seconds);
+            return Text($"{tank.Left:0.000} of its turning after {tank.Time:0.0} s, {tank.LeftAtFirstOrder:0.000} by a first-order step alone: damping {tank.Damping:0.00} of its; jitter {tank.Jitter:0.000} m/s");
         }
 
         static double Substep(in StepInput input) => input.timeStep / input.settings.substeps;

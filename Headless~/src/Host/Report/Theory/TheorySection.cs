@@ -11,6 +11,8 @@ namespace Host.Report
             FrontReport.Measure(run);
             ColumnReport.Measure(run);
             SloshingReport.Measure(run);
+            NumericalDampingReport.Measure(run);
+            WavemakerReport.Measure(run);
             FallReport.Measure(run);
         }
 
@@ -19,6 +21,8 @@ namespace Host.Report
             FrontReport.Write(page);
             ColumnReport.Write(page);
             SloshingReport.Write(page);
+            NumericalDampingReport.Write(page);
+            WavemakerReport.Write(page);
             FallReport.Write(page);
         }
     }

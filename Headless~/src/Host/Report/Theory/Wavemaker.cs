@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Host.Report.Obstacles;
+using Rill;
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Host.Report
+{
+    /// <summary>
+    /// A piston at the end of a long tank moves to and fro: the waves that leave it are H/S = 2 (cosh 2kh - 1) / (sinh 2kh + 2kh) as high
+    /// as its stroke (Havelock 1929; Dean and Dalrymple 1991, section 6.2).
+    /// </summary>
+    static class Wavemaker
+    {
+        const int Thickness = 8;            // d
+        const float Plate = 6f;             // d: of the piston
+        const double Tank = 2.5;            // wave lengths
+        const double Station = 1.5;         // depths from the piston's rest position: of what does not travel 2 % are left there
+        const double FirstPeriod = 2.5, Periods = 2;        // of the measurement: after the front, before what the far wall returns
+        const float Reach = 4f;             // d: of the mean over the length, whole so that a lattice that drifts by shows no waves
+
+        public static double HeightOverStroke(double kh) => 2 * (Math.Cosh(2 * kh) - 1) / (Math.Sinh(2 * kh) + 2 * kh);
+
+        /// <param name="layers">Depth h, d.</param>
+        /// <param name="kh">Wave number times depth.</param>
+        /// <param name="stroke">S, d.</param>
+        /// <param name="spacing">m.</param>
+        /// <returns>Height of the waves from trough to crest over the stroke, of their first harmonic.</returns>
+        public static double Run(int layers, double kh, double stroke, float spacing, in StepInput input)
+        {
+            double k = kh / layers, frequency = Math.Sqrt(FluidRun.Gravity / spacing * k * Math.Tanh(kh)), period = 2 * Math.PI / frequency;
+            int length = (int)Math.Round(Tank * 2 * Math.PI / k);
+            var positions = new List<float3>();
+            var random = new Random(7);
+            for (int i = 0; i < length * layers * Thickness; i++)
+                positions.Add(new float3(Plate, 0f, 0f) + new float3(i / (layers * Thickness), i / Thickness % layers, i % Thickness) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
+            var box = new float3(Plate + length, 1.6f * layers, Thickness);
+            using var run = new FluidRun("wavemaker", box, spacing, positions, _ => 0f, input);
+
+            // From rest; the plate is thick enough to stay in the domain's wall at the end of its stroke.
+            ColliderMotion piston = Solids.Box(new float3(-Plate, -Plate, -Plate), new float3(Plate, box.y + Plate, box.z + Plate));
+            float3 rest = piston.end.position;
+            double cosine = 0, sine = 0;
+            while (run.Time < (FirstPeriod + Periods) * period)
+            {
+                double time = run.Time + run.Input.timeStep;
+                piston.start = piston.end;
+                piston.end.position = rest + new float3((float)(stroke / 2 * (1 - Math.Cos(frequency * time))), 0f, 0f);
+                run.Use(piston);
+                run.Step();
+                if (run.Time <= FirstPeriod * period)
+                    continue;
+                double height = HeightAt(run, Plate + (float)(Station * layers)), weight = 2 * run.Input.timeStep / (Periods * period);
+                cosine += weight * height * Math.Cos(frequency * run.Time);
+                sine += weight * height * Math.Sin(frequency * run.Time);
+            }
+            return 2 * Math.Sqrt(cosine * cosine + sine * sine) / stroke;
+        }
+
+        // Of the water by its volume, d: a weighted mean that falls to both sides.
+        static double HeightAt(FluidRun run, float x) => run.ReadPositions().Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
+    }
+}
