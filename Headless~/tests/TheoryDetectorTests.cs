@@ -19,6 +19,14 @@ namespace Host.Tests
                 .Select(time => (time, factor * experiments.Average(series => series.At(time)))));
         }
 
+        [TestCase(0.02, 0.02, TestName = "A_piston_in_shallow_water_makes_waves_of_kh_times_its_stroke")]
+        [TestCase(12.0, 2.0, TestName = "A_piston_in_deep_water_makes_waves_of_twice_its_stroke")]
+        [TestCase(1.0, 0.9817, TestName = "A_piston_in_water_of_kh_1_makes_waves_almost_as_high_as_its_stroke")]
+        public void The_wavemaker_theory_has_its_limits(double kh, double heightOverStroke)
+        {
+            Assert.That(Wavemaker.HeightOverStroke(kh), Is.EqualTo(heightOverStroke).Within(1e-3 * heightOverStroke));
+        }
+
         [Test]
         public void A_percentile_leaves_the_few_beyond_it_out()
         {
