@@ -97,6 +97,7 @@ namespace Rill
         {
             int findRoom = colliders != null ? findRoomBeside : findRoomAlone;
             colliders?.BindShapes(cmd, shader, findRoom);
+            colliders?.BindVolume(cmd, shader, findRoom);
             ref EmitterStep emitter = ref sources.emitters[index];
             RecordParameters(cmd, emitter, step, SeesNew(sources, index, step), stepIndex);
             GraphicsBuffer places = PlacesOf(emitter);
