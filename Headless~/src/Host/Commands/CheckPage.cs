@@ -6,12 +6,12 @@ using Host.Check;
 
 namespace Host.Commands
 {
-    /// <summary>The outcome of <c>check</c> as a page of the documentation.</summary>
+    /// <summary>The outcome of <c>check</c> as a page: its rules, and the figures and tables that they make.</summary>
     static class CheckPage
     {
         public static void Write(string file, IReadOnlyList<(Rule rule, Findings findings)> examined)
         {
-            var text = new StringBuilder("# What `rill check` found\n\nWritten by `Headless~/rill check --page`; [verification](verification.md) says what it proves.\n\n");
+            var text = new StringBuilder("# What `rill check` found\n\nWritten by `Headless~/rill check --page`; Documentation~/verification.md says what it proves.\n\n");
             var rules = new ResultTable { Columns = new[] { "rule", "looked at", "verdict" } };
             foreach ((Rule rule, Findings findings) in examined)
                 rules.Rows.Add(new[] { rule.Name, findings.Looked, findings.Faults.Count == 0 ? "holds" : findings.Faults.Count + " faults" });
@@ -23,7 +23,9 @@ namespace Host.Commands
                     text.Append(table.About + "\n\n");
                 Append(text, table);
             }
-            File.WriteAllText(file, text.ToString());
+            string full = Path.GetFullPath(file);
+            Directory.CreateDirectory(Path.GetDirectoryName(full));
+            File.WriteAllText(full, text.ToString());
         }
 
         static void Append(StringBuilder text, ResultTable table)
