@@ -34,7 +34,8 @@ namespace Rill
         [SerializeField] Color fastColor = new Color(0.85f, 0.95f, 1.00f);
 
         [Tooltip("Colours of the phases 0 to 7. A phase beyond those that are there has the last.")]
-        [SerializeField] Color[] phaseColors =
+        [SerializeField]
+        Color[] phaseColors =
         {
             new Color(0.10f, 0.40f, 0.75f), new Color(0.85f, 0.30f, 0.20f), new Color(0.20f, 0.65f, 0.30f), new Color(0.95f, 0.75f, 0.20f),
             new Color(0.55f, 0.30f, 0.70f), new Color(0.20f, 0.70f, 0.70f), new Color(0.90f, 0.50f, 0.65f), new Color(0.85f, 0.85f, 0.85f),

@@ -115,10 +115,10 @@ namespace Rill.Tests
             ParticleState state = fluid.Read();
             float middle = 0.5f * state.box.y;
             return (from i in Enumerable.Range(0, state.Count)
-                where math.abs(state.positions[i].y - middle) < 0.3f * gap
-                group i by (int)math.floor(state.positions[i].x) into layer
-                orderby layer.Key
-                select (layer.Average(i => (double)state.positions[i].x), layer.Average(i => (double)state.velocities[i].y) * TimeStep)).ToArray();
+                    where math.abs(state.positions[i].y - middle) < 0.3f * gap
+                    group i by (int)math.floor(state.positions[i].x) into layer
+                    orderby layer.Key
+                    select (layer.Average(i => (double)state.positions[i].x), layer.Average(i => (double)state.velocities[i].y) * TimeStep)).ToArray();
         }
 
         static void AssertProfile(TestFluid fluid, int gap, Func<double, double> expected, double tolerance = 0.02)
