@@ -9,7 +9,7 @@ namespace Rill
 {
     /// <summary>
     /// Turns triangles into a signed distance field on the GPU, in slices of work: <see cref="Step"/> once a frame or as often
-    /// as it suits until <see cref="Result"/> is there, or <see cref="Bake(Mesh, in MeshSdfSettings)"/> for all at once.
+    /// as it suits until <see cref="Result"/> is there, or <see cref="Bake(Mesh, in MeshSdfSettings, Func{float, string, bool})"/> for all at once.
     /// Works in the editor, in players and without a window, on any device with compute shaders.
     /// </summary>
     /// <remarks>

@@ -10,24 +10,31 @@ namespace Rill
         public const int LeastResolution = 8, MostResolution = 1024;
         public const int MostPadding = 64;
 
+        /// <summary>Edge of a voxel, m. 0: from the resolution.</summary>
         [Tooltip("Edge of a voxel, m. 0: from the resolution.")]
         public float voxelSize;
 
+        /// <summary>Voxels along the longest axis, padding included, where no voxel size is given. 8 to 1024.</summary>
         [Tooltip("Voxels along the longest axis, padding included, where no voxel size is given. 8 to 1024.")]
         [Range(LeastResolution, MostResolution)] public int resolution;
 
+        /// <summary>Voxels around the mesh on every side. 1 to 64.</summary>
         [Tooltip("Voxels around the mesh on every side. 1 to 64.")]
         [Range(1, MostPadding)] public int padding;
 
+        /// <summary>Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.</summary>
         [Tooltip("Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.")]
         public int memoryCap;
 
+        /// <summary>How inside is told from outside. Automatic: by the winding number, or as a shell where the mesh is open.</summary>
         [Tooltip("How inside is told from outside. Automatic: by the winding number, or as a shell where the mesh is open.")]
         public MeshSdfSign sign;
 
+        /// <summary>Thickness of the shell that an open surface becomes, m. 0: two voxels, the least that the grid resolves.</summary>
         [Tooltip("Thickness of the shell that an open surface becomes, m. 0: two voxels, the least that the grid resolves.")]
         public float shellThickness;
 
+        /// <summary>How voxels are stored. Automatic: 16 bits where that is accurate enough, else 32.</summary>
         [Tooltip("How voxels are stored. Automatic: 16 bits where that is accurate enough, else 32.")]
         public SdfFormat format;
 

@@ -8,34 +8,44 @@ namespace Rill
     [Serializable]
     public struct FluidMaterial
     {
+        /// <summary>Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is elastic.</summary>
         [Tooltip("Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is elastic.")]
         [Min(1e-3f)] public float density;
 
+        /// <summary>XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against noise: it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.</summary>
         [Tooltip("XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against noise: it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.")]
         [FormerlySerializedAs("viscosity")]
         [Range(0f, 1f)] public float velocitySmoothing;
 
+        /// <summary>Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.</summary>
         [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.")]
         [Min(0f)] public float dynamicViscosity;
 
+        /// <summary>How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of colliders: Friction.</summary>
         [Tooltip("How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of colliders: Friction.")]
         [Range(0f, 1f)] public float wallFriction;
 
+        /// <summary>Vorticity confinement, m/s: acceleration per unit of vorticity that keeps eddies alive. 0 (off) to 10.</summary>
         [Tooltip("Vorticity confinement, m/s: acceleration per unit of vorticity that keeps eddies alive. 0 (off) to 10.")]
         [Range(0f, 10f)] public float vorticity;
 
+        /// <summary>Artificial pressure k of s_corr, as the density error that it counters. 0 (off) to 1; 0.1 makes a surface of its own.</summary>
         [Tooltip("Artificial pressure k of s_corr, as the density error that it counters. 0 (off) to 1; 0.1 makes a surface of its own.")]
         [Range(0f, 1f)] public float artificialPressure;
 
+        /// <summary>Distance at which the artificial pressure is k, in support radii. 0.1 to 0.3.</summary>
         [Tooltip("Distance at which the artificial pressure is k, in support radii. 0.1 to 0.3.")]
         [Range(0.1f, 0.3f)] public float artificialPressureDistance;
 
+        /// <summary>Negative density error that is still pulled together. 0 (off) to 0.5; more makes strings and clumps.</summary>
         [Tooltip("Negative density error that is still pulled together. 0 (off) to 0.5; more makes strings and clumps.")]
         [Range(0f, 0.5f)] public float allowedTension;
 
+        /// <summary>Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At any value waves get 0.4 of a spacing in a substep at most.</summary>
         [Tooltip("Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At any value waves get 0.4 of a spacing in a substep at most.")]
         [Min(0f)] public float shearModulus;
 
+        /// <summary>Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.</summary>
         [Tooltip("Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.")]
         [Min(1e-3f)] public float relaxationTime;
 

@@ -15,7 +15,7 @@ namespace Rill
         /// <summary>What is stored; an element is null where its asset is gone.</summary>
         public StageShader[] Stages => stages;
 
-        /// <summary>Makes the stages findable until <see cref="Release"/>; twice in a row is safe.</summary>
+        /// <summary>Makes the stages findable until <see cref="Release()"/>; twice in a row is safe.</summary>
         public void Hold()
         {
             if (held == stages)

@@ -7,21 +7,27 @@ namespace Rill
     [Serializable]
     public struct SurfaceLook
     {
+        /// <summary>Colour that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.</summary>
         [Tooltip("Colour that white light has left after Color Depth of the fluid (Beer and Lambert). White: perfectly clear.")]
         public Color colorAtDepth;
 
+        /// <summary>Path through the fluid after which white light has that colour, m, above 0.</summary>
         [Tooltip("Path through the fluid after which white light has that colour, m, above 0.")]
         public float colorDepth;
 
+        /// <summary>Colour of the light that the fluid scatters back: milk, mud, plankton.</summary>
         [Tooltip("Colour of the light that the fluid scatters back: milk, mud, plankton.")]
         public Color scattering;
 
+        /// <summary>Path after which 63 % of the light is scattered, m. 0: nothing scatters.</summary>
         [Tooltip("Path after which 63 % of the light is scattered, m. 0: nothing scatters.")]
         public float scatteringDepth;
 
+        /// <summary>Index of refraction, 1 to 2. Water: 1.333.</summary>
         [Tooltip("Index of refraction, 1 to 2. Water: 1.333.")]
         [Range(1f, 2f)] public float refractionIndex;
 
+        /// <summary>Roughness of the surface where it is calm, 0 to 1. 0: a mirror.</summary>
         [Tooltip("Roughness of the surface where it is calm, 0 to 1. 0: a mirror.")]
         [Range(0f, 1f)] public float roughness;
 

@@ -12,33 +12,43 @@ namespace Rill
     {
         const float MillisecondsOfSecond = 1000f;
 
+        /// <summary>Off: the solver's settings hold. Otherwise substeps, iterations and relaxation are chosen to fit the time.</summary>
         [Tooltip("Off: the solver's settings hold. Otherwise substeps, iterations and relaxation are chosen to fit the time.")]
         public BudgetMode mode;
 
+        /// <summary>GPU time that the steps of a frame may take, ms. 0.01 to 1000. Drawing and statistics come on top.</summary>
         [Tooltip("GPU time that the steps of a frame may take, ms. 0.01 to 1000. Drawing and statistics come on top.")]
         [Range(0.01f, 1000f)] public float milliseconds;
 
+        /// <summary>Share of the frame that the steps may take. 0.01 to 1.</summary>
         [Tooltip("Share of the frame that the steps may take. 0.01 to 1.")]
         [Range(0.01f, 1f)] public float share;
 
+        /// <summary>Frames a second that the game aims for, which the share is of. 10 to 500.</summary>
         [Tooltip("Frames a second that the game aims for, which the share is of. 10 to 500.")]
         [Range(10f, 500f)] public float frameRate;
 
+        /// <summary>Mean density error C+ that is good enough. 0 (none is) to 0.1. Below it no more is spent. Needs statistics.</summary>
         [Tooltip("Mean density error C+ that is good enough. 0 (none is) to 0.1. Below it no more is spent. Needs statistics.")]
         [Range(0f, 0.1f)] public float targetError;
 
+        /// <summary>Fewest iterations of a substep. 1 to 50.</summary>
         [Tooltip("Fewest iterations of a substep. 1 to 50.")]
         [Range(1, 50)] public int leastIterations;
 
+        /// <summary>Most iterations of a substep, at least the fewest. 1 to 50.</summary>
         [Tooltip("Most iterations of a substep, at least the fewest. 1 to 50.")]
         [Range(1, 50)] public int mostIterations;
 
+        /// <summary>Fewest substeps. 1 to 16.</summary>
         [Tooltip("Fewest substeps. 1 to 16.")]
         [Range(1, 16)] public int leastSubsteps;
 
+        /// <summary>Most substeps, at least the fewest. 1 to 16.</summary>
         [Tooltip("Most substeps, at least the fewest. 1 to 16.")]
         [Range(1, 16)] public int mostSubsteps;
 
+        /// <summary>Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.</summary>
         [Tooltip("Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.")]
         [Min(0f)] public float deviceFactor;
 
