@@ -82,7 +82,7 @@ namespace Host.Tests
         public void What_goes_one_way_never_turns()
         {
             Assert.That(TurningPoints.Of(Enumerable.Range(0, 50).Select(i => (i / 60.0, i * 0.1)).ToList(), 0.03, 0.15), Is.Empty);
-            Assert.Throws<HostException>(() => ReflectedWaves.Arrivals(Swing(4, 0)));
+            Assert.That(ReflectedWaves.Arrivals(Swing(4, 0)), Has.All.NaN);
         }
 
         [TestCase(1.02, true)]

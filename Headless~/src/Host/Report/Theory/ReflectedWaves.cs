@@ -42,12 +42,9 @@ namespace Host.Report
             return samples;
         }
 
-        /// <exception cref="HostException">It did not turn so often.</exception>
-        public static double[] Arrivals(IReadOnlyList<(double Time, double Value)> samples)
-        {
-            List<double> turns = TurningPoints.Of(samples, Ripple, Window);
-            return turns.Count >= Turns ? turns.Take(Turns).ToArray() : throw new HostException($"the water turned back {turns.Count} times in {Seconds} s; {Turns} are timed.");
-        }
+        /// <summary>Times of the turns, s; NaN for those that water which has come to rest no longer makes.</summary>
+        public static double[] Arrivals(IReadOnlyList<(double Time, double Value)> samples) =>
+            TurningPoints.Of(samples, Ripple, Window).Concat(Enumerable.Repeat(double.NaN, Turns)).Take(Turns).ToArray();
 
         /// <summary>How far times of a wave may be from those of the finest run, as a fraction of their mean: 3 %, or two standard deviations if that is more.</summary>
         public static double Allowed(IReadOnlyCollection<double> finest) => Math.Max(Bar, 2 * Deviation(finest) / finest.Average());
