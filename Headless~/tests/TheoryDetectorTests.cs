@@ -28,6 +28,82 @@ namespace Host.Tests
         }
 
         [Test]
+        public void A_tube_swings_with_the_inertia_of_its_water_less_what_the_flow_cuts_at_the_bends()
+        {
+            Assert.That(UTube.MiddleLine(12, 24, 48), Is.EqualTo(2 * 42 + 36));
+            Assert.That(UTube.StraightLength(12, 24, 48), Is.EqualTo(120 - 24 * 2 * Math.Log(2) / Math.PI).Within(1e-9));
+            Assert.That(UTube.Period(2 * FluidRun.Gravity), Is.EqualTo(2 * Math.PI).Within(1e-9));
+        }
+
+        // The drop of the potential along two channels at a right angle, each with two squares before the corner's, at a flux of 1.
+        [Test]
+        public void The_square_of_a_bend_has_the_inertia_that_the_tube_counts()
+        {
+            const int across = 16, squares = 2, side = (squares + 1) * across;
+            var potential = new double[side, side];
+            bool Inside(int x, int y) => x >= 0 && y >= 0 && x < side && y < side && (x < across || y < across);
+            for (int sweep = 0; sweep < 700; sweep++)
+                for (int x = 0; x < side; x++)
+                    for (int y = 0; y < side; y++)
+                    {
+                        if (!Inside(x, y))
+                            continue;
+                        double sum = 0, weight = 0;
+                        foreach ((int dx, int dy) in new[] { (1, 0), (-1, 0), (0, 1), (0, -1) })
+                            if (Inside(x + dx, y + dy))
+                                (sum, weight) = (sum + potential[x + dx, y + dy], weight + 1);
+                        // The ends, half a cell away: 1 along x, 0 along y.
+                        if (x == side - 1)
+                            (sum, weight) = (sum + 2, weight + 2);
+                        if (y == side - 1)
+                            weight += 2;
+                        potential[x, y] += 1.9 * (sum / weight - potential[x, y]);
+                    }
+            double flux = Enumerable.Range(0, across).Sum(y => 2 * (1 - potential[side - 1, y]));
+            Assert.That(1 / flux - 2 * squares, Is.EqualTo(UTube.CornerFraction).Within(0.01));
+        }
+
+        static List<(double, double)> Swing(double stretch, double ripple) => Enumerable.Range(0, 300).Select(i => i / 60.0)
+            .Select(t => (t, 1 - Math.Exp(-0.3 * t) * Math.Cos(2.5 * t / stretch) + ripple * Math.Sin(40 * t))).ToList();
+
+        // Of e^(-a t) cos(w t): where tan(w t) = -a/w.
+        [TestCase(0)]
+        [TestCase(0.01)]
+        public void Turning_points_are_found_between_the_samples_and_ripples_are_none(double ripple)
+        {
+            List<double> turns = TurningPoints.Of(Swing(1, ripple), 0.03, 0.15);
+            Assert.That(turns.Count, Is.EqualTo(3), "neither the start nor the end nor a ripple");
+            for (int i = 0; i < turns.Count; i++)
+                Assert.That(turns[i], Is.EqualTo(((i + 1) * Math.PI - Math.Atan(0.3 / 2.5)) / 2.5).Within(ripple > 0 ? 0.03 : 2e-3), "a parabola leaves out the cubic part");
+            Assert.That(TurningPoints.Of(Swing(1, 0.05), 0.01, 0.15).Count, Is.GreaterThan(3), "ripples above what is left out are turns");
+        }
+
+        [Test]
+        public void What_goes_one_way_never_turns()
+        {
+            Assert.That(TurningPoints.Of(Enumerable.Range(0, 50).Select(i => (i / 60.0, i * 0.1)).ToList(), 0.03, 0.15), Is.Empty);
+            Assert.That(ReflectedWaves.Arrivals(Swing(4, 0)), Has.All.NaN);
+        }
+
+        [TestCase(1.02, true)]
+        [TestCase(0.98, true)]
+        [TestCase(1.05, false)]
+        [TestCase(0.95, false)]
+        public void A_wave_that_is_late_or_early_by_more_than_the_bar_is_seen(double stretch, bool within)
+        {
+            double[] finest = ReflectedWaves.Arrivals(Swing(1, 0)), seen = ReflectedWaves.Arrivals(Swing(stretch, 0));
+            for (int i = 0; i < finest.Length; i++)
+                Assert.That(Math.Abs(seen[i] / finest[i] - 1) <= ReflectedWaves.Allowed(new[] { finest[i] }), Is.EqualTo(within), $"turn {i + 1}");
+        }
+
+        [Test]
+        public void Starts_that_differ_by_more_than_the_bar_widen_it()
+        {
+            Assert.That(ReflectedWaves.Allowed(new[] { 1.0, 1.0, 1.0 }), Is.EqualTo(0.03));
+            Assert.That(ReflectedWaves.Allowed(new[] { 0.9, 1.0, 1.1 }), Is.EqualTo(0.2).Within(1e-9));
+        }
+
+        [Test]
         public void A_percentile_leaves_the_few_beyond_it_out()
         {
             float[] values = Enumerable.Range(0, 1001).Select(i => (float)((i * 389) % 1001)).ToArray();

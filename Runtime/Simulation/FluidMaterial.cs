@@ -80,6 +80,7 @@ namespace Rill
         /// <remarks>
         /// XSPH evens out the velocity's curvature over the kernel: Σ (v_j − v_i) W / ρ0 ≈ ½ Σ W x² / ρ0 · ∇²v, each 1/60 s times the setting. So
         /// it grows with the square of the spacing, and the same setting is a thicker fluid at a coarser resolution.
+        /// With a numerical damping q below 1 flow over many spacings sees (2 − q) times that.
         /// </remarks>
         /// <param name="spacing">Particle spacing, m.</param>
         public float SmoothingViscosity(float spacing) => (float)(0.5 * velocitySmoothing * density * SolverConstants.SmoothingRate * LatticeKernels.Poly6Spread * spacing * spacing);

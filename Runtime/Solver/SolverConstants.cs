@@ -44,11 +44,11 @@ namespace Rill
         /// <summary>Rate, 1/s, at which the velocity smoothing is quoted.</summary>
         public const float SmoothingRate = 60f;
 
-        /// <summary>XSPH's c of a substep.</summary>
+        /// <summary>XSPH's c of a substep. All of it acts at once: what it takes is noise within a neighborhood, of which the mean that is extrapolated has none.</summary>
         public static float Smoothing(in StepInput input)
         {
             float dt = input.timeStep / input.settings.substeps;
-            return math.min(input.material.velocitySmoothing * SmoothingRate * dt, 1f) * VelocityExtrapolation.FractionAtOnce(input);
+            return math.min(input.material.velocitySmoothing * SmoothingRate * dt, 1f);
         }
 
         /// <param name="input">Valid settings and material; the time step is that of the whole step.</param>

@@ -171,6 +171,37 @@ namespace Rill.Tests
             }
         }
 
+        // Of velocities without order little is in the mean that is extrapolated, so nothing would make up for a part of the smoothing held back.
+        [Test]
+        public void Noise_is_smoothed_no_slower_than_by_a_first_order_step([Values(0.33f, 0f)] float damping)
+        {
+            float first = NoiseLeft(1f), less = NoiseLeft(damping);
+            TestContext.Out.WriteLine($"{less:0.000} of the noise is left, {first:0.000} after first-order steps");
+            Assert.That(first, Is.InRange(0.2f, 0.7f));
+            Assert.That(less, Is.LessThan(1.01f * first).And.GreaterThan(0.5f * first));
+        }
+
+        static float NoiseLeft(float damping)
+        {
+            using (TestFluid fluid = Fluid(damping, 40f))
+            {
+                const float speed = 0.02f;
+                var random = new Unity.Mathematics.Random(5u);
+                fluid.Input.gravity = 0f;
+                fluid.Input.material.velocitySmoothing = 0.3f;
+                fluid.Add(Loose(15f), _ => random.NextFloat3(-speed, speed));
+                float before = Deviation(fluid.Read());
+                return Deviation(fluid.Step(12).Read()) / before;
+            }
+        }
+
+        static float Deviation(ParticleState state)
+        {
+            float4[] velocities = state.velocities.Take(125).ToArray();
+            var mean = new float3(velocities.Average(v => v.x), velocities.Average(v => v.y), velocities.Average(v => v.z));
+            return math.sqrt(velocities.Average(v => math.distancesq(v.xyz, mean)));
+        }
+
         [Test]
         public void Elastic_fluid_is_the_same_to_the_bit()
         {

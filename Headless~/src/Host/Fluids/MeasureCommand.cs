@@ -22,10 +22,12 @@ namespace Host.Fluids
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
+            var damping = new Option<float>("--damping") { Description = "Numerical damping, as a fraction of a first-order step's.", DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
+            var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
             var series = new Option<bool>("--series") { Description = "Also print every sample of the statistics." };
             var sheet = new Option<bool>("--sheet") { Description = "Also print how thick the water lies on the floor for what there is of it: for a few layers." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, stages, series, sheet };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, damping, smoothing, stages, series, sheet };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -35,14 +37,16 @@ namespace Host.Fluids
                 settings.deepWater = parsed.GetValue(deep);
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 settings.sleepSpeed = parsed.GetValue(sleep);
+                settings.numericalDamping = parsed.GetValue(damping);
+                StepInput input = ExperimentFigures.Input(settings);
+                input.material.velocitySmoothing = parsed.GetValue(smoothing);
                 using var session = new Session(Session.Root());
                 if (parsed.GetValue(scene).StartsWith("bucket:", StringComparison.Ordinal))
                 {
-                    PrintBucket(parsed.GetValue(scene), ExperimentFigures.Input(settings), parsed.GetValue(seconds), session.DescribeDevice());
+                    PrintBucket(parsed.GetValue(scene), input, parsed.GetValue(seconds), session.DescribeDevice());
                     return 0;
                 }
                 ExperimentScene experiment = ExperimentScene.Parse(parsed.GetValue(scene));
-                StepInput input = ExperimentFigures.Input(settings);
                 using var solver = new PackageSolver(experiment.LayoutFor(settings), input);
                 var sheets = new List<(double time, Sheet sheet)>();
                 Experiment run = Experiment.Run(solver, experiment, input, parsed.GetValue(seconds), parsed.GetValue(every), sampled =>
@@ -92,7 +96,7 @@ namespace Host.Fluids
         {
             SolverSettings settings = run.Input.settings;
             double start = run.Samples[0].Energy;
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{run.Scene.Name} N {run.Scene.Particles:N0} d {run.Scene.Spacing:0.#####} m, {settings.substeps} x {settings.iterations}, relaxation {settings.relaxation}, deep water {settings.deepWater}, {run.End:0.#} s, {device}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{run.Scene.Name} N {run.Scene.Particles:N0} d {run.Scene.Spacing:0.#####} m, {settings.substeps} x {settings.iterations}, relaxation {settings.relaxation}, deep water {settings.deepWater}, numerical damping {settings.numericalDamping}, {run.End:0.#} s, {device}"));
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  C+ moving {run.Moving(s => s.densityError):0.00000} settled {run.Settled(s => s.densityError):0.00000} highest {run.Samples.Max(s => s.densityError):0.000} p99.9 {run.Settled(s => s.densityError999):0.0000} ever max {run.Samples.Max(s => s.densityErrorMax):0.00} | interior {run.Settled(s => s.interiorError):0.0000} volume {run.Settled(s => s.volumeRatio):0.0000} lowest {run.Samples.Min(s => s.volumeRatio):0.0000} height {run.Settled(s => s.furthest.y):0.000} m | jitter {run.Settled(s => s.jitter):0.0000} speed {run.Settled(s => s.speed):0.0000} max {run.Samples.Max(s => s.speedMax):0.0} m/s | energy max/start {run.Samples.Max(s => s.Energy) / start:0.0000} | coincident {run.Samples[^1].coincident} (most {run.Samples.Max(s => s.coincident)}) escaped {run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite {run.Samples[^1].nonFinite}"));
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms initial {run.Milliseconds("initial"):0.000} moving {run.Milliseconds("moving"):0.000} settled {run.Milliseconds("settled"):0.000} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
             if (stages)

@@ -22,6 +22,7 @@ namespace Host.Report
             new ErrorTimeSection(),
             new ThesisSection(),
             new TheorySection(),
+            new DampingSection(),
             new ObstaclesSection(),
             new ExtremesSection("extremes", "Stiff and extreme cases", ExtremeCases.All, besideOthers: true),
             new ExtremesSection("obstacle-extremes", "Extreme cases with obstacles and sources", ExtremeCases.AllWithObstacles, besideOthers: false),

@@ -9,7 +9,7 @@ namespace Host.Report
     /// <summary><c>damping</c>: what the time step takes of motion that ideal water keeps, for numerical dampings and substeps.</summary>
     static class DampingCommand
     {
-        const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s> or bucket:<radius, d>:<layers>:<rad/s>.";
+        const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s>, bucket:<radius, d>:<layers>:<rad/s> or utube:<width, d>:<depth, d>:<height, d>.";
 
         public static Command Create()
         {
@@ -18,7 +18,7 @@ namespace Host.Report
             var substeps = new Option<int[]>("--substeps") { AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1, 2, 4 } };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => 2 };
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.On };
-            var seconds = new Option<double>("--seconds") { Description = "Fluid time of the motion; 0: four periods of a wave, 1 s of a vortex, 3.8 s of a bucket." };
+            var seconds = new Option<double>("--seconds") { Description = "Fluid time of the motion; 0: four periods of a wave, three of a U-tube, 1 s of a vortex, 3.8 s of a bucket." };
             var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
             var command = new Command("damping", "Measures what the time step takes of sloshing and turning water.") { scene, damping, substeps, iterations, deep, seconds, smoothing };
             command.SetAction(parsed =>
@@ -49,6 +49,7 @@ namespace Host.Report
                 "slosh" => Slosh(size, layers, strength, input, seconds),
                 "vortex" => Vortex(size, layers, (float)strength, input, seconds > 0 ? seconds : 1),
                 "bucket" => Bucket(size, layers, strength, input, seconds > 0 ? seconds : 3.8),
+                "utube" => Tube(size, layers, (int)strength, input, seconds),
                 _ => throw BadScene(scene),
             };
         }
@@ -75,6 +76,15 @@ namespace Host.Report
         {
             TurningTank tank = TurningTank.Run(radius, layers, speed, input, seconds);
             return Text($"{tank.Left:0.000} of its turning after {tank.Time:0.0} s, {tank.LeftAtFirstOrder:0.000} by a first-order step alone: damping {tank.Damping:0.00} of its; jitter {tank.Jitter:0.000} m/s");
+        }
+
+        static string Tube(int width, int depth, int height, in StepInput input, double seconds)
+        {
+            const float spacing = 0.025f;       // m
+            double theory = UTube.Period(UTube.StraightLength(width, 2 * width, depth) * spacing);
+            DampedCosine fit = DampedCosine.Fit(UTube.Run(width, 2 * width, depth, height, spacing, input, seconds > 0 ? seconds : 3 * theory));
+            double frequency = 2 * Math.PI / theory, first = frequency * frequency * Substep(input) / 2;
+            return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; swings about {fit.Offset:0.00} d, misfit {100 * fit.Misfit:0.0} %");
         }
 
         static double Substep(in StepInput input) => input.timeStep / input.settings.substeps;

@@ -11,8 +11,6 @@ namespace Host.Report
             FrontReport.Measure(run);
             ColumnReport.Measure(run);
             SloshingReport.Measure(run);
-            NumericalDampingReport.Measure(run);
-            WavemakerReport.Measure(run);
             FallReport.Measure(run);
         }
 
@@ -21,8 +19,6 @@ namespace Host.Report
             FrontReport.Write(page);
             ColumnReport.Write(page);
             SloshingReport.Write(page);
-            NumericalDampingReport.Write(page);
-            WavemakerReport.Write(page);
             FallReport.Write(page);
         }
     }
