@@ -205,6 +205,7 @@ namespace Rill
         void OnEnable()
         {
             failure = null;
+            isTooViscous = saidTooViscous = false;
             if (HasNoGraphics)
             {
                 layoutChanged = false;
@@ -389,6 +390,7 @@ namespace Rill
             wanted = DeviceFeature.None;
             input.settings.relaxation = effective.StableRelaxation(pbf.IsDeep(input));
             input.settings.substeps = effective.StableSubsteps(GravityStep);
+            CheckViscosity();
         }
 
         // How far gravity and the strongest field carry a particle in a step, d. Gravity alone of what the box feels: a jerk of the box is one step's, and its cost would come as a hitch.

@@ -13,7 +13,7 @@ namespace Rill
         /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see Documentation~/solver.md.</summary>
         const float LeastDeepRelaxation = 0.3f;
 
-        const int MaxSubsteps = 16;
+        internal const int MaxSubsteps = 16;
 
         /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the coarse grid.</summary>
         const float LargestGravityStep = 0.6f;

@@ -55,11 +55,31 @@ namespace Rill
         /// <param name="strength">ν Δt / d².</param>
         public static int PassesFor(double strength)
         {
-            double largest = 1.0 + 2.0 * strength * LatticeKernels.ViscosityEigenvalue;      // 1.6 to 2 times at surfaces and in flowing water
-            double x = (largest + 1.0) / Math.Max(largest - 1.0, 1e-6);
-            double perPass = Math.Log(x + Math.Sqrt(x * x - 1.0));      // T_n(x) = cosh(n arcosh(x))
-            double needed = Math.Log(2.0 / Tolerance) / perPass;
+            double needed = Math.Log(2.0 / Tolerance) / LogPerPass(strength);
             return (int)Math.Min(Math.Ceiling(needed), MaxPasses);
+        }
+
+        /// <summary>ν Δt / d² up to which <see cref="MaxPasses"/> leave no more than <see cref="Tolerance"/> of the error: 39.</summary>
+        public static double MaxStrength
+        {
+            get
+            {
+                double x = Math.Cosh(Math.Log(2.0 / Tolerance) / MaxPasses);
+                return 1.0 / ((x - 1.0) * LatticeKernels.ViscosityEigenvalue);      // where x = (largest + 1) / (largest - 1)
+            }
+        }
+
+        /// <summary>Fraction of a motion's error that <see cref="MaxPasses"/> leave at most in a substep.</summary>
+        /// <param name="strength">ν Δt / d².</param>
+        public static double ErrorLeft(double strength) => 1.0 / Math.Cosh(MaxPasses * LogPerPass(strength));
+
+        // arcosh x of T_n(x) = cosh(n arcosh(x)), where no eigenvalue is above twice the lattice's: they are 1.6 to 2 times that at surfaces
+        // and in flowing water.
+        static double LogPerPass(double strength)
+        {
+            double largest = 1.0 + 2.0 * strength * LatticeKernels.ViscosityEigenvalue;
+            double x = (largest + 1.0) / Math.Max(largest - 1.0, 1e-6);
+            return Math.Log(x + Math.Sqrt(x * x - 1.0));
         }
 
         /// <summary>Records the solve: velocities of the particles that were in the last substep, where they are now.</summary>

@@ -231,6 +231,30 @@ namespace Rill.Tests
         }
 
         [UnityTest]
+        public IEnumerator A_viscosity_beyond_its_passes_is_said_once_by_name_with_the_remedy()
+        {
+            FluidMaterial thick = FluidMaterial.Viscous(1000f, 50000f);
+            LogAssert.Expect(LogType.Warning, new Regex("'Dam': its dynamic viscosity of 5E\\+04 Pa s is more than 96 passes solve: at this spacing and substep that is .* Pa s\\. .* Take 9 substeps or a particle spacing of 0\\.1[45].* m, or lower"));
+            FluidSimulation fluid = Dam(f => f.Material = thick);
+            yield return Frames(3);
+            LogAssert.NoUnexpectedReceived();
+            List<string> Problems()
+            {
+                var problems = new List<string>();
+                ((IHasProblems)fluid).ListProblems(problems);
+                return problems;
+            }
+            Assert.That(Problems(), Has.Some.Contains("its dynamic viscosity of 5E+04 Pa s"));
+            TestContext.Out.WriteLine(Problems()[0]);
+
+            SolverSettings settings = SolverSettings.Default;
+            settings.substeps = 9;
+            fluid.Settings = settings;
+            yield return Frames(2);
+            Assert.That(Problems(), Is.Empty);
+        }
+
+        [UnityTest]
         public IEnumerator Deep_water_without_relaxation_gains_no_energy_and_the_statistics_say_why()
         {
             SolverSettings settings = SolverSettings.Default;

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Rill.Tests.Reference;
 using Unity.Mathematics;
 
 namespace Rill.Tests
@@ -46,7 +47,7 @@ namespace Rill.Tests
             }
         }
 
-        /// <summary>What implicit steps of the heat equation leave of it: over the eddy's spectrum, k⁴ exp(-k²w²/2).</summary>
+        /// <summary>What implicit steps leave of it in fluid without an end, by the heat equation: over the eddy's spectrum, k⁴ exp(-k²w²/2).</summary>
         /// <param name="strength">ν Δt / d².</param>
         public double Expected(double strength, int steps)
         {
@@ -58,6 +59,12 @@ namespace Rill.Tests
                 all += weight;
             }
             return left / all;
+        }
+
+        /// <summary>The same in the block with its free surface.</summary>
+        public double ExpectedInBlock(double strength, int steps)
+        {
+            return new FreeCube(side, side / 2, p => new double3(-p.y, p.x, 0.0) * Math.Exp(-math.dot(p, p) / (width * width))).Left(strength, steps);
         }
 
         float3 Velocity(float3 p)

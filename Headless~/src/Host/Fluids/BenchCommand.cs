@@ -27,6 +27,7 @@ namespace Host.Fluids
             var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.", DefaultValueFactory = _ => SolverSettings.Default.relaxation };
             var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var smoothing = new Option<float>("--smoothing") { Description = "Velocity smoothing, XSPH.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
+            var viscosity = new Option<float>("--dynamic-viscosity") { Description = "Pa s; 0 for none.", DefaultValueFactory = _ => FluidMaterial.Water.dynamicViscosity };
             var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.", DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
@@ -35,7 +36,7 @@ namespace Host.Fluids
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, shearModulus, deepWater, window, steps, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), SurfaceBench.Create() };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), SurfaceBench.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -47,6 +48,7 @@ namespace Host.Fluids
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 FluidMaterial material = FluidMaterial.Water;
                 material.velocitySmoothing = parsed.GetValue(smoothing);
+                material.dynamicViscosity = parsed.GetValue(viscosity);
                 material.shearModulus = parsed.GetValue(shearModulus);
                 if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
@@ -68,7 +70,7 @@ namespace Host.Fluids
         static int Execute(ExperimentScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, viscosity {input.material.velocitySmoothing}, shear modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} list entries");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
