@@ -29,7 +29,7 @@ namespace Host.Tests
         sealed class Known : Base
         {
             [Tooltip("Between two | bars.")]
-            [Range(0f, 1e-6f)]
+            [UnityEngine.Range(0f, 1e-6f)]
             [SerializeField] float smallValue = 5e-7f;
             [SerializeField] Choice choice = Choice.Second;
             [SerializeField] Vector3 size = new Vector3(1f, 2.5f, 0f);
