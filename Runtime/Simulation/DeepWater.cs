@@ -3,7 +3,7 @@ namespace Rill
     /// <summary>Whether the pressure of deep water is also solved for on a coarse grid.</summary>
     public enum DeepWater
     {
-        /// <summary>Where the water is more than ten particle layers deep.</summary>
+        /// <summary>Where the fluid can be more than four layers of particles deep along gravity: by what was put in, and by how high emitters stand. Once on, it stays on above three.</summary>
         Automatic,
         On,
         Off,

@@ -33,8 +33,8 @@ namespace Rill
         [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.")]
         [Range(0f, LargestRelaxation)] public float relaxation;
 
-        /// <summary>Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do. More are taken where gravity would carry a particle more than 0.6 spacings in one.</summary>
-        [Tooltip("Substeps of a fixed step. 1 to 16. They cost as much as whole steps and help deep or fast water more than iterations do. More are taken where gravity would carry a particle more than 0.6 spacings in one.")]
+        /// <summary>Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity would carry a particle more than 0.6 spacings in one.</summary>
+        [Tooltip("Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity would carry a particle more than 0.6 spacings in one.")]
         [Range(1, MaxSubsteps)] public int substeps;
 
         /// <summary>Constraint force mixing ε, as a share of the constraint's denominator at rest. 1e-6 to 1; larger is softer.</summary>

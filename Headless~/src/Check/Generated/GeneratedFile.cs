@@ -9,6 +9,7 @@ namespace Host.Check
         public static IReadOnlyList<GeneratedFile> All { get; } = new GeneratedFile[]
         {
             new KernelNeedsFile(),
+            new ReferencePage(),
         };
 
         /// <summary>Below the package's root, with '/'.</summary>

@@ -1,0 +1,67 @@
+using System;
+using System.IO;
+using System.Linq;
+using Host.Check;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Host.Tests
+{
+    /// <summary>The manual's page of fields against components whose fields are known.</summary>
+    public sealed class ReferencePageTests : EngineFixture
+    {
+        [Serializable]
+        struct Group
+        {
+            [Tooltip("How much, m.")] [Min(0.5f)] public float amount;
+            [NonSerialized] public int hidden;
+        }
+
+        enum Choice { FirstOne, Second }
+
+        class Base : MonoBehaviour
+        {
+            [Tooltip("Of the base class.")]
+            [SerializeField] protected bool isOn = true;
+        }
+
+        [AddComponentMenu("Planted/Known Part")]
+        sealed class Known : Base
+        {
+            [Tooltip("Between two | bars.")]
+            [UnityEngine.Range(0f, 1e-6f)]
+            [SerializeField] float smallValue = 5e-7f;
+            [SerializeField] Choice choice = Choice.Second;
+            [SerializeField] Vector3 size = new Vector3(1f, 2.5f, 0f);
+            [SerializeField] Group settings = new Group { amount = 2f };
+            [SerializeField] Transform target;
+            [SerializeField, HideInInspector] int unseen = 1;
+            int notStored = 2;
+
+            public int Unused => unseen + notStored + (target != null ? (int)size.x : (int)smallValue) + (int)choice + (int)settings.amount;
+        }
+
+        [Test]
+        public void Each_stored_field_has_its_default_range_and_tooltip()
+        {
+            Assert.That(ReferencePage.Describe(typeof(Known)), Is.EqualTo("\n## Known Part\n\n| field | default | range | |\n| --- | --- | --- | --- |\n" +
+                "| Choice | Second | First One, Second |  |\n" +
+                "| Is On | on |  | Of the base class. |\n" +
+                "| Size | 1, 2.5, 0 |  |  |\n" +
+                "| Small Value | 0.0000005 | 0 to 0.000001 | Between two \\| bars. |\n" +
+                "| Target | none |  |  |\n" +
+                "\n**Settings**\n\n| field | default | range | |\n| --- | --- | --- | --- |\n" +
+                "| Amount | 2 | 0.5 or more | How much, m. |\n"));
+        }
+
+        [Test]
+        public void The_page_in_the_manual_is_what_the_components_say()
+        {
+            var findings = new Findings();
+            string text = new ReferencePage().Text(new PackageTree(Session.Root()), findings);
+            Assert.That(findings.Faults, Is.Empty);
+            Assert.That(text, Does.Contain("\n## Fluid Simulation\n").And.Contain("\n## Fluid Buoyancy\n").And.Contain("\n| Particle Spacing | 0.05 |"));
+            Assert.That(File.ReadAllText(Path.Combine(Session.Root(), "Documentation~", "reference.md")).Replace("\r\n", "\n"), Is.EqualTo(text));
+        }
+    }
+}

@@ -1,0 +1,169 @@
+using System.Collections;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>
+    /// The snippets of Documentation~/scripting.md: each region is one of them, word for word, which a test of the host compares.
+    /// </summary>
+    public class ManualSnippets
+    {
+        GameObject root;
+
+        [TearDown]
+        public void TearDown() => Object.DestroyImmediate(root);
+
+        static GameObject MakeFluid()
+        {
+            #region Make a fluid
+            var box = new GameObject("Fluid");
+            box.SetActive(false);                                       // nothing starts before all is set
+            var fluid = box.AddComponent<FluidSimulation>();
+            fluid.Configure(new Vector3(2f, 2f, 1f), 0.1f, 4000);       // size in m, spacing in m, capacity
+            box.AddComponent<FluidSurface>();
+
+            var water = new GameObject("Water");
+            water.transform.SetParent(box.transform, false);
+            water.transform.localPosition = new Vector3(-0.6f, -0.4f, 0f);
+            water.AddComponent<FluidVolume>().Size = new Vector3(0.8f, 1.2f, 1f);
+            box.SetActive(true);
+            #endregion
+            return box;
+        }
+
+        static string ReadStatistics(FluidSimulation fluid)
+        {
+            string text = null;
+            #region Read the statistics
+            if (fluid.TryGetStatistics(out FluidStatistics now))        // false until the first came back
+                text = $"{now.particles} particles, density error {100f * now.densityError:0.00} %, {now.refused} refused";
+            #endregion
+            return text;
+        }
+
+        static void OpenTap(FluidEmitter tap)
+        {
+            #region Turn a tap
+            tap.Rate = 0.0005f;             // half a litre a second
+            tap.Speed = 1f;                 // m/s
+            if (!tap.IsEmitting)
+                tap.StartEmission();        // and StopEmission() to close it
+            #endregion
+        }
+
+        static void AddSplash(FluidSimulation fluid, Vector3 at)
+        {
+            #region Add particles
+            const int Side = 5;
+            float d = fluid.ParticleSpacing;
+            using (var positions = new NativeArray<float3>(Side * Side * Side, Allocator.Temp))
+            using (var velocities = new NativeArray<float3>(Side * Side * Side, Allocator.Temp))
+            {
+                NativeArray<float3> to = positions, velocitiesTo = velocities;
+                for (int i = 0; i < to.Length; i++)
+                {
+                    to[i] = (float3)at + d * new float3(i % Side, i / Side % Side, i / (Side * Side));      // a spacing apart
+                    velocitiesTo[i] = new float3(0f, -3f, 0f);
+                }
+                fluid.AddParticles(positions, velocities);      // world space, m and m/s
+            }
+            #endregion
+        }
+
+        static void MoveCollider(FluidCollider paddle, bool isAnotherPlace)
+        {
+            #region Move a collider
+            paddle.transform.position += 0.5f * Time.deltaTime * Vector3.right;     // it pushes the water
+            if (isAnotherPlace)
+            {
+                paddle.transform.position = Vector3.up;
+                paddle.Teleport();                                                  // it was not in the water between
+            }
+            #endregion
+        }
+
+        static void ReadForce(FluidCollider gate)
+        {
+            #region Read the force on a collider
+            gate.MeasuresForce = true;
+            if (gate.TryGetForce(out Vector3 force, out Vector3 torque))        // N and N m, a few frames old
+                Debug.DrawRay(gate.Middle, 0.001f * force);
+            #endregion
+        }
+
+        static void SetBudget(FluidSimulation fluid)
+        {
+            #region Set a budget and the solver
+            SolverSettings settings = fluid.Settings;       // a struct: change a copy and give it back
+            settings.deepWater = DeepWater.On;
+            settings.iterations = 2;
+            fluid.Settings = settings;
+
+            SolverBudget budget = fluid.Budget;             // or let a time choose them
+            budget.mode = BudgetMode.Milliseconds;
+            budget.milliseconds = 1.5f;
+            fluid.Budget = budget;
+            #endregion
+        }
+
+        static void Recycle(FluidDrain drain, FluidEmitter jet)
+        {
+            #region Let a drain feed a jet
+            drain.RateLimit = 0.01f;        // 10 litres a second
+            drain.RecycleTo = jet;
+            jet.Rate = 0f;                  // nothing but what comes back
+            #endregion
+        }
+
+        static void StartAgain(FluidSimulation fluid)
+        {
+            #region Pause and start again
+            fluid.Paused = true;        // time stands still; it is drawn all the same
+            fluid.Paused = false;
+            fluid.Restart();            // volumes are filled again, the fluid's time is 0
+            #endregion
+        }
+
+        [UnityTest]
+        public IEnumerator The_snippets_of_the_manual_do_what_the_page_says()
+        {
+            root = MakeFluid();
+            var fluid = root.GetComponent<FluidSimulation>();
+            SetBudget(fluid);
+            FluidEmitter jet = Part<FluidEmitter>();
+            FluidDrain drain = Part<FluidDrain>();
+            FluidCollider collider = Part<FluidCollider>();
+            collider.Size = 0.3f * Vector3.one;
+            OpenTap(jet);
+            Assert.That(jet.Rate, Is.EqualTo(0.0005f));
+            Recycle(drain, jet);
+            MoveCollider(collider, true);
+            AddSplash(fluid, new Vector3(0.3f, 0f, 0f));
+            for (int i = 0; i < 25; i++)
+            {
+                ReadForce(collider);
+                yield return null;
+            }
+            Assert.That(ReadStatistics(fluid), Does.Contain("particles").And.EndWith("0 refused"));
+            fluid.TryGetStatistics(out FluidStatistics statistics);
+            Assert.That(statistics.added, Is.EqualTo(8 * 12 * 10 + 125));
+            Assert.That(collider.transform.position, Is.EqualTo(Vector3.up));
+            Assert.That(fluid.Budget.mode, Is.EqualTo(BudgetMode.Milliseconds));
+
+            StartAgain(fluid);
+            Assert.That(fluid.StepCount, Is.EqualTo(0));
+        }
+
+        T Part<T>() where T : Component
+        {
+            var made = new GameObject(typeof(T).Name);
+            made.transform.SetParent(root.transform, false);
+            made.transform.localPosition = new Vector3(0.5f, 0.5f, 0f);
+            return made.AddComponent<T>();
+        }
+    }
+}
