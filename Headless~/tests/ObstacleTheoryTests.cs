@@ -89,6 +89,17 @@ namespace Host.Tests
             Assert.That(flow.Misfit, Is.GreaterThan(0.08));
         }
 
+        // In a tank three bodies wide, as it was, waves are back after 1.3 and 0.8 of the theory's period.
+        [Test]
+        public void A_body_swings_as_if_the_tank_had_no_walls_while_its_period_is_fitted([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        {
+            const double size = 0.4;
+            double period = FloatingBody.PeriodOf(shape, size), back = FloatingBody.WavesReturn(size, FloatingBody.WidthsAcross * size, period);
+            TestContext.WriteLine($"period {period:0.000} s, waves are back after {back:0.00} s, fitted are {FloatingBody.FittedTime(period):0.00} s");
+            Assert.That(back, Is.GreaterThan(FloatingBody.FittedTime(period)));
+            Assert.That(FloatingBody.WavesReturn(size, 3 * size, period), Is.LessThan(FloatingBody.FittedTime(period)));
+        }
+
         [TestCase(1.0)]
         [TestCase(0.8)]
         public void A_bucket_is_as_steep_as_its_rings_and_water_that_turns_slower_is_told_apart(double share)

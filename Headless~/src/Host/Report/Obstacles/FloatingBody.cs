@@ -24,6 +24,8 @@ namespace Host.Report.Obstacles
         public const float Spacing = 0.05f, Density = 1000f, Ratio = 0.5f, Frame = 1f / 60f;
         public const float Lift = 0.15f;                        // of the body's height: where it is let go above rest
         const float HoldSeconds = 0.7f;                         // s in which the water makes room for it
+        /// <summary>Of a body, in the width of the tank: the waves that it makes come back from the walls after the fitted swings.</summary>
+        public const int WidthsAcross = 7;
         const double FittedSwings = 2.2;                        // of the theory's
         const float CalmSeconds = 2f;                           // s after them, with FluidBuoyancy's damping; the last is measured
 
@@ -43,21 +45,40 @@ namespace Host.Report.Obstacles
         public double DampingRatio => Fit.Damping / OwnFrequency;
         double OwnFrequency => Math.Sqrt(Fit.Frequency * Fit.Frequency + Fit.Damping * Fit.Damping);
 
+        /// <summary>Time that is fitted, s.</summary>
+        /// <param name="period">By theory, s.</param>
+        public static double FittedTime(double period) => FittedSwings * period;
+
+        /// <summary>When waves of that period are back at a body from the walls of a tank, s: by the group velocity in deep water, g / 2ω.</summary>
+        /// <param name="size">Of the body, m.</param>
+        /// <param name="width">Of the tank, m.</param>
+        /// <param name="period">s.</param>
+        public static double WavesReturn(double size, double width, double period) => (width - size) / (FluidRun.Gravity * period / (4 * Math.PI));
+
+        /// <summary>By theory, s.</summary>
+        /// <param name="size">Of the body, m.</param>
+        public static double PeriodOf(ColliderShape shape, double size)
+        {
+            bool isBall = shape == ColliderShape.Sphere;
+            double volume = isBall ? Math.PI / 6 * size * size * size : size * size * size, area = isBall ? Math.PI / 4 * size * size : size * size;
+            return 2 * Math.PI * Math.Sqrt(volume * Ratio * (1 + (isBall ? 0.5 : 0.68)) / (FluidRun.Gravity * area));
+        }
+
         /// <param name="across">Of the body, d; as high as wide.</param>
         /// <param name="side">Of the tank, d.</param>
         public static FloatingBody Run(ColliderShape shape, int across, int layers, int side, in SolverSettings settings)
         {
             bool isBall = shape == ColliderShape.Sphere;
             float size = across * Spacing, width = side * Spacing;
-            float volume = isBall ? math.PI / 6f * size * size * size : size * size * size, area = isBall ? math.PI / 4f * size * size : size * size;
+            float volume = isBall ? math.PI / 6f * size * size * size : size * size * size;
             float level = layers * Spacing + volume * Ratio / (width * width), displaced = Density * volume * Ratio;
             var floating = new FloatingBody
             {
                 TheoryDraft = size / 2f,        // half the density: half of a ball or of a cube
-                TheoryPeriod = 2 * Math.PI * Math.Sqrt((displaced + (isBall ? 0.5 : 0.68) * displaced) / (Density * FluidRun.Gravity * area)),
+                TheoryPeriod = PeriodOf(shape, size),
             };
 
-            float swings = (float)(FittedSwings * floating.TheoryPeriod), seconds = swings + CalmSeconds;
+            float swings = (float)FittedTime(floating.TheoryPeriod), seconds = swings + CalmSeconds;
             var made = new List<GameObject>();
             try
             {
