@@ -149,6 +149,9 @@ namespace Rill
             return stage;
         }
 
+        /// <summary>The kernels of <see cref="RecordOrderAtRest"/>'s prefix sum, which runs outside the step.</summary>
+        public void DescribePrefixSum(StageDescription stage) => prefixSum.DescribeKernels(stage, 0);
+
         // A kernel that asks for the order of the particles, by OrderedSlot.
         void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel)
         {

@@ -262,7 +262,7 @@ namespace Rill
                 Rill.Foam.Describe(foam, input, densityConstraint.Lists),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions, coarseCorrection != null),
-                StatisticsPass.Describe(statistics, statisticsInterval, colliders),
+                StatisticsPass.Describe(statistics, statisticsInterval, neighborSearch, colliders),
             };
         }
 

@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>Exclusive prefix sum of unsigned counts on the GPU, recorded into the caller's command buffer.</summary>
     /// <remarks>
-    /// Reduce-then-scan in three dispatches, any count from 0 to the capacity. Sums wrap at 2^32. The counts are cleared
+    /// Reduce-then-scan in two dispatches, three above <see cref="FewTiles"/> tiles; any count from 0 to the capacity. Sums wrap at 2^32. The counts are cleared
     /// as they are read. Owns only its scratch: one uint per <see cref="Tile"/> elements.
     /// </remarks>
     sealed class PrefixSum : IDisposable
@@ -14,11 +14,14 @@ namespace Rill
         /// <summary>Elements that one thread group scans; kTile in PrefixSum.compute.</summary>
         public const int Tile = 2048;
 
+        /// <summary>Tiles whose sums every group can add up by itself: eight for each of its threads.</summary>
+        public const int FewTiles = Tile;
+
         /// <summary>Most elements one instance can take: a tile for each of the 65,535 groups of a dispatch.</summary>
         public const int MaxCapacity = 65535 * Tile;
 
         readonly ComputeShader shader;
-        readonly int sumTiles, scanTileSums, scanTiles;
+        readonly int sumTiles, scanTileSums, scanTiles, scanFewTiles;
         GraphicsBuffer tileSums;
 
         /// <param name="shader">PrefixSum.compute.</param>
@@ -34,6 +37,7 @@ namespace Rill
             sumTiles = shader.FindKernel("SumTiles");
             scanTileSums = shader.FindKernel("ScanTileSums");
             scanTiles = shader.FindKernel("ScanTiles");
+            scanFewTiles = shader.FindKernel("ScanFewTiles");
             tileSums = GpuBuffer.Structured<uint>("Rill.PrefixSum.TileSums", TileCount(capacity) + 1);
         }
 
@@ -58,24 +62,39 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, sumTiles, Ids.TileSums, tileSums);
             cmd.DispatchCompute(shader, sumTiles, tiles, 1, 1);
 
-            cmd.SetComputeBufferParam(shader, scanTileSums, Ids.TileSums, tileSums);
-            cmd.DispatchCompute(shader, scanTileSums, 1, 1, 1);
+            bool few = IsFew(tiles);
+            if (!few)
+            {
+                cmd.SetComputeBufferParam(shader, scanTileSums, Ids.TileSums, tileSums);
+                cmd.DispatchCompute(shader, scanTileSums, 1, 1, 1);
+            }
 
-            cmd.SetComputeBufferParam(shader, scanTiles, Ids.Counts, counts);
-            cmd.SetComputeBufferParam(shader, scanTiles, Ids.TileSums, tileSums);
-            cmd.SetComputeBufferParam(shader, scanTiles, Ids.Sums, sums);
-            cmd.DispatchCompute(shader, scanTiles, tiles, 1, 1);
+            int scan = few ? scanFewTiles : scanTiles;
+            cmd.SetComputeBufferParam(shader, scan, Ids.Counts, counts);
+            cmd.SetComputeBufferParam(shader, scan, Ids.TileSums, tileSums);
+            cmd.SetComputeBufferParam(shader, scan, Ids.Sums, sums);
+            cmd.DispatchCompute(shader, scan, tiles, 1, 1);
         }
 
         public void Dispose() => GpuBuffer.Release(ref tileSums);
 
         public void Describe(StageDescription stage, int perStep)
         {
-            stage.Kernel("PrefixSum", "SumTiles", perStep);
-            stage.Kernel("PrefixSum", "ScanTileSums", perStep);
-            stage.Kernel("PrefixSum", "ScanTiles", perStep);
+            DescribeKernels(stage, perStep);
             stage.Buffer("Rill.PrefixSum.TileSums", tileSums);
         }
+
+        /// <summary>For sums of as many elements as the capacity.</summary>
+        public void DescribeKernels(StageDescription stage, int perStep)
+        {
+            stage.Kernel("PrefixSum", "SumTiles", perStep);
+            bool few = IsFew(TileCount(Capacity));
+            if (!few)
+                stage.Kernel("PrefixSum", "ScanTileSums", perStep);
+            stage.Kernel("PrefixSum", few ? "ScanFewTiles" : "ScanTiles", perStep);
+        }
+
+        static bool IsFew(int tiles) => tiles <= FewTiles;
 
         static int TileCount(int count) => (count + Tile - 1) / Tile;
 

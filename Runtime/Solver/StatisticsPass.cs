@@ -84,14 +84,13 @@ namespace Rill
 
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="colliders">Null for none.</param>
-        public static StageDescription Describe(StatisticsPass stage, int interval, Colliders colliders)
+        public static StageDescription Describe(StatisticsPass stage, int interval, NeighborSearch neighborSearch, Colliders colliders)
         {
             var description = new StageDescription("Statistics", interval > 0, interval > 0 ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
             if (stage == null)
                 return description;
             description.Kernel("NeighborSearch", "CountCellsAtRest", 0);
-            foreach (string kernel in new[] { "SumTiles", "ScanTileSums", "ScanTiles" })
-                description.Kernel("PrefixSum", kernel, 0);
+            neighborSearch.DescribePrefixSum(description);
             description.Kernel("NeighborSearch", "ScatterOrder", 0);
             if (colliders != null)
                 description.Kernel("Colliders", "FindBoundary", 0);

@@ -19,7 +19,7 @@ namespace Rill.Editor.Tests
         [TestCase("ImplicitViscosity", "ApplyProjection", "FindCoefficients", "FindResidual", "FirstPass", "NextPass")]
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsBeside", "CountCellsDeepBeside", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherBeside", "GatherTags", "GatherOrigins")]
-        [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles")]
+        [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles", "ScanFewTiles")]
         [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]
         [TestCase("Statistics", "Measure", "Reduce")]
         [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]

@@ -16,6 +16,7 @@ namespace Rill.Tests
         [TestCase(PrefixSum.Tile)]
         [TestCase(PrefixSum.Tile + 1)]
         [TestCase(100003)]
+        [TestCase(PrefixSum.Tile * PrefixSum.Tile)]         // the most tiles whose sums every group adds up
         [TestCase(PrefixSum.Tile * PrefixSum.Tile + 1)]    // the scan of the tile sums takes a second turn
         public void Every_element_gets_the_sum_of_those_before_it(int count)
         {

@@ -212,6 +212,7 @@ namespace Rill
             new KernelNeed("PrefixSum", "SumTiles", "", 256, 1152, 2, 2, 0),
             new KernelNeed("PrefixSum", "ScanTileSums", "", 256, 10368, 1, 1, 0),
             new KernelNeed("PrefixSum", "ScanTiles", "", 256, 10368, 3, 3, 0),
+            new KernelNeed("PrefixSum", "ScanFewTiles", "FEW", 256, 10368, 3, 3, 0),
             new KernelNeed("RestingRegions", "MeasureMotion", "", 128, 2560, 4, 1, 0),
             new KernelNeed("RestingRegions", "CountQuiet", "", 128, 0, 2, 2, 0),
             new KernelNeed("RestingRegions", "Spread", "", 128, 0, 2, 2, 0),

@@ -76,6 +76,7 @@ namespace Rill
                 case "COUNT":
                 case "EMIT":
                 case "ESTIMATE":
+                case "FEW":
                 case "FIELDS":
                 case "FIRST":
                 case "FLOW":
