@@ -129,7 +129,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, bin, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, bin, Ids.WeightedCounts, weightedCounts);
             cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
-            cmd.DispatchCompute(shader, bin, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            particles.DispatchAlive(cmd, shader, bin);
 
             int find = solids == null ? findSurface : findSurfaceSolids;
             BindCells(cmd, find, flowPotential);

@@ -119,7 +119,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            particles.DispatchSorted(cmd, shader, kernel);
         }
 
         static class Ids

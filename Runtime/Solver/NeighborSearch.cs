@@ -159,7 +159,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            particles.DispatchSorted(cmd, shader, kernel);
         }
 
         void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)
@@ -182,7 +182,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.CellRanks, cellRanks);
             cmd.SetComputeBufferParam(shader, countKernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, countKernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            particles.DispatchAlive(cmd, shader, countKernel);
         }
 
         // From what was counted.
@@ -196,7 +196,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Order, Order);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, scatterOrder, Ids.SortedArguments, particles.SortedArguments);
-            cmd.DispatchCompute(shader, scatterOrder, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            particles.DispatchAlive(cmd, shader, scatterOrder);
         }
 
         static class Ids

@@ -1,6 +1,7 @@
 using System;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -18,6 +19,14 @@ namespace Rill
         /// <summary>Threads of a particle kernel; kGroup in Solver.hlsl.</summary>
         public const int Group = 128;
         public const int CounterCount = 16;
+
+        /// <summary>
+        /// Most particles whose kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and
+        /// groups without a particle end at once. More run for as many as there are, by indirect arguments.
+        /// </summary>
+        public const int DirectCapacity = 1 << 20;
+
+        readonly int capacity;
 
         /// <summary>float4 [capacity], xyz position at the start of a step.</summary>
         public GraphicsBuffer Current;
@@ -40,6 +49,7 @@ namespace Rill
 
         public ParticleBuffers(int capacity)
         {
+            this.capacity = capacity;
             Current = GpuBuffer.Structured<float4>("Rill.Positions", capacity);
             Start = GpuBuffer.Structured<float4>("Rill.StartPositions", capacity);
             Predicted = GpuBuffer.Structured<float4>("Rill.Predicted", capacity);
@@ -49,6 +59,21 @@ namespace Rill
             Counters = GpuBuffer.Structured<uint>("Rill.Counters", CounterCount);
             AliveArguments = GpuBuffer.Arguments("Rill.AliveArguments");
             SortedArguments = GpuBuffer.Arguments("Rill.SortedArguments");
+        }
+
+        /// <summary>Records a kernel for the particles alive at the start of a step.</summary>
+        public void DispatchAlive(CommandBuffer cmd, ComputeShader shader, int kernel) => Dispatch(cmd, shader, kernel, AliveArguments);
+
+        /// <summary>Records a kernel for the particles of this step.</summary>
+        public void DispatchSorted(CommandBuffer cmd, ComputeShader shader, int kernel) => Dispatch(cmd, shader, kernel, SortedArguments);
+
+        /// <summary>Records a kernel that begins with the bounds test of its particle.</summary>
+        void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, GraphicsBuffer arguments)
+        {
+            if (capacity <= DirectCapacity)
+                cmd.DispatchCompute(shader, kernel, (capacity + Group - 1) / Group, 1, 1);
+            else
+                cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         /// <summary>After the velocity update: the corrected positions and the sorted ids are the state.</summary>

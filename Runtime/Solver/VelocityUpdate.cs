@@ -50,7 +50,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.AliveArguments, particles.AliveArguments);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            particles.DispatchSorted(cmd, shader, kernel);
             cmd.EndSample(Marker);
         }
 
