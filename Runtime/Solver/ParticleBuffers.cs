@@ -21,10 +21,10 @@ namespace Rill
         public const int CounterCount = 16;
 
         /// <summary>
-        /// Most particles whose kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and
-        /// groups without a particle end at once. More run for as many as there are, by indirect arguments.
+        /// Particles up to which kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and
+        /// 2,048 groups without a particle cost less than that. More run for as many as there are, by indirect arguments.
         /// </summary>
-        public const int DirectCapacity = 1 << 20;
+        public const int DirectCapacity = 1 << 18;
 
         readonly int capacity;
 
