@@ -84,7 +84,9 @@ namespace Rill.Tests
                 FluidStatistics end = fluid.Step(60).MeasureWhole();
                 TestContext.Out.WriteLine($"C+ {end.densityError:0.0000}, volume {end.volumeRatio:0.000}, speed {end.speed:0.0000} m/s, jitter {end.jitter:0.0000} m/s, energy {end.Energy / start:0.000}, last change {end.viscosityChange:g3} m/s");
                 Assert.That(end.Energy, Is.LessThan(start));
-                Assert.That(end.viscosityChange, Is.GreaterThan(0f).And.LessThan(0.2f));
+                // Honey is solved. Of 1e6 Pa s slow motion is left by any number of passes, each of which takes more of it than the one
+                // before: 48 end in a last change of 0.13 to 0.18 m/s, 96 of 0.24. The statistics have to show that.
+                Assert.That(end.viscosityChange, dynamicViscosity < 100f ? Is.InRange(1e-6f, 1e-3f) : Is.InRange(0.01f, 0.5f));
             }
         }
 
