@@ -2,7 +2,7 @@ using UnityEditor;
 
 namespace Rill.Editor
 {
-    /// <summary>Before scripts are loaded anew, what fluids that are gone asked for is waited for: nothing of it comes back afterwards.</summary>
+    /// <summary>Before scripts are loaded again, what fluids that are gone asked for is waited for: nothing of it comes back afterwards.</summary>
     static class ReadbackReload
     {
         [InitializeOnLoadMethod]

@@ -5,8 +5,8 @@
 
 static const uint kNoCell = 0xFFFFFFFFu;
 static const uint kBinStride = 8;
-static const float kLowestError = -0.1;         // more dilute particles are spray
-static const float kHighestError = 8.0;
+static const float kMinError = -0.1;         // more dilute particles are spray
+static const float kMaxError = 8.0;
 static const float kErrorScale = 65536.0;       // steps of a binned density error
 
 groupshared uint g_Cells[128];
@@ -52,7 +52,7 @@ void AddRuns(uint thread, uint cell, uint3 value, uint components)
 
 uint BinnedError(float error)
 {
-    return uint((clamp(error, kLowestError, kHighestError) - kLowestError) * kErrorScale + 0.5);
+    return uint((clamp(error, kMinError, kMaxError) - kMinError) * kErrorScale + 0.5);
 }
 
 #endif

@@ -9,7 +9,7 @@ float3 CoarseDisplacement(float3 p, float longest)
 {
     float3 place = p * _InverseCoarseSize - 0.5;
     float3 lower = floor(place);
-    float3 share = place - lower;
+    float3 fraction = place - lower;
     int3 last = int3(_CoarseCounts) - 1;
     int3 a = clamp(int3(lower), 0, last);
     int3 b = clamp(int3(lower) + 1, 0, last);
@@ -23,8 +23,8 @@ float3 CoarseDisplacement(float3 p, float longest)
         bool upperY = (corner & 1) != 0;
         bool upperZ = (corner & 2) != 0;
         int row = (upperZ ? b.z : a.z) * strideZ + (upperY ? b.y : a.y) * strideY;
-        float weight = (upperY ? share.y : 1.0 - share.y) * (upperZ ? share.z : 1.0 - share.z);
-        sum += weight * lerp(_Displacements[row + a.x].xyz, _Displacements[row + b.x].xyz, share.x);
+        float weight = (upperY ? fraction.y : 1.0 - fraction.y) * (upperZ ? fraction.z : 1.0 - fraction.z);
+        sum += weight * lerp(_Displacements[row + a.x].xyz, _Displacements[row + b.x].xyz, fraction.x);
     }
     float lengthSquared = dot(sum, sum);
     return lengthSquared > longest * longest ? sum * (longest * rsqrt(lengthSquared)) : sum;

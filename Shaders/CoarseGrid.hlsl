@@ -9,7 +9,7 @@ cbuffer RillCoarse
     float4 _InverseCoarseSizeAndActiveCount;
     float4 _CouplingAndScreening;
     float _InverseVolume;       // 1/d^3
-    float _NegativeShare;       // of a small negative density error that the projection takes up
+    float _NegativeFraction;       // of a small negative density error that the projection takes up
     float _MaxFlow;             // longest displacement of the projection, d
     float _MaxPush;             // longest displacement of the density correction, d
     uint _LevelCount;           // levels of the V-cycle below the grid itself
@@ -41,7 +41,7 @@ uint CoarseCell(float3 p)
     return (cell.z * _CoarseCounts.y + cell.y) * _CoarseCounts.x + cell.x;
 }
 
-uint3 CellPlace(uint cell, uint3 counts)
+uint3 CellCoordinates(uint cell, uint3 counts)
 {
     return uint3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
 }

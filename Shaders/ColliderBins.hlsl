@@ -4,7 +4,7 @@
 
 StructuredBuffer<uint> _ColliderMasks;      // [cells * words], a bit for each collider
 
-static const float kUnhinderedWay = 2.0;    // d: no further than this from where no collider is near, none is met; = what bins reach, less kWallInset
+static const float kBroadphaseMargin = 2.0;    // d: no further than this from where no collider is near, none is met; = what bins reach, less kContactOffset
 
 uint ColliderCell(float3 p)
 {
@@ -23,13 +23,13 @@ bool IsNear(float3 p)
 }
 
 // Whether a collider comes near a way.
-bool IsHindered(float3 from, float3 to)
+bool MayHit(float3 from, float3 to)
 {
-    float3 way = to - from;
-    uint parts = uint(length(way) / (2.0 * kUnhinderedWay)) + 1;
+    float3 path = to - from;
+    uint parts = uint(length(path) / (2.0 * kBroadphaseMargin)) + 1;
     bool isNear = false;
     for (uint part = 0; part <= parts && !isNear; part++)
-        isNear = IsNear(from + way * (part / float(parts)));
+        isNear = IsNear(from + path * (part / float(parts)));
     return isNear;
 }
 

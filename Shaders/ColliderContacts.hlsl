@@ -5,8 +5,8 @@
 #include "ColliderBins.hlsl"
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
-static const float kSettled = 0.005;        // d: as near to where it must stay as a mesh's distances tell; more would be asked of them for ever
-static const uint kSettleSteps = 8;
+static const float kContactTolerance = 0.005;        // d: as near to where it must stay as a mesh's distances tell; more would be asked of them for ever
+static const uint kDepenetrationSteps = 8;
 
 // ---- density
 
@@ -18,10 +18,10 @@ struct Surfaces
 };
 
 // Share of the density behind a plane at distance s, negative beyond it, and its derivative.
-void Beyond(float s, out float share, out float slope)
+void Beyond(float s, out float fraction, out float slope)
 {
-    HalfSpace(abs(s), share, slope);
-    share = s < 0.0 ? _WallScale - share : share;
+    HalfSpace(abs(s), fraction, slope);
+    fraction = s < 0.0 ? _WallScale - fraction : fraction;
 }
 
 // The density that a box adds at p in its own frame, as if the kernel were a product along its axes: exact by its faces, and
@@ -75,7 +75,7 @@ void AddSurface(inout Surfaces surfaces, float3 normal, float4 behind)
     uint slot = surfaces.behind[0].w == thinnest ? 0 : surfaces.behind[1].w == thinnest ? 1 : 2;
     [unroll]
     for (uint i = 0; i < 3; i++)
-        slot = dot(surfaces.normals[i], normal) >= kSameWay ? i : slot;
+        slot = dot(surfaces.normals[i], normal) >= kSameSurfaceCosine ? i : slot;
     [unroll]
     for (uint k = 0; k < 3; k++)
     {
@@ -111,7 +111,7 @@ float4 BehindAny(Surfaces surfaces)
         float counts = 1.0;
         [unroll]
         for (uint denser = 0; denser < i; denser++)
-            counts *= 1.0 - smoothstep(kOtherWay, kSameWay, dot(surfaces.normals[denser], surfaces.normals[i]));
+            counts *= 1.0 - smoothstep(kOtherSurfaceCosine, kSameSurfaceCosine, dot(surfaces.normals[denser], surfaces.normals[i]));
         float4 behind = surfaces.behind[i] * counts;
         all.xyz = all.xyz * (1.0 - behind.w) + behind.xyz * (1.0 - all.w);
         all.w += behind.w * (1.0 - all.w);
@@ -166,7 +166,7 @@ Surroundings FindSurroundings(float3 p)
                 result.contact = contact;
                 result.nearest = index;
             }
-            if (contact.w < kSupport && (collider.flags & kCarriesDensity) != 0)
+            if (contact.w < kSupport && (collider.flags & kContributesDensity) != 0)
             {
                 if (!isBeside)
                     surfaces = WallSurfaces(p, free);
@@ -192,9 +192,9 @@ Surroundings FindSurroundings(float3 p)
 // ---- staying outside
 
 // The deepest of the colliders that p is nearer to than 'inset'.
-uint Deepest(float3 p, float inset, out float4 contact)
+uint Deepest(float3 p, float contactOffset, out float4 contact)
 {
-    contact = float4(0.0, 1.0, 0.0, inset);
+    contact = float4(0.0, 1.0, 0.0, contactOffset);
     uint deepest = kNoCollider;
     uint cell = ColliderCell(p);
     for (uint word = 0; word < _ColliderWords; word++)
@@ -213,30 +213,30 @@ uint Deepest(float3 p, float inset, out float4 contact)
     return deepest;
 }
 
-static const float kLongestSettle = 1.0;    // d, of one move
+static const float kMaxPushOut = 1.0;    // d, of one move
 
 // From a place that a collider is too near to, along its normal; between it and a wall of the domain along the wall.
-float3 WayOut(float3 p, float4 contact, float inset)
+float3 PushOut(float3 p, float4 contact, float contactOffset)
 {
     float3 normal = contact.xyz;
-    normal = p <= kWallInset && normal < 0.0 || p >= _DomainSize - kWallInset && normal > 0.0 ? 0.0 : normal;
+    normal = p <= kContactOffset && normal < 0.0 || p >= _DomainSize - kContactOffset && normal > 0.0 ? 0.0 : normal;
     float steepness = max(dot(normal, normal), 1e-4);
-    return normal * min((inset - contact.w) / steepness, kLongestSettle * rsqrt(steepness));
+    return normal * min((contactOffset - contact.w) / steepness, kMaxPushOut * rsqrt(steepness));
 }
 
 // Moves p out of what is nearer than 'inset', to where what is around it is found; 'by' is the collider that moved it last.
-Surroundings Settle(inout float3 p, float inset, inout uint by)
+Surroundings Depenetrate(inout float3 p, float contactOffset, inout uint by)
 {
     Surroundings around;
     bool moves = true;      // and no break: lavapipe of Mesa 22.3 then gives what a lane found a part of what others find after it
     for (uint i = 0; moves; i++)
     {
         around = FindSurroundings(p);
-        moves = around.contact.w < inset - kSettled && i < kSettleSteps;
+        moves = around.contact.w < contactOffset - kContactTolerance && i < kDepenetrationSteps;
         if (moves)
         {
             by = around.nearest;
-            p = ClampToDomain(p + WayOut(p, around.contact, inset));
+            p = ClampToDomain(p + PushOut(p, around.contact, contactOffset));
         }
     }
     return around;
@@ -245,27 +245,27 @@ Surroundings Settle(inout float3 p, float inset, inout uint by)
 // ---- paths
 
 static const float kShortestStep = 0.25;    // d, along a path
-static const uint kMostSteps = 1024;        // a longer path ends there, as if it were stopped
+static const uint kMaxSteps = 1024;        // a longer path ends there, as if it were stopped
 
-// Whether the way from a to b, in the collider's own frame, comes nearer than kWallInset, and after which share of it. One that
+// Whether the way from a to b, in the collider's own frame, comes nearer than kContactOffset, and after which fraction of it. One that
 // starts nearer than that, 'start' away, may go on as long as it gets no nearer.
-bool Trace(Collider collider, float3 a, float3 b, out float share, out float start)
+bool Trace(Collider collider, float3 a, float3 b, out float fraction, out float start)
 {
-    share = 0.0;
+    fraction = 0.0;
     float way = length(b - a);
-    float distance = LeastDistance(collider, a);
+    float distance = MinDistance(collider, a);
     start = SurfaceDistance(collider, a, distance);
-    float least = min(kWallInset, start - kTouching);
-    if (distance >= kWallInset + way)
+    float least = min(kContactOffset, start - kTouching);
+    if (distance >= kContactOffset + way)
         return false;
-    for (uint i = 0; i < kMostSteps; i++)
+    for (uint i = 0; i < kMaxSteps; i++)
     {
-        share = min(share + max(distance - kWallInset, kShortestStep) / max(way, 1e-6), 1.0);
-        float3 place = lerp(a, b, share);
-        distance = LeastDistance(collider, place);
+        fraction = min(fraction + max(distance - kContactOffset, kShortestStep) / max(way, 1e-6), 1.0);
+        float3 place = lerp(a, b, fraction);
+        distance = MinDistance(collider, place);
         if (distance < least && SurfaceDistance(collider, place, distance) < least)
             return true;
-        if (share >= 1.0)
+        if (fraction >= 1.0)
             return false;
     }
     return true;
@@ -273,9 +273,9 @@ bool Trace(Collider collider, float3 a, float3 b, out float share, out float sta
 
 // The first collider that stops the way from a to b, or kNoCollider, and the distance of the nearest at its start. While 'moving',
 // the way is that of the substep, under which the colliders move; else they are where they end.
-uint FirstHit(float3 a, float3 b, bool moving, out float share, out float nearest)
+uint FirstHit(float3 a, float3 b, bool moving, out float fraction, out float nearest)
 {
-    share = 1.0;
+    fraction = 1.0;
     nearest = kSupport;
     uint first = kNoCollider;
     float3 way = b - a;
@@ -293,9 +293,9 @@ uint FirstHit(float3 a, float3 b, bool moving, out float share, out float neares
             float hit, distance;
             bool stops = Trace(collider, start, ToCollider(collider, b), hit, distance);
             nearest = min(nearest, distance);
-            if (stops && (hit < share || first == kNoCollider))
+            if (stops && (hit < fraction || first == kNoCollider))
             {
-                share = hit;
+                fraction = hit;
                 first = index;
             }
         }

@@ -3,11 +3,11 @@
 #define RILL_COLLIDER_DENSITY_INCLUDED
 
 StructuredBuffer<float4> _Boundary;     // [kSorted], see Colliders.compute
-StructuredBuffer<float> _Insets;        // [kSorted]
+StructuredBuffer<float> _ContactOffsets;        // [kSorted]
 
 void AddColliders(uint i, inout float density, inout float3 gradient)
 {
-    if (_Insets[i] != kFar)
+    if (_ContactOffsets[i] != kFar)
         AddBoundary(_Boundary[i], density, gradient);
 }
 

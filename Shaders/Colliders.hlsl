@@ -1,4 +1,4 @@
-// Solid obstacles: their shapes as signed distances, their motion in a substep, and which of them are near a place.
+// Solid colliders: their shapes as signed distances, their motion in a substep, and which of them are near a place.
 // Lengths in d, in the domain's frame. Include after Solver.hlsl.
 #ifndef RILL_COLLIDERS_INCLUDED
 #define RILL_COLLIDERS_INCLUDED
@@ -16,14 +16,14 @@ struct Collider
     uint flags;
     float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides
     float sweep;            // furthest that a point of it moves in the substep, d
-    float3 fieldScale;      // from its own frame, d, to a share of the atlas of its shape; negative along the axes of a mirrored mesh
+    float3 fieldScale;      // from its own frame, d, to a fraction of the atlas of its shape; negative along the axes of a mirrored mesh
     float fieldUnit;        // d, of one stored unit of distance
-    float3 fieldCenter;     // share of the atlas at its own frame's origin
+    float3 fieldCenter;     // fraction of the atlas at its own frame's origin
     float voxel;            // side of a voxel, d
-    float friction;         // share of the velocity along the surface that a substep takes from what touches; with kHoldsByViscosity of no slip
-    float bounce;           // share of the velocity into the surface that is given back
+    float friction;         // fraction of the velocity along the surface that a substep takes from what touches; with kHoldsByViscosity of no slip
+    float bounciness;           // fraction of the velocity into the surface that is given back
     float momentArm;        // by which moments about position are divided where they are summed, d
-    float leastShare;       // of the height over a height field that is surely free on all sides
+    float minFraction;       // of the height over a height field that is surely free on all sides
 };
 
 // = ColliderConstants in ColliderConstants.cs, member by member; as raw as RillSolver.
@@ -49,14 +49,14 @@ static const uint kMesh = 4;
 static const uint kHeightField = 5;
 
 static const uint kInsideOut = 1;           // the fluid is in it
-static const uint kCarriesDensity = 2;
+static const uint kContributesDensity = 2;
 static const uint kReacts = 4;              // what the fluid does to it is summed
 static const uint kHoldsByViscosity = 8;    // friction is by ViscosityWalls.hlsl
 
 static const uint kNoCollider = 0xFFFFu;
 
-static const float kSameWay = 0.9;          // cosine between the normals of surfaces that are one
-static const float kOtherWay = 0.5;         // and of those that are two
+static const float kSameSurfaceCosine = 0.9;          // cosine between the normals of surfaces that are one
+static const float kOtherSurfaceCosine = 0.5;         // and of those that are two
 
 StructuredBuffer<Collider> _Colliders;
 Texture3D<float> _Fields;                   // the distances of all meshes, brick by brick; see FieldAtlas.cs
@@ -118,14 +118,14 @@ float4 BoxDistance(float3 p, float3 halfSides)
 }
 
 // Place in the atlas of the collider's shape.
-float3 FieldPlace(Collider collider, float3 p)
+float3 FieldPosition(Collider collider, float3 p)
 {
     return collider.fieldCenter + p * collider.fieldScale;
 }
 
 float FieldDistance(Collider collider, float3 p)
 {
-    return _Fields.SampleLevel(sampler_LinearClamp, FieldPlace(collider, p), 0.0) * collider.fieldUnit;
+    return _Fields.SampleLevel(sampler_LinearClamp, FieldPosition(collider, p), 0.0) * collider.fieldUnit;
 }
 
 // Inside its volume by central differences. Outside it the surface is taken to be where the nearest place inside sees it.
@@ -149,7 +149,7 @@ float4 MeshDistance(Collider collider, float3 p)
 
 float GroundHeight(Collider collider, float2 place)
 {
-    return _Heights.SampleLevel(sampler_LinearClamp, FieldPlace(collider, float3(place.x, 0.0, place.y)), 0.0) * collider.fieldUnit;
+    return _Heights.SampleLevel(sampler_LinearClamp, FieldPosition(collider, float3(place.x, 0.0, place.y)), 0.0) * collider.fieldUnit;
 }
 
 // From the ground below p as if it were a plane; beyond its sides there is none.
@@ -162,9 +162,9 @@ float4 HeightDistance(Collider collider, float3 p)
     float2 high = min(q + collider.voxel, collider.size.xz);
     float2 slope = float2(GroundHeight(collider, float2(high.x, q.y)) - GroundHeight(collider, float2(low.x, q.y)),
         GroundHeight(collider, float2(q.x, high.y)) - GroundHeight(collider, float2(q.x, low.y))) / max(high - low, 1e-6);
-    float share = rsqrt(1.0 + dot(slope, slope));
-    float3 normal = float3(-slope.x, 1.0, -slope.y) * share;
-    float distance = (p.y - height) * share;
+    float fraction = rsqrt(1.0 + dot(slope, slope));
+    float3 normal = float3(-slope.x, 1.0, -slope.y) * fraction;
+    float distance = (p.y - height) * fraction;
     if (all(beyond == 0.0))
         return float4(normal, distance);
     float3 fromSurface = float3(beyond.x, 0.0, beyond.y) + normal * max(distance, 0.0);
@@ -191,7 +191,7 @@ float4 LocalDistance(Collider collider, float3 p)
 }
 
 // No further from the surface than this, signed: for steps along a path and for bins.
-float LeastDistance(Collider collider, float3 p)
+float MinDistance(Collider collider, float3 p)
 {
     float3 q = clamp(p, -collider.size, collider.size);
     float outside = length(p - q);
@@ -205,14 +205,14 @@ float LeastDistance(Collider collider, float3 p)
     else if (collider.shape == kHeightField)
     {
         float2 beyond = p.xz - q.xz;
-        distance = any(beyond != 0.0) ? length(beyond) : (p.y - GroundHeight(collider, q.xz)) * collider.leastShare;
+        distance = any(beyond != 0.0) ? length(beyond) : (p.y - GroundHeight(collider, q.xz)) * collider.minFraction;
     }
     else
         distance = LocalDistance(collider, p).w;
     return distance;
 }
 
-// The distance itself, where 'least' is what LeastDistance says of p: less than it only over a height field.
+// The distance itself, where 'least' is what MinDistance says of p: less than it only over a height field.
 float SurfaceDistance(Collider collider, float3 p, float least)
 {
     return collider.shape == kHeightField ? HeightDistance(collider, p).w : least;

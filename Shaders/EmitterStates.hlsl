@@ -9,7 +9,7 @@ static const uint kEmitterCursor = 2;       // place at which a volume goes on t
 static const uint kEmitterEmitted = 3;      // since the reset
 static const uint kEmitterRefused = 4;      // for want of capacity, since the reset
 static const uint kEmitterBlocked = 5;      // given up for want of room, since the reset
-static const uint kEmitterInSolid = 6;      // places tried in this step that an obstacle covers; 0 between steps
-static const uint kEmitterShut = 7;         // steps in a row up to the last in which obstacles covered all places tried; 0 where none was
+static const uint kEmitterInCollider = 6;      // places tried in this step that a collider covers; 0 between steps
+static const uint kEmitterShut = 7;         // steps in a row up to the last in which colliders covered all places tried; 0 where none was
 
 #endif

@@ -16,7 +16,7 @@ float _LastChangeScale;             // of that in the last one
 // would bounce and noise would grow.
 float SteadyFraction(float3 change, float3 last)
 {
-    return saturate(kSteady * dot(change, last) / max(dot(change, change), 1e-20)) * saturate(2.0 - length(change) / _LongestExtrapolation);
+    return saturate(kSteady * dot(change, last) / max(dot(change, change), 1e-20)) * saturate(2.0 - length(change) / _MaxExtrapolation);
 }
 
 // A fraction of the change of the mean velocity once more, as the acceleration goes on. What is new or awake again has none: it gets
@@ -24,7 +24,7 @@ float SteadyFraction(float3 change, float3 last)
 float3 Extrapolate(uint i, float3 mean)
 {
     uint4 last = _Means[i];
-    float3 change = _GravityStep * (_InverseTimeStep / _AccelerationShare);
+    float3 change = _GravityStep * (_InverseTimeStep / _AccelerationFraction);
     float fraction = 1.0;
     if (last.w != 0)
     {

@@ -1,18 +1,18 @@
 // What colliders leave of the domain to the fluid. Include after Solver.hlsl.
 //
-//   _SolidVolume    [1]          uint, fraction of the domain that they take, in steps of 1 / kSolidVolumeSteps
+//   _ColliderVolume    [1]          uint, fraction of the domain that they take, in steps of 1 / kColliderVolumeSteps
 #ifndef RILL_OPEN_FRACTION_INCLUDED
 #define RILL_OPEN_FRACTION_INCLUDED
 
-static const float kSolidVolumeSteps = 1073741824.0;    // 2^30: a sum over at most 2^17 cells, each rounded, fits
+static const float kColliderVolumeSteps = 1073741824.0;    // 2^30: a sum over at most 2^17 cells, each rounded, fits
 
-#if defined(BESIDE) || defined(SOLIDS)
+#if defined(WITH_COLLIDERS)
 
-StructuredBuffer<uint> _SolidVolume;
+StructuredBuffer<uint> _ColliderVolume;
 
 float OpenFraction()
 {
-    return 1.0 - _SolidVolume[0] / kSolidVolumeSteps;
+    return 1.0 - _ColliderVolume[0] / kColliderVolumeSteps;
 }
 
 #else

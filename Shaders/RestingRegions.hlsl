@@ -23,7 +23,7 @@ uint RegionOf(float3 p)
 }
 
 static const uint kMotionStride = 5;        // words of a region's motion, = RestingRegions.MotionStride
-static const uint kLongestWay = 4;          // of them: longest way of a particle, float bits
+static const uint kMaxDisplacement = 4;          // of them: longest way of a particle, float bits
 
 #ifdef RILL_SLEEP
 StructuredBuffer<uint> _RegionStates;       // [regions]
@@ -59,7 +59,7 @@ bool SleepsDeeply(float3 start)
 void WakeRegion(float3 p)
 {
 #ifdef RILL_SLEEP
-    InterlockedMax(_RegionMotion[RegionOf(p) * kMotionStride + kLongestWay], asuint(1e6));
+    InterlockedMax(_RegionMotion[RegionOf(p) * kMotionStride + kMaxDisplacement], asuint(1e6));
 #endif
 }
 

@@ -11,7 +11,7 @@ static const uint kGroup = 128;             // threads of a particle kernel, = n
 static const uint kMaxGroups = 65535;       // of a dispatch, per dimension; more fold into y
 static const float kSupport = 2.0;          // support radius h
 static const float kSupportSquared = 4.0;
-static const float kWallInset = 0.5;        // a particle's centre stays this far from a wall
+static const float kContactOffset = 0.5;        // a particle's centre stays this far from a wall
 static const float kCoincident = 1e-8;      // squared distance below which a pair has no direction of its own
 
 // = SolverConstants in SolverConstants.cs, member by member. It is uploaded as raw bytes: 4-vectors and runs of four scalars lie
@@ -39,15 +39,15 @@ cbuffer RillSolver
     float _ArtificialPressureReference; // 1 / W(dq), without W's normalisation
     float _Smoothing;           // XSPH c of this substep
     float _Confinement;         // vorticity confinement, d/s
-    float _Extrapolation;       // share of the last change of velocity that is added once more, see VelocityExtrapolation.cs; 0 for none
-    float _AccelerationShare;   // 1 less it: of an acceleration that lasts, what acts at once
-    float _LongestExtrapolation;        // change of velocity in a substep up to which it is, d/s
+    float _Extrapolation;       // fraction of the last change of velocity that is added once more, see VelocityExtrapolation.cs; 0 for none
+    float _AccelerationFraction;   // 1 less it: of an acceleration that lasts, what acts at once
+    float _MaxExtrapolation;        // change of velocity in a substep up to which it is, d/s
     float _Unused;
 };
 
 #define _DomainSize (_DomainSizeAndTimeStep.xyz)            // d
 #define _TimeStep (_DomainSizeAndTimeStep.w)                // s, one substep
-#define _GravityStep (_GravityStepAndInverseTimeStep.xyz)   // g dt^2 times _AccelerationShare, d
+#define _GravityStep (_GravityStepAndInverseTimeStep.xyz)   // g dt^2 times _AccelerationFraction, d
 #define _InverseTimeStep (_GravityStepAndInverseTimeStep.w) // 1/s
 #define _CellCounts (_CellCountsAndTotal.xyz)               // cells along x, y, z
 #define _CellTotal (_CellCountsAndTotal.w)                  // their product
@@ -56,7 +56,7 @@ cbuffer RillSolver
 #define _InverseCellSize (_InverseCellSizeAndListRadiusSquared.xyz)     // 1/d
 #define _ListRadiusSquared (_InverseCellSizeAndListRadiusSquared.w)     // d^2
 
-static const uint kNoOrigin = 0xFFFFFFFFu;  // in place of where a sorted particle was before the sort: it is new since the last step
+static const uint kNewParticle = 0xFFFFFFFFu;  // in place of where a sorted particle was before the sort: it is new since the last step
 
 uint ParticleIndex(uint3 group, uint thread)
 {
@@ -93,7 +93,7 @@ float RestDensity(uint particles, float open)
 
 float3 ClampToDomain(float3 p)
 {
-    return clamp(p, kWallInset, _DomainSize - kWallInset);
+    return clamp(p, kContactOffset, _DomainSize - kContactOffset);
 }
 
 // Where a particle's flow alone takes it in a substep. The projection is found and looked up there: water that is about to meet
@@ -169,7 +169,7 @@ void WallDensity(float3 p, out float density, out float3 gradient)
 
 // In place of what a particle keeps from colliders, d:
 static const float kFar = 1.0;              // none comes near it in the substep
-static const float kAwaited = 2.0;          // one may: CollidePaths finds out
+static const float kNeedsSweep = 2.0;          // one may: CollidePaths finds out
 
 // The same with what colliders add: xyz its gradient, w the density.
 void AddBoundary(float4 boundary, inout float density, inout float3 gradient)

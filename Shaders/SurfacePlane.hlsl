@@ -10,8 +10,8 @@ struct Plane
 };
 
 static const uint2 kNoPlane = 0;
-static const float kPlaneShare = 0.95;      // see AddPlane
-static const float kLeastCosine = 0.3;      // of normals that belong to one surface; above by as much counts in full
+static const float kPlaneFraction = 0.95;      // see AddPlane
+static const float kMinCosine = 0.3;      // of normals that belong to one surface; above by as much counts in full
 
 // x: see PackNormal; y: half2 depth, trust.
 uint2 PackPlane(Plane plane)
@@ -40,7 +40,7 @@ struct PlaneSums
     float3 normal;
     float depth;
     float weight;
-    float bend;         // sum of the curvature's share of each pair
+    float bend;         // sum of the curvature's fraction of each pair
     float bendWeight;
 };
 
@@ -54,13 +54,13 @@ void AddPlane(inout PlaneSums sums, Plane own, float3 difference, float3 side, f
     Plane plane = UnpackPlane(packed);
     plane.normal *= side;
     float cosine = dot(plane.normal, own.normal);
-    weight *= plane.trust * saturate((cosine - kLeastCosine) / kLeastCosine);
+    weight *= plane.trust * saturate((cosine - kMinCosine) / kMinCosine);
     if (weight <= 0.0)
         return;
-    float3 between = kPlaneShare * plane.normal + own.normal;
+    float3 between = kPlaneFraction * plane.normal + own.normal;
     float3 piece = difference + plane.normal * plane.depth;
     sums.normal += weight * plane.normal;
-    sums.depth += weight * dot(between, piece) / (1.0 + kPlaneShare * cosine);
+    sums.depth += weight * dot(between, piece) / (1.0 + kPlaneFraction * cosine);
     sums.weight += weight;
     float3 along = piece - own.normal * own.depth;
     sums.bend += weight * dot(plane.normal - own.normal, along);

@@ -1,5 +1,5 @@
 // How walls hold a viscous fluid: by the water that is missing behind them, whose velocity along the wall goes on as it does
-// between particle and wall. Include after Solver.hlsl; with BESIDE after ColliderBins.hlsl.
+// between particle and wall. Include after Solver.hlsl; with WITH_COLLIDERS after ColliderBins.hlsl.
 //
 // A particle s from a plane wall of velocity u sees, y behind it, fluid of velocity u - (v - u) y / s. So what is missing brakes it by
 //   B(s) (u - v),  B(s) = 30 c / s  int_s^h y dy int w x^2 dA = c pi / 16 a^5 (a + 2 blend) / s,  a = h^2 - s^2,
@@ -31,7 +31,7 @@ Walls DomainWalls(float3 p)
 {
     Walls walls = (Walls)0;
     float3 above = _DomainSize - p;
-    walls.distances = max(min(p, above), kWallInset);
+    walls.distances = max(min(p, above), kContactOffset);
     [unroll]
     for (uint axis = 0; axis < 3; axis++)
     {
@@ -41,18 +41,18 @@ Walls DomainWalls(float3 p)
     return walls;
 }
 
-#ifdef BESIDE
+#ifdef WITH_COLLIDERS
 
 // Walls that point the same way are one.
 void AddWall(inout Walls walls, float3 normal, float3 velocity, float friction, float distance)
 {
-    distance = max(distance, kWallInset);
+    distance = max(distance, kContactOffset);
     float shape = friction * WallShape(distance);
     float weakest = min(walls.shapes.x, min(walls.shapes.y, walls.shapes.z));
     uint slot = walls.shapes.x == weakest ? 0 : walls.shapes.y == weakest ? 1 : 2;
     [unroll]
     for (uint i = 0; i < 3; i++)
-        slot = dot(walls.normals[i], normal) >= kSameWay ? i : slot;
+        slot = dot(walls.normals[i], normal) >= kSameSurfaceCosine ? i : slot;
     [unroll]
     for (uint k = 0; k < 3; k++)
     {

@@ -70,7 +70,7 @@ namespace Rill.Editor
         }
 
         /// <summary>Bakes and writes the asset.</summary>
-        /// <param name="progress">Told the share that is done and the stage, and asked whether to go on.</param>
+        /// <param name="progress">Told the fraction that is done and the stage, and asked whether to go on.</param>
         /// <returns>False if it was cancelled: then nothing was written.</returns>
         public bool Bake(in MeshSdfSettings settings, Func<float, string, bool> progress)
         {

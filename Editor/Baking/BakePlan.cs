@@ -30,7 +30,7 @@ namespace Rill.Editor
         /// <summary>What of the selection is not baked, and why.</summary>
         public IReadOnlyList<string> Notes { get; }
 
-        /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked anew.</summary>
+        /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked again.</summary>
         /// <param name="folder">For new assets, as "Assets/Fields".</param>
         /// <param name="analyses">Those that are known; no mesh is analysed here.</param>
         public static BakePlan Of(IEnumerable<Object> selection, string folder, MeshAnalyses analyses)
@@ -93,7 +93,7 @@ namespace Rill.Editor
         }
 
         /// <summary>All of it; what cannot be baked says so and does not keep the others from it.</summary>
-        /// <param name="progress">Told the share of the whole that is done and what is being done, and asked whether to go on.</param>
+        /// <param name="progress">Told the fraction of the whole that is done and what is being done, and asked whether to go on.</param>
         /// <returns>False if it was cancelled: the items before that are baked.</returns>
         public bool Bake(MeshSdfSettings settings, BakeAssign assign, Func<float, string, bool> progress)
         {
@@ -101,7 +101,7 @@ namespace Rill.Editor
             {
                 BakeItem item = Items[i];
                 int before = i;
-                if (!item.Bake(settings, (share, stage) => progress((before + share) / Items.Count, $"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}")))
+                if (!item.Bake(settings, (fraction, stage) => progress((before + fraction) / Items.Count, $"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}")))
                     return false;
                 if (item.Field != null && assign != BakeAssign.Nothing)
                     foreach (GameObject shown in item.Objects)

@@ -120,7 +120,7 @@ namespace Rill.Editor
 
             scroll = EditorGUILayout.BeginScrollView(scroll);
             if (chosen.Count == 0)
-                EditorGUILayout.HelpBox("Select objects with Mesh Filters, meshes, or distance fields to bake anew.", MessageType.Info);
+                EditorGUILayout.HelpBox("Select objects with Mesh Filters, meshes, or distance fields to bake again.", MessageType.Info);
             foreach (string note in plan.Notes)
                 EditorGUILayout.HelpBox(note, MessageType.Warning);
             bool canBake = false;

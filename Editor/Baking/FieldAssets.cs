@@ -20,7 +20,7 @@ namespace Rill.Editor
             problem = null;
             if (string.IsNullOrEmpty(field.SourceMesh))
             {
-                problem = $"'{field.name}' does not know the mesh that it was baked from: choose one to bake it anew.";
+                problem = $"'{field.name}' does not know the mesh that it was baked from: choose one to bake it again.";
                 return null;
             }
             string path = AssetDatabase.GUIDToAssetPath(field.SourceMesh);
@@ -35,8 +35,8 @@ namespace Rill.Editor
             if (meshes.Count == 1)
                 return meshes[0];
             problem = meshes.Count == 0
-                ? $"The mesh of '{field.name}' is gone (GUID {field.SourceMesh}): choose one to bake it anew."
-                : $"'{path}' has {meshes.Count} meshes, and none is the one that '{field.name}' was baked from: choose one to bake it anew.";
+                ? $"The mesh of '{field.name}' is gone (GUID {field.SourceMesh}): choose one to bake it again."
+                : $"'{path}' has {meshes.Count} meshes, and none is the one that '{field.name}' was baked from: choose one to bake it again.";
             return null;
         }
 

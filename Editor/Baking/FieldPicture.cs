@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Editor
 {
-    /// <summary>A picture that is painted anew only where something that it shows has changed: an inspector draws many times a second.</summary>
+    /// <summary>A picture that is painted again only where something that it shows has changed: an inspector draws many times a second.</summary>
     sealed class FieldPicture
     {
         readonly string name;
@@ -34,7 +34,7 @@ namespace Rill.Editor
             return texture;
         }
 
-        public void Forget() => shown = null;
+        public void Invalidate() => shown = null;
 
         public void Release()
         {

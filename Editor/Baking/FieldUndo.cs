@@ -90,7 +90,7 @@ namespace Rill.Editor
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
                 field.Empty();
-                Debug.LogError($"Rill: '{field.name}' has its settings of before back, but not its distances: bake it anew with them. {e.Message}", field);
+                Debug.LogError($"Rill: '{field.name}' has its settings of before back, but not its distances: bake it again with them. {e.Message}", field);
             }
             FieldAssets.KeepTextureOf(field);
             Watch(field);

@@ -75,7 +75,7 @@ namespace Rill.Editor
         /// <summary>Lets the other thread end soon, without a result.</summary>
         public void Cancel() => isCancelled = true;
 
-        /// <summary>Waits for the result, or finds it now where nothing runs; anew where the mesh has changed meanwhile.</summary>
+        /// <summary>Waits for the result, or finds it now where nothing runs; again where the mesh has changed meanwhile.</summary>
         /// <param name="go">Told the fraction that is done and the stage, and asked whether to go on.</param>
         /// <param name="triangles">What is there now, for the bake.</param>
         /// <returns>False if it was cancelled.</returns>

@@ -37,7 +37,7 @@ namespace Rill.Editor
         }
 
         /// <summary>Where the middle of a layer lies along its axis, m.</summary>
-        public float PlaceOf(SdfVolume volume, int layer) => volume.Bounds.min[Normal] + (layer + 0.5f) * volume.VoxelSize;
+        public float PositionOf(SdfVolume volume, int layer) => volume.Bounds.min[Normal] + (layer + 0.5f) * volume.VoxelSize;
 
         /// <summary>Pixels of a picture of the slice whose longer side has so many.</summary>
         public Vector2Int SizeOf(SdfVolume volume, int longest)
@@ -54,7 +54,7 @@ namespace Rill.Editor
             if (pixels.Length != size.x * size.y)
                 throw new ArgumentException($"{pixels.Length} pixels are not {size.x} x {size.y}.", nameof(pixels));
             Vector3 at = default, low = volume.Bounds.min, extent = volume.Bounds.size;
-            at[Normal] = PlaceOf(volume, layer);
+            at[Normal] = PositionOf(volume, layer);
             float pixel = math.max(extent[Right] / size.x, extent[Up] / size.y);
             for (int y = 0; y < size.y; y++)
                 for (int x = 0; x < size.x; x++)

@@ -10,11 +10,11 @@ namespace Rill.Editor
     /// </summary>
     static class SdfTrace
     {
-        const int MostSteps = 200;
+        const int MaxSteps = 200;
         // Of the distance that a step goes: blended voxels overestimate it a little around edges.
         const float Caution = 0.9f;
         // Voxels: a step's least, and what counts as arrived.
-        const float LeastStep = 0.05f, Arrived = 0.02f;
+        const float MinStep = 0.05f, Arrived = 0.02f;
 
         static readonly float3 Light = math.normalize(new float3(-0.4f, 0.8f, -0.6f));
         static readonly float3 Surface = new float3(0.72f, 0.80f, 0.86f);
@@ -49,7 +49,7 @@ namespace Rill.Editor
             if (!TryEnter(volume.Bounds, from, along, out float t, out float end))
                 return false;
             float before = t;
-            for (int step = 0; step < MostSteps && t <= end; step++)
+            for (int step = 0; step < MaxSteps && t <= end; step++)
             {
                 float distance = volume.Sample(from + t * along);
                 if (distance < 0f)
@@ -60,7 +60,7 @@ namespace Rill.Editor
                     return true;
                 }
                 before = t;
-                t += math.max(Caution * distance, LeastStep * volume.VoxelSize);
+                t += math.max(Caution * distance, MinStep * volume.VoxelSize);
             }
             return false;
         }

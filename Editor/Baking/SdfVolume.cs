@@ -8,7 +8,7 @@ namespace Rill.Editor
     sealed class SdfVolume
     {
         /// <summary>Larger fields are not shown: their copy would take more than 256 MiB.</summary>
-        public const long MostVoxels = 1L << 26;
+        public const long MaxVoxels = 1L << 26;
 
         readonly float[] distances;
 
@@ -31,8 +31,8 @@ namespace Rill.Editor
                 return null;
             Vector3Int n = field.Resolution;
             if (!field.Texture.isReadable)
-                problem = $"The texture of '{field.name}' cannot be read by scripts: bake it anew.";
-            else if ((long)n.x * n.y * n.z > MostVoxels)
+                problem = $"The texture of '{field.name}' cannot be read by scripts: bake it again.";
+            else if ((long)n.x * n.y * n.z > MaxVoxels)
                 problem = $"{n.x} x {n.y} x {n.z} voxels are too many for a preview.";
             if (problem != null)
                 return null;

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>A field's facts, slices through it, its surface as a preview, and baking it anew.</summary>
+    /// <summary>A field's facts, slices through it, its surface as a preview, and baking it again.</summary>
     [CustomEditor(typeof(SignedDistanceField))]
     sealed class SignedDistanceFieldEditor : UnityEditor.Editor
     {
@@ -61,9 +61,9 @@ namespace Rill.Editor
             volume = SdfVolume.Of(Field, out problem);
             mesh = FieldAssets.MeshOf(Field, out staleness);
             if (mesh != null && Field.IsStale(EditorMesh.Read(mesh)))
-                staleness = $"'{mesh.name}' has changed since it was baked: bake it anew.";
-            slice.Forget();
-            surface.Forget();
+                staleness = $"'{mesh.name}' has changed since it was baked: bake it again.";
+            slice.Invalidate();
+            surface.Invalidate();
         }
 
         public override void OnInspectorGUI()
@@ -89,7 +89,7 @@ namespace Rill.Editor
             layers[axis] = EditorGUILayout.IntSlider(new GUIContent("Layer", "Voxels from the lower end."), Mathf.Clamp(layers[axis], 0, volume.Resolution[axis] - 1), 0, volume.Resolution[axis] - 1);
             int layer = layers[axis];
             float range = Mathf.Max(view.Largest(volume, layer), volume.VoxelSize);
-            InspectorRows.Text(" ", $"{Axes[axis]} = {view.PlaceOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
+            InspectorRows.Text(" ", $"{Axes[axis]} = {view.PositionOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
             Vector2Int size = view.SizeOf(volume, SlicePixels);
             Texture2D picture = slice.Of((axis, layer), size, pixels => view.Paint(volume, layer, range, size, pixels));
             EditorGUI.DrawPreviewTexture(GUILayoutUtility.GetAspectRect((float)size.x / size.y, GUILayout.MaxWidth(2 * SlicePixels)), picture);
@@ -103,7 +103,7 @@ namespace Rill.Editor
             EditorGUILayout.PropertyField(self.FindProperty(nameof(settings)), true);
             self.ApplyModifiedProperties();
             using (new EditorGUI.DisabledScope(mesh == null))
-                if (GUILayout.Button("Bake Anew"))
+                if (GUILayout.Button("Bake Again"))
                 {
                     Bake();
                     GUIUtility.ExitGUI();       // the progress bar has ended this event's layout
@@ -117,7 +117,7 @@ namespace Rill.Editor
             var item = new BakeItem(new MeshAnalysis(mesh), AssetDatabase.GetAssetPath(Field), Field);
             try
             {
-                item.Bake(settings, (share, stage) => !EditorUtility.DisplayCancelableProgressBar("Bake Signed Distance Field", $"{mesh.name}: {stage}", share));
+                item.Bake(settings, (fraction, stage) => !EditorUtility.DisplayCancelableProgressBar("Bake Signed Distance Field", $"{mesh.name}: {stage}", fraction));
             }
             finally
             {

@@ -87,12 +87,12 @@ namespace Rill.Editor
         }
 
         /// <summary>A ball that the water goes around, in the middle of the fluid that the parent belongs to.</summary>
-        public static GameObject CreateCollider(GameObject parent) => CreateObstacle(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
+        public static GameObject CreateCollider(GameObject parent) => CreateColliderObject(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
 
-        /// <summary>A visible obstacle of the size of a share of the fluid's shortest side.</summary>
+        /// <summary>A visible collider of the size of a fraction of the fluid's shortest side.</summary>
         /// <param name="shape">Sphere or cube.</param>
         /// <param name="add">Adds what else it needs; its collider is there. Null for nothing.</param>
-        public static GameObject CreateObstacle(GameObject parent, PrimitiveType shape, string name, float share, Action<GameObject, FluidSimulation> add)
+        public static GameObject CreateColliderObject(GameObject parent, PrimitiveType shape, string name, float fraction, Action<GameObject, FluidSimulation> add)
         {
             FluidSimulation fluid = FindFluid(parent);
             GameObject root = null;
@@ -106,7 +106,7 @@ namespace Rill.Editor
             made.transform.SetPositionAndRotation(fluid.transform.position, fluid.transform.rotation);
             made.transform.localScale = Vector3.one;
             Vector3 scale = made.transform.lossyScale;
-            made.transform.localScale = share * Shortest(fluid.DomainSize) * new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
+            made.transform.localScale = fraction * Shortest(fluid.DomainSize) * new Vector3(Inverse(scale.x), Inverse(scale.y), Inverse(scale.z));
             FluidCollider collider = made.AddComponent<FluidCollider>();
             collider.Shape = shape == PrimitiveType.Sphere ? ColliderShape.Sphere : ColliderShape.Box;
             collider.Radius = 0.5f;

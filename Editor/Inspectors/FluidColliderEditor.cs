@@ -20,8 +20,8 @@ namespace Rill.Editor
                 new InspectorField("insideOut", when: When.IsNot("shape", ColliderShape.HeightField))),
             new InspectorSection("Surface", true,
                 new InspectorField("friction"),
-                new InspectorField("bounce"),
-                new InspectorField("carriesDensity")),
+                new InspectorField("bounciness"),
+                new InspectorField("contributesDensity")),
             new InspectorSection("Reaction", false,
                 new InspectorField("measuresForce")),
         };

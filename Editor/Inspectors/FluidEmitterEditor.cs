@@ -23,7 +23,7 @@ namespace Rill.Editor
                 new InspectorField("spread", "degrees"),
                 new InspectorField("inheritVelocity")),
             new InspectorSection("Time", false,
-                new InspectorField("startsItself"),
+                new InspectorField("playOnEnable"),
                 new InspectorField("delay", "s"),
                 new InspectorField("duration", "s")),
             new InspectorSection("Particles", false,

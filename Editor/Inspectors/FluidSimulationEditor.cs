@@ -45,13 +45,13 @@ namespace Rill.Editor
             new InspectorSection(BudgetTitle, false,
                 new InspectorField("budget.mode"),
                 new InspectorField("budget.milliseconds", "ms", When.Is("budget.mode", BudgetMode.Milliseconds)),
-                new InspectorField("budget.share", "of the frame", When.Is("budget.mode", BudgetMode.ShareOfFrame)),
-                new InspectorField("budget.frameRate", "1/s", When.Is("budget.mode", BudgetMode.ShareOfFrame)),
+                new InspectorField("budget.fraction", "of the frame", When.Is("budget.mode", BudgetMode.FrameFraction)),
+                new InspectorField("budget.frameRate", "1/s", When.Is("budget.mode", BudgetMode.FrameFraction)),
                 new InspectorField("budget.targetError", "C+", When.IsNot("budget.mode", BudgetMode.Off)),
-                new InspectorField("budget.leastIterations", when: When.IsNot("budget.mode", BudgetMode.Off)),
-                new InspectorField("budget.mostIterations", when: When.IsNot("budget.mode", BudgetMode.Off)),
-                new InspectorField("budget.leastSubsteps", when: When.IsNot("budget.mode", BudgetMode.Off)),
-                new InspectorField("budget.mostSubsteps", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.minIterations", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.maxIterations", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.minSubsteps", when: When.IsNot("budget.mode", BudgetMode.Off)),
+                new InspectorField("budget.maxSubsteps", when: When.IsNot("budget.mode", BudgetMode.Off)),
                 new InspectorField("budget.deviceFactor", "of the cost model", When.IsNot("budget.mode", BudgetMode.Off))),
             new InspectorSection("Time", false,
                 new InspectorField("stepRate", "1/s"),
@@ -170,7 +170,7 @@ namespace Rill.Editor
             if (times.Rows.Count == 0)
                 EditorGUILayout.HelpBox(StageTimes.WhyNone(SystemInfo.supportsGpuRecorder), MessageType.None);
             foreach (StageTimes.Row row in times.Rows)
-                InspectorRows.BarOf(row.Label, row.Share, $"{row.Milliseconds:0.000} ms");
+                InspectorRows.BarOf(row.Label, row.Fraction, $"{row.Milliseconds:0.000} ms");
             if (times.Rows.Count > 0)
                 InspectorRows.Text("All stages", $"{times.Total:0.000} ms a frame, of all simulations together");
         }
@@ -192,12 +192,12 @@ namespace Rill.Editor
             }
             InspectorRows.Text("All buffers", MemoryRows.Text(MemoryRows.Total(memory), Simulation.Capacity));
             foreach (MemoryRows.Row row in memory)
-                InspectorRows.BarOf(row.Label, row.Share, EditorUtility.FormatBytes(row.Bytes));
+                InspectorRows.BarOf(row.Label, row.Fraction, EditorUtility.FormatBytes(row.Bytes));
         }
 
         void OnSceneGUI()
         {
-            // A fluid that runs would start anew at every move.
+            // A fluid that runs would start again at every move.
             if (!Application.isPlaying)
                 ShapeHandles.Box(Simulation, "domainSize", false, GizmoColors.Domain);
         }

@@ -14,7 +14,7 @@ namespace Rill.Editor
         /// <summary>A cube half as dense as the fluid, above its middle.</summary>
         internal static GameObject Create(GameObject parent)
         {
-            return SceneSetup.CreateObstacle(parent, PrimitiveType.Cube, "Floating Body", 0.25f, (made, fluid) =>
+            return SceneSetup.CreateColliderObject(parent, PrimitiveType.Cube, "Floating Body", 0.25f, (made, fluid) =>
             {
                 Vector3 side = made.transform.lossyScale;
                 var body = made.AddComponent<Rigidbody>();

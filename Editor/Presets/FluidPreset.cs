@@ -30,7 +30,7 @@ namespace Rill.Editor
         const float UsualStep = 1f / 60f;
 
         // Pa s. Thinner fluids are as water is: passes for their viscosity would cost time and change nothing that is seen.
-        const float LeastViscosity = 0.01f;
+        const float MinViscosity = 0.01f;
 
         // What the solver itself damps eddies by at least, d² a step; see NumericalViscosityTests.
         const double NumericalViscosity = 0.07;
@@ -50,7 +50,7 @@ namespace Rill.Editor
         {
             get
             {
-                FluidMaterial material = FluidMaterial.Viscous(Density, Viscosity < LeastViscosity ? 0f : Viscosity);
+                FluidMaterial material = FluidMaterial.Viscous(Density, Viscosity < MinViscosity ? 0f : Viscosity);
                 bool isElastic = ShearModulus > 0f;
                 if (isElastic)
                 {
@@ -80,7 +80,7 @@ namespace Rill.Editor
         {
             if (ShearModulus <= 0f)
                 return "";
-            int substeps = (int)Math.Ceiling(Math.Sqrt(DrawnOut * ShearModulus / material.LargestShearModulus(spacing, UsualStep)));
+            int substeps = (int)Math.Ceiling(Math.Sqrt(DrawnOut * ShearModulus / material.MaxShearModulus(spacing, UsualStep)));
             return $", shear modulus {ShearModulus:G4} Pa, forgotten in {RelaxationTime:G4} s; at this spacing and 60 steps a second {substeps} substeps keep it up to twice the length";
         }
     }

@@ -8,7 +8,7 @@ namespace Rill.Editor
     /// <summary>Fluids to choose from.</summary>
     static class FluidPresets
     {
-        const float SameShare = 1e-3f;
+        const float SameFraction = 1e-3f;
 
         // Rounded textbook figures: the solver is coarser than what they leave out.
         public static readonly FluidPreset[] All =
@@ -64,7 +64,7 @@ namespace Rill.Editor
         /// <param name="substep">s.</param>
         public static string ElasticityText(in FluidMaterial material, float spacing, float substep)
         {
-            return $"up to {material.LargestShearModulus(spacing, substep):G3} Pa at this spacing, step rate and substeps; less where it is drawn out";
+            return $"up to {material.MaxShearModulus(spacing, substep):G3} Pa at this spacing, step rate and substeps; less where it is drawn out";
         }
 
         static bool Same(in FluidMaterial a, in FluidMaterial b)
@@ -74,6 +74,6 @@ namespace Rill.Editor
                 && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
         }
 
-        static bool Near(float a, float b) => Math.Abs(a - b) <= SameShare * Math.Abs(b);
+        static bool Near(float a, float b) => Math.Abs(a - b) <= SameFraction * Math.Abs(b);
     }
 }

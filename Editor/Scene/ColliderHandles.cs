@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Handles for obstacles, which have a centre of their own and follow their object's scale. Drags go through undo.</summary>
+    /// <summary>Handles for colliders, which have a centre of their own and follow their object's scale. Drags go through undo.</summary>
     static class ColliderHandles
     {
         static readonly BoxBoundsHandle box = new BoxBoundsHandle();
@@ -16,7 +16,7 @@ namespace Rill.Editor
             PrimitiveBoundsHandle handle = HandleOf(collider.Shape);
             Transform at = collider.transform;
             Vector3 scale = at.lossyScale;
-            if (handle == null || !Limit.IsPlace(at.position, at.rotation) || scale.x * scale.y * scale.z == 0f)
+            if (handle == null || !Limit.IsPose(at.position, at.rotation) || scale.x * scale.y * scale.z == 0f)
                 return;
             using (var target = new SerializedObject(collider))
             using (new Handles.DrawingScope(Matrix4x4.TRS(at.position, at.rotation, Vector3.one)))
@@ -43,7 +43,7 @@ namespace Rill.Editor
             }
         }
 
-        // Metres along the object's axes, as the obstacle is in the world.
+        // Metres along the object's axes, as the collider is in the world.
         static void Put(PrimitiveBoundsHandle handle, SerializedObject from, Vector3 scale)
         {
             handle.center = Vector3.Scale(from.FindProperty("center").vector3Value, scale);

@@ -89,7 +89,7 @@ namespace Rill.Editor
             Vector3 scale = at.lossyScale;
             float even = Mathf.Max(Mathf.Abs(scale.x), Mathf.Abs(scale.y), Mathf.Abs(scale.z));
             Gizmos.color = collider.isActiveAndEnabled ? GizmoColors.Collider : GizmoColors.Collider * new Color(1f, 1f, 1f, 0.3f);
-            Gizmos.matrix = Matrix4x4.TRS(collider.Middle, at.rotation, Vector3.one);
+            Gizmos.matrix = Matrix4x4.TRS(collider.WorldCenter, at.rotation, Vector3.one);
             switch (collider.Shape)
             {
                 case ColliderShape.Sphere:
@@ -109,7 +109,7 @@ namespace Rill.Editor
                     Gizmos.DrawLine(Vector3.zero, 0.5f * Vector3.up);
                     break;
                 case ColliderShape.HeightField when collider.Heights != null:
-                    Gizmos.matrix = Matrix4x4.Translate(collider.Middle);
+                    Gizmos.matrix = Matrix4x4.Translate(collider.WorldCenter);
                     Gizmos.DrawWireCube(Vector3.zero, 2f * (Vector3)collider.Heights.Extents);
                     break;
                 case ColliderShape.Mesh when collider.Field != null:

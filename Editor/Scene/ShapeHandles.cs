@@ -53,7 +53,7 @@ namespace Rill.Editor
 
         static bool Drag(PrimitiveBoundsHandle handle, Transform at, Color color)
         {
-            if (!Limit.IsPlace(at.position, at.rotation))
+            if (!Limit.IsPose(at.position, at.rotation))
                 return false;
             handle.SetColor(color);
             using (new Handles.DrawingScope(Matrix4x4.TRS(at.position, at.rotation, Vector3.one)))

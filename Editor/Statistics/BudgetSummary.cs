@@ -30,7 +30,7 @@ namespace Rill.Editor
                 yield break;
             if (budget.targetError > 0f && statisticsInterval == 0)
                 yield return (MessageType.Warning, "The statistics interval is 0, so the budget never hears of the density error and spends all of its time. Set an interval, or the target error to 0.");
-            if (state.reason == BudgetReason.LeastStable)
+            if (state.reason == BudgetReason.MinStable)
                 yield return (MessageType.Warning, $"The budget cannot be held: {state.Why()}. Raise it, or have fewer particles.");
             if (state.reason == BudgetReason.TimeUnknown)
                 yield return (MessageType.Info, "This player tells no GPU time yet. In release players turn on Frame Timing Stats (Project Settings, Player) or set the device factor.");

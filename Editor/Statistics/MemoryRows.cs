@@ -12,17 +12,17 @@ namespace Rill.Editor
             public readonly string Label;
             public readonly long Bytes;
             /// <summary>Of the largest.</summary>
-            public readonly float Share;
+            public readonly float Fraction;
 
-            public Row(string label, long bytes, float share)
+            public Row(string label, long bytes, float fraction)
             {
                 Label = label;
                 Bytes = bytes;
-                Share = share;
+                Fraction = fraction;
             }
         }
 
-        /// <param name="rows">Taken anew.</param>
+        /// <param name="rows">Taken again.</param>
         public static void List(List<StageDescription> stages, List<Row> rows)
         {
             rows.Clear();

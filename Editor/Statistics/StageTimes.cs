@@ -16,13 +16,13 @@ namespace Rill.Editor
             public readonly string Label;
             public readonly float Milliseconds;
             /// <summary>Of the longest.</summary>
-            public readonly float Share;
+            public readonly float Fraction;
 
-            public Row(string label, float milliseconds, float share)
+            public Row(string label, float milliseconds, float fraction)
             {
                 Label = label;
                 Milliseconds = milliseconds;
-                Share = share;
+                Fraction = fraction;
             }
         }
 
@@ -32,14 +32,14 @@ namespace Rill.Editor
             ("Rill.Drain", "Drains"),
             ("Rill.Rest", "Water at rest"),
             ("Rill.Fields", "Force fields"),
-            ("Rill.CoarseSolids", "Solids on the coarse grid"),
+            ("Rill.CoarseColliders", "Colliders on the coarse grid"),
             ("Rill.Projection", "Deep water: projection"),
             ("Rill.Colliders", "Colliders"),
             ("Rill.ImplicitViscosity", "Dynamic viscosity"),
             ("Rill.Sort", "Sort"),
             ("Rill.List", "Neighbor list"),
             ("Rill.Lambda", "Pressure"),
-            ("Rill.Displace", "Displacement"),
+            ("Rill.ApplyDeltaP", "Displacement"),
             ("Rill.DensityCorrection", "Deep water: density"),
             ("Rill.Velocity", "Velocity, smoothing"),
             ("Rill.Viscoelasticity", "Viscoelasticity"),

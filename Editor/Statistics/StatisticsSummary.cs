@@ -25,7 +25,7 @@ namespace Rill.Editor
         public static IEnumerable<string> Warnings(FluidStatistics statistics)
         {
             if (statistics.neighborOverflow > 0)
-                yield return $"{statistics.neighborOverflow:N0} particles had more neighbors than their list holds (up to {statistics.mostNeighbors}). Raise the neighbor capacity.";
+                yield return $"{statistics.neighborOverflow:N0} particles had more neighbors than their list holds (up to {statistics.maxNeighbors}). Raise the neighbor capacity.";
             if (statistics.refused > 0)
                 yield return $"{statistics.refused:N0} particles did not fit. Raise the capacity.";
             if (statistics.nonFinite > 0)

@@ -10,7 +10,7 @@ namespace Rill.Editor
         static readonly InspectorSection[] AllSections =
         {
             new InspectorSection("Ground", true,
-                new InspectorField("part", "shares of the sides")),
+                new InspectorField("part", "fractions of the sides")),
         };
 
         internal override InspectorSection[] Sections => AllSections;
@@ -19,7 +19,7 @@ namespace Rill.Editor
 
         private protected override void DrawLive()
         {
-            if (GUILayout.Button("Take the heights anew"))
+            if (GUILayout.Button("Take the heights again"))
                 ((FluidTerrain)target).Refresh();
         }
     }

@@ -31,7 +31,7 @@ namespace Host.Tests
 
         [Test]
         public void A_missing_file_id_of_the_scene_is_named() =>
-            Assert.That(Temporary().Scene("  partner: {fileID: 99}\n").Fault(), Is.EqualTo("Assets/Main.unity(20): Part on 'Tank', field partner refers to object 99, which is not in this file: assign the field anew"));
+            Assert.That(Temporary().Scene("  partner: {fileID: 99}\n").Fault(), Is.EqualTo("Assets/Main.unity(20): Part on 'Tank', field partner refers to object 99, which is not in this file: assign the field again"));
 
         [Test]
         public void A_missing_file_id_of_an_asset_lists_what_the_asset_has() =>

@@ -110,7 +110,7 @@ namespace Host.Tests
             Assert.That(project.LoadAsset("20000000000000000000000000000001", 7200000, typeof(ComputeShader)), Is.SameAs(first));
             project.ReloadAll();
             Assert.That(first == null, "destroyed");
-            Assert.That(project.LoadAtPath<ComputeShader>("Assets/Shaders/Sum.compute") != null, "read anew");
+            Assert.That(project.LoadAtPath<ComputeShader>("Assets/Shaders/Sum.compute") != null, "read again");
         }
 
         [Test]

@@ -171,7 +171,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void The_inspector_draws_facts_slices_and_the_surface_and_bakes_anew()
+        public void The_inspector_draws_facts_slices_and_the_surface_and_bakes_again()
         {
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
             Mesh mesh = Object.Instantiate(cube.GetComponent<MeshFilter>().sharedMesh);

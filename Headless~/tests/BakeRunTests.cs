@@ -93,7 +93,7 @@ namespace Host.Tests
             Assert.That(errors.Near, Is.LessThan(2e-3), "within two voxels of the surface, voxel");
             Assert.That(errors.Mean, Is.LessThan(0.05), "mean, voxel");
             Assert.That(errors.Most, Is.LessThan(0.5), "anywhere, voxel");
-            Assert.That(errors.WrongSigns, Is.AtMost(wrongSigns), "share of wrong signs beyond a voxel");
+            Assert.That(errors.WrongSigns, Is.AtMost(wrongSigns), "fraction of wrong signs beyond a voxel");
         }
 
         [Test]
@@ -139,7 +139,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void The_asset_keeps_its_guid_when_baked_anew_and_knows_its_meshs() => WithDevice(() =>
+        public void The_asset_keeps_its_guid_when_baked_again_and_knows_its_meshs() => WithDevice(() =>
         {
             string mesh = Box(1, 2, 3), source = "0123456789abcdef0123456789abcdef";
             File.WriteAllText(mesh + ".meta", $"fileFormatVersion: 2\nguid: {source}\nModelImporter:\n");

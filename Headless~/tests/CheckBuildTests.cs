@@ -35,7 +35,7 @@ namespace Host.Tests
 
         [Test]
         public void A_scene_without_a_stage_that_it_needs_is_named() =>
-            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("CoarseSolver")}\n", ""), Scene, "FluidSimulation 'Fluid'", "CoarseGrid, CoarseSolids", "CoarseGrid, CoarseSolver, CoarseSolids", "references --write");
+            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("CoarseSolver")}\n", ""), Scene, "FluidSimulation 'Fluid'", "CoarseGrid, CoarseColliders", "CoarseGrid, CoarseSolver, CoarseColliders", "references --write");
 
         [Test]
         public void A_scene_with_a_stage_that_it_does_not_need_is_named() =>

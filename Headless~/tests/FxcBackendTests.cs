@@ -76,10 +76,10 @@ namespace Host.Tests
         // FXC makes ubfe, ibfe and bfi of these (22.11.2, 6, 11). Of negative numbers firstbithigh looks for the highest 0.
         [TestCaseSource(nameof(Backends))]
         public void Bit_fields_are_cut_out_and_put_in(string backend)
-            => CheckIntegers(backend, "Fields", (v, o) => new[] { v >> 3 & 31, U((int)(v << 20) >> 25), (v & 0x7F) << 5 | o & 0x1F, HighestBit((int)v) },
+            => CheckIntegers(backend, "Fields", (v, o) => new[] { v >> 3 & 31, U((int)(v << 20) >> 25), (v & 0x7F) << 5 | o & 0x1F, MaxBit((int)v) },
                 0x12345678, 0xABCD, 0xFFFFFFFF, 0, 0x00000FE0, 0x1F, 0x800, 3, 0, 0, 0xFFFFFFFE, 1, 0x40000000, 0);
 
-        static uint HighestBit(int value)
+        static uint MaxBit(int value)
         {
             uint sought = U(value < 0 ? ~value : value);
             return sought == 0 ? ~0u : (uint)Bits(sought).Last();

@@ -222,7 +222,7 @@ namespace Host.Tests
                     times.Update(Time.frameCount);
                 }
                 Assert.That(times.Rows.Select(row => row.Label), Is.SupersetOf(new[] { "Sort", "Neighbor list", "Pressure", "Displacement", "Velocity, smoothing" }).And.No.Member("Vorticity").And.No.Member("Emitters"));
-                Assert.That(times.Rows.Max(row => row.Share), Is.EqualTo(1f));
+                Assert.That(times.Rows.Max(row => row.Fraction), Is.EqualTo(1f));
             }
         }
 
@@ -283,7 +283,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void An_obstacles_handles_are_where_it_is_in_a_scaled_tree()
+        public void A_colliders_handles_are_where_it_is_in_a_scaled_tree()
         {
             var parent = new GameObject("Parent");
             parent.transform.localScale = new Vector3(2f, 4f, 3f);

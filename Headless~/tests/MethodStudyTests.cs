@@ -116,7 +116,7 @@ namespace Host.Tests
 
         [TestCase(0.4f)]
         [TestCase(1f)]
-        public void The_neighbors_mean_is_approached_by_its_share(float share)
+        public void The_neighbors_mean_is_approached_by_its_fraction(float share)
         {
             StepInput input = Still(relaxation: 0f);        // the passes themselves move nothing
             float4[] positions = Cloud(200);

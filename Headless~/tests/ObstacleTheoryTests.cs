@@ -7,7 +7,7 @@ using Rill;
 
 namespace Host.Tests
 {
-    /// <summary>Obstacles against theory, in small, and what judges them; "rill report obstacles" does it at size.</summary>
+    /// <summary>Colliders against theory, in small, and what judges them; "rill report colliders" does it at size.</summary>
     public class ObstacleTheoryTests : GraphicsFixture
     {
         // Deep water: as fast as Torricelli's within 3 % at this size and at twice it. The coefficient is that of a hole of 6 particles.
@@ -110,7 +110,7 @@ namespace Host.Tests
             bucket.Compare(speed, rings);
             Assert.That(bucket.Steepness, Is.EqualTo(share * share).Within(1e-6));
             Assert.That(bucket.OwnSteepness, Is.EqualTo(1).Within(1e-6));
-            Assert.That(bucket.LargestError, Is.EqualTo((1 - share * share) / 2).Within(0.03), "at the wall and in the middle");
+            Assert.That(bucket.MaxError, Is.EqualTo((1 - share * share) / 2).Within(0.03), "at the wall and in the middle");
 
             var level = new RotatingBucket { RestDepth = depth };
             level.Compare(speed, rings.Select(ring => (ring.r, depth, ring.Item3)).ToArray());

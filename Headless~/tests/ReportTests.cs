@@ -91,7 +91,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_page_can_be_written_anew_from_what_lies_beside_it()
+        public void A_page_can_be_written_again_from_what_lies_beside_it()
         {
             foreach (ReportSection section in Three.Take(2))
                 Measure(section);

@@ -166,7 +166,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_barrier_stands_only_between_dispatches_that_share_what_one_of_them_writes()
+        public void A_barrier_stands_only_between_dispatches_that_fraction_what_one_of_them_writes()
         {
             var copy = Kernel(Compute("Copy", 1, @"
                 layout(std430, binding = 0) readonly buffer A { uint a[]; };

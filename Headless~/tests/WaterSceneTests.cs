@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
-    /// <summary>The samples with obstacles, sources and drains, played and held against what their water must do.</summary>
+    /// <summary>The samples with colliders, sources and drains, played and held against what their water must do.</summary>
     public class WaterSceneTests : GraphicsFixture
     {
         const float FrameTime = 1f / 60f;

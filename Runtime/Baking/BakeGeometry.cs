@@ -109,12 +109,12 @@ namespace Rill
         }
 
         /// <summary>All pairs in runs of at most so many.</summary>
-        public IEnumerable<Slice> Slices(int mostPairs)
+        public IEnumerable<Slice> Slices(int maxPairs)
         {
             int low = 0;
-            for (long first = 0; first < PairCount; first += mostPairs)
+            for (long first = 0; first < PairCount; first += maxPairs)
             {
-                int count = (int)Math.Min(mostPairs, PairCount - first);
+                int count = (int)Math.Min(maxPairs, PairCount - first);
                 while (firstPairs[low + 1] <= first)
                     low++;
                 int high = low;

@@ -6,7 +6,7 @@ namespace Rill
     /// <summary>Which triangles of a mesh take part in a bake: those with an area and with vertices that are finite numbers.</summary>
     sealed class BakedTriangles
     {
-        /// <summary>A triangle without area: thinner than this share of its longest edge.</summary>
+        /// <summary>A triangle without area: thinner than this fraction of its longest edge.</summary>
         const double Thinnest = 1e-10;
 
         readonly bool[] takesPart;

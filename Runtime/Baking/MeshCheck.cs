@@ -8,19 +8,19 @@ namespace Rill
     public static class MeshCheck
     {
         /// <summary>Pairs of triangles that are tested for crossing each other at most, unless told otherwise.</summary>
-        public const long MostCrossingTests = 20_000_000;
+        public const long MaxCrossingTests = 20_000_000;
 
         /// <exception cref="ArgumentException">The mesh cannot be read by scripts.</exception>
-        public static MeshReport Run(Mesh mesh, long mostCrossingTests = MostCrossingTests) => Run(TriangleMesh.Of(mesh), mostCrossingTests);
+        public static MeshReport Run(Mesh mesh, long maxCrossingTests = MaxCrossingTests) => Run(TriangleMesh.Of(mesh), maxCrossingTests);
 
-        /// <param name="mostCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
-        public static MeshReport Run(TriangleMesh mesh, long mostCrossingTests = MostCrossingTests) => Run(mesh, mostCrossingTests, null);
+        /// <param name="maxCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
+        public static MeshReport Run(TriangleMesh mesh, long maxCrossingTests = MaxCrossingTests) => Run(mesh, maxCrossingTests, null);
 
         /// <summary>The same on any thread, with progress.</summary>
-        /// <param name="mostCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
+        /// <param name="maxCrossingTests">Bounds the time for meshes whose triangles crowd; 0 looks for no crossings.</param>
         /// <param name="progress">Told the fraction that is done, 0 to 1, and the stage, and asked whether to go on. Null for none.</param>
         /// <returns>Null if it was cancelled.</returns>
-        public static MeshReport Run(TriangleMesh mesh, long mostCrossingTests, Func<float, string, bool> progress)
+        public static MeshReport Run(TriangleMesh mesh, long maxCrossingTests, Func<float, string, bool> progress)
         {
             const float EdgesFraction = 0.3f;
             if (mesh == null)
@@ -32,7 +32,7 @@ namespace Rill
             foreach (Vector3 vertex in mesh.Vertices)
                 nonFinite += math.all(math.isfinite((float3)vertex)) ? 0 : 1;
             bool GoOn(float fraction) => progress == null || progress(EdgesFraction + (1f - EdgesFraction) * fraction, "Looking for triangles that cross");
-            SelfIntersections.Count? crossing = SelfIntersections.Find(edges, mostCrossingTests, GoOn);
+            SelfIntersections.Count? crossing = SelfIntersections.Find(edges, maxCrossingTests, GoOn);
             return crossing == null ? null : new MeshReport(mesh, edges, nonFinite, crossing.Value);
         }
     }

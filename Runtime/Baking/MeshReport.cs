@@ -7,11 +7,11 @@ namespace Rill
     /// <summary>What a <see cref="MeshCheck"/> found, in numbers and in words.</summary>
     public sealed class MeshReport
     {
-        /// <summary>Holes of more than this share of the whole surface make a mesh an open surface.</summary>
-        public const double LargestHoleShare = 0.1;
+        /// <summary>Holes of more than this fraction of the whole surface make a mesh an open surface.</summary>
+        public const double MaxHoleFraction = 0.1;
 
-        // A volume below this share of the area's power 3/2 is none: both sides of a sheet.
-        const double LeastVolume = 1e-6;
+        // A volume below this fraction of the area's power 3/2 is none: both sides of a sheet.
+        const double MinVolume = 1e-6;
 
         internal MeshReport(TriangleMesh mesh, MeshEdges edges, int nonFiniteVertices, in SelfIntersections.Count intersections)
         {
@@ -34,7 +34,7 @@ namespace Rill
             Area = edges.Triangles.Area;
             Bounds = edges.Triangles.Bounds;
             SignedVolume = edges.SignedVolume;
-            HoleShare = HoleShareOf(edges);
+            HoleFraction = HoleFractionOf(edges);
             Sign = SignOf(edges);
             Problem = ProblemOf(edges.Triangles);
             Texts = Tell();
@@ -64,8 +64,8 @@ namespace Rill
         /// <summary>Loops of boundary edges; loops that touch in a vertex are one.</summary>
         public int Holes { get; }
 
-        /// <summary>Area of flat covers over the holes as a share of the whole surface with them; 0 for a closed mesh.</summary>
-        public double HoleShare { get; }
+        /// <summary>Area of flat covers over the holes as a fraction of the whole surface with them; 0 for a closed mesh.</summary>
+        public double HoleFraction { get; }
 
         /// <summary>Edges that more than two triangles share.</summary>
         public int NonManifoldEdges { get; }
@@ -107,11 +107,11 @@ namespace Rill
 
         internal static MeshSdfSign SignOf(MeshEdges edges)
         {
-            bool hasVolume = System.Math.Abs(edges.SignedVolume) > LeastVolume * System.Math.Pow(edges.Triangles.Area, 1.5);
-            return HoleShareOf(edges) <= LargestHoleShare && hasVolume ? MeshSdfSign.WindingNumber : MeshSdfSign.OpenShell;
+            bool hasVolume = System.Math.Abs(edges.SignedVolume) > MinVolume * System.Math.Pow(edges.Triangles.Area, 1.5);
+            return HoleFractionOf(edges) <= MaxHoleFraction && hasVolume ? MeshSdfSign.WindingNumber : MeshSdfSign.OpenShell;
         }
 
-        static double HoleShareOf(MeshEdges edges) => edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Triangles.Area) : 0;
+        static double HoleFractionOf(MeshEdges edges) => edges.HoleArea > 0 ? edges.HoleArea / (edges.HoleArea + edges.Triangles.Area) : 0;
 
         /// <summary>Why triangles cannot be baked; null if they can.</summary>
         internal static string ProblemOf(BakedTriangles triangles)
@@ -150,11 +150,11 @@ namespace Rill
             if (NonManifoldEdges > 0)
                 texts.Add($"{Number(NonManifoldEdges)} edges have more than two triangles: the winding number copes with them; parts that meet there are not compared.");
             if (Sign == MeshSdfSign.OpenShell)
-                texts.Add(HoleShare > 0
-                    ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleShare)} of the surface: baked as an open shell of a thickness. To close the holes instead, set the sign to winding number."
+                texts.Add(HoleFraction > 0
+                    ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: baked as an open shell of a thickness. To close the holes instead, set the sign to winding number."
                     : "The mesh has no volume: baked as an open shell of a thickness.");
             else if (BoundaryEdges > 0)
-                texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleShare)} of the surface: closed smoothly. To keep the surface open, set the sign to open shell.");
+                texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: closed smoothly. To keep the surface open, set the sign to open shell.");
             if (SelfIntersections > 0)
                 texts.Add($"{Number(SelfIntersections)} pairs of triangles cross each other: inside is what is inside of any part, but the distance there is to the nearest triangle, even one that lies inside.");
             if (SelfIntersectionsChecked < 1f)
@@ -163,6 +163,6 @@ namespace Rill
         }
 
         static string Number(int value) => value.ToString("N0", CultureInfo.InvariantCulture);
-        static string Percent(double share) => (100 * share).ToString("0.#", CultureInfo.InvariantCulture) + " %";
+        static string Percent(double fraction) => (100 * fraction).ToString("0.#", CultureInfo.InvariantCulture) + " %";
     }
 }

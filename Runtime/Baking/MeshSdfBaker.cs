@@ -156,7 +156,7 @@ namespace Rill
         }
 
         /// <summary>Bakes all submeshes of a mesh and waits for the result: a tool, not for a frame of a game.</summary>
-        /// <param name="progress">Told the share that is done and the stage, and asked whether to go on; null for neither.</param>
+        /// <param name="progress">Told the fraction that is done and the stage, and asked whether to go on; null for neither.</param>
         /// <returns>Null if it was cancelled.</returns>
         public static SdfBake Bake(Mesh mesh, in MeshSdfSettings settings, Func<float, string, bool> progress = null) => Bake(TriangleMesh.Of(mesh), settings, progress);
 
@@ -287,7 +287,7 @@ namespace Rill
         void Finish()
         {
             if (readback.hasError)
-                throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake anew, with fewer voxels if it happens again.");
+                throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake again, with fewer voxels if it happens again.");
             NativeArray<float> arrived = arriving;
             var distances = new float[arrived.Length];
             Chunks.Run(distances.Length, (chunk, first, end) => NativeArray<float>.Copy(arrived, first, distances, first, end - first));

@@ -20,7 +20,7 @@ namespace Rill
 
             Problem = null;
             int largest = Mathf.Max(Resolution.x, Mathf.Max(Resolution.y, Resolution.z));
-            int most = Mathf.Min(MeshSdfSettings.MostResolution, SystemInfo.maxTexture3DSize);
+            int most = Mathf.Min(MeshSdfSettings.MaxResolution, SystemInfo.maxTexture3DSize);
             long bytes = TotalBytes, cap = settings.memoryCap * 1024L * 1024L;
             string size = $"{Resolution.x} x {Resolution.y} x {Resolution.z} voxels of {VoxelSize} m";
             if (!(VoxelSize > 0f))
@@ -29,10 +29,10 @@ namespace Rill
                 Problem = $"{size} are more than {most} a side: use larger voxels or a lower resolution.";
             else if (bytes > cap)
                 Problem = $"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger voxels or a lower resolution, or raise the cap.";
-            else if (grid.VoxelCount * sizeof(uint) > GpuBuffer.LargestBinding)
-                Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds {Mega(GpuBuffer.LargestBinding)} MiB: use larger voxels or a lower resolution.";
-            else if ((long)triangles * MeshSdfPasses.BytesOfTriangle > GpuBuffer.LargestBinding)
-                Problem = $"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} MiB, but this device binds {Mega(GpuBuffer.LargestBinding)} MiB: bake a mesh of fewer triangles.";
+            else if (grid.VoxelCount * sizeof(uint) > GpuBuffer.MaxBinding)
+                Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds {Mega(GpuBuffer.MaxBinding)} MiB: use larger voxels or a lower resolution.";
+            else if ((long)triangles * MeshSdfPasses.BytesOfTriangle > GpuBuffer.MaxBinding)
+                Problem = $"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} MiB, but this device binds {Mega(GpuBuffer.MaxBinding)} MiB: bake a mesh of fewer triangles.";
         }
 
         /// <summary>Voxels along each axis.</summary>

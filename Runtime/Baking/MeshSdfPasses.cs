@@ -12,7 +12,7 @@ namespace Rill
     {
         // Threads of every kernel; kGroup in MeshSdf.compute.
         const int Group = 64;
-        const int MostGroups = 65535;
+        const int MaxGroups = 65535;
 
         /// <summary>Of the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
         public static int BytesOfTriangle => UnsafeUtility.SizeOf<PackedTriangle>();
@@ -280,7 +280,7 @@ namespace Rill
         void Run(int kernel, long groups, ProfilerMarker marker)
         {
             cmd.BeginSample(marker);
-            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, MostGroups), (int)((groups + MostGroups - 1) / MostGroups), 1);
+            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, MaxGroups), (int)((groups + MaxGroups - 1) / MaxGroups), 1);
             cmd.EndSample(marker);
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();

@@ -7,8 +7,8 @@ namespace Rill
     [Serializable]
     public struct MeshSdfSettings
     {
-        public const int LeastResolution = 8, MostResolution = 1024;
-        public const int MostPadding = 64;
+        public const int MinResolution = 8, MaxResolution = 1024;
+        public const int MaxPadding = 64;
 
         /// <summary>Edge of a voxel, m. 0: from the resolution.</summary>
         [Tooltip("Edge of a voxel, m. 0: from the resolution.")]
@@ -16,11 +16,11 @@ namespace Rill
 
         /// <summary>Voxels along the longest axis, padding included, where no voxel size is given. 8 to 1024.</summary>
         [Tooltip("Voxels along the longest axis, padding included, where no voxel size is given. 8 to 1024.")]
-        [Range(LeastResolution, MostResolution)] public int resolution;
+        [Range(MinResolution, MaxResolution)] public int resolution;
 
         /// <summary>Voxels around the mesh on every side. 1 to 64.</summary>
         [Tooltip("Voxels around the mesh on every side. 1 to 64.")]
-        [Range(1, MostPadding)] public int padding;
+        [Range(1, MaxPadding)] public int padding;
 
         /// <summary>Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.</summary>
         [Tooltip("Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.")]
@@ -54,10 +54,10 @@ namespace Rill
             problem = null;
             if (!IsFinite(voxelSize) || voxelSize < 0f)
                 Limit.Append(ref problem, $"Voxel size {voxelSize} m must be above 0, or 0 to take it from the resolution.");
-            if (resolution < LeastResolution || resolution > MostResolution)
-                Limit.Append(ref problem, $"Resolution {resolution} is outside {LeastResolution} to {MostResolution}: set it within.");
-            if (padding < 1 || padding > MostPadding)
-                Limit.Append(ref problem, $"Padding {padding} is outside 1 to {MostPadding} voxels: set it within.");
+            if (resolution < MinResolution || resolution > MaxResolution)
+                Limit.Append(ref problem, $"Resolution {resolution} is outside {MinResolution} to {MaxResolution}: set it within.");
+            if (padding < 1 || padding > MaxPadding)
+                Limit.Append(ref problem, $"Padding {padding} is outside 1 to {MaxPadding} voxels: set it within.");
             if (memoryCap < 1)
                 Limit.Append(ref problem, $"Memory cap {memoryCap} MiB must be at least 1.");
             if (!IsFinite(shellThickness) || shellThickness < 0f)

@@ -17,16 +17,16 @@ namespace Rill
             /// <summary>Share of the grid's cells that were looked through before the limit, 0 to 1.</summary>
             public readonly float Checked;
 
-            public Count(int pairs, float checkedShare) => (Pairs, Checked) = (pairs, checkedShare);
+            public Count(int pairs, float checkedFraction) => (Pairs, Checked) = (pairs, checkedFraction);
         }
 
-        const int MostCellsAcross = 128;
+        const int MaxCellsAcross = 128;
         const int CellsBetweenLooks = 1024;
 
-        /// <param name="mostTests">Pairs of triangles that are tested at most, and entries of the grid.</param>
+        /// <param name="maxTests">Pairs of triangles that are tested at most, and entries of the grid.</param>
         /// <param name="goOn">Told the fraction that is done, and asked whether to go on.</param>
         /// <returns>Null if it was cancelled.</returns>
-        public static Count? Find(MeshEdges edges, long mostTests, Func<float, bool> goOn)
+        public static Count? Find(MeshEdges edges, long maxTests, Func<float, bool> goOn)
         {
             BakedTriangles triangles = edges.Triangles;
             TriangleMesh mesh = triangles.Mesh;
@@ -47,14 +47,14 @@ namespace Rill
             }
 
             // Some triangles a cell of the surface.
-            int across = math.clamp((int)math.sqrt(taking / 4f), 1, MostCellsAcross);
+            int across = math.clamp((int)math.sqrt(taking / 4f), 1, MaxCellsAcross);
             float cell = math.max(math.cmax(to - from) / across, float.Epsilon);
             int3 cells = math.clamp((int3)math.ceil((to - from) / cell), 1, across);
 
             var inCell = new List<int>[cells.x * cells.y * cells.z];
             long entries = 0;
             int entered = 0, last = 0;
-            for (; last < count && entries < mostTests; last++)
+            for (; last < count && entries < maxTests; last++)
             {
                 if (!triangles.TakesPart(last))
                     continue;
@@ -71,13 +71,13 @@ namespace Rill
 
             int crossing = 0, looked = 0;
             long tests = 0;
-            for (; looked < inCell.Length && tests < mostTests; looked++)
+            for (; looked < inCell.Length && tests < maxTests; looked++)
             {
-                if (looked % CellsBetweenLooks == 0 && !goOn(math.max((float)looked / inCell.Length, tests / (float)mostTests)))
+                if (looked % CellsBetweenLooks == 0 && !goOn(math.max((float)looked / inCell.Length, tests / (float)maxTests)))
                     return null;
                 List<int> here = inCell[looked];
                 for (int i = 0; here != null && i < here.Count; i++)
-                    for (int j = i + 1; j < here.Count && tests < mostTests; j++, tests++)
+                    for (int j = i + 1; j < here.Count && tests < maxTests; j++, tests++)
                     {
                         int a = here[i], b = here[j];
                         if (math.any(low[a] > high[b]) || math.any(low[b] > high[a]) || ShareVertex(edges, a, b))

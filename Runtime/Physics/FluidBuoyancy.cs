@@ -19,7 +19,7 @@ namespace Rill
     {
         const float PatienceTime = 5f;          // s without a fluid before that is said
 
-        [Tooltip("Mass of water that the body is computed to carry along, as a share of the water that it displaces. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
+        [Tooltip("Mass of water that the body is computed to carry along, as a fraction of the water that it displaces. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
         [Range(0.25f, 16f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
@@ -37,7 +37,7 @@ namespace Rill
         bool measuredBefore, problemIsKnown;
         string clamped;         // what the newest validation changed
 
-        /// <summary>Mass of water that the body is computed to carry along, as a share of the water that it displaces, 0.25 to 16.</summary>
+        /// <summary>Mass of water that the body is computed to carry along, as a fraction of the water that it displaces, 0.25 to 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
 
         /// <summary>Share of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
@@ -47,7 +47,7 @@ namespace Rill
         public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
 
         /// <summary>Share of the body that was under water in the newest steps that are known, 0 to 1.</summary>
-        public float SubmergedShare => response.Share;
+        public float SubmergedFraction => response.Fraction;
 
         /// <summary>Clamps what is out of range.</summary>
         /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>

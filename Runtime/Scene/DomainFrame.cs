@@ -36,10 +36,10 @@ namespace Rill
         /// <summary>A pose of the domain's frame in world space, m.</summary>
         public RigidPose World(in RigidPose pose) => new RigidPose((float3)(position + toWorld * (pose.position * spacing - half)), toWorld * pose.rotation);
 
-        public PlaceInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
+        public PoseInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
         {
             Quaternion rotation = Rotation(worldRotation);
-            return new PlaceInDomain
+            return new PoseInDomain
             {
                 position = Point(worldPosition),
                 axisX = rotation * Vector3.right,
@@ -50,7 +50,7 @@ namespace Rill
     }
 
     /// <summary>Where an object is in a domain, d, and which way its axes point there.</summary>
-    struct PlaceInDomain
+    struct PoseInDomain
     {
         public float3 position, axisX, axisY, axisZ;
     }

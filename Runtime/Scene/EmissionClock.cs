@@ -20,7 +20,7 @@ namespace Rill
         public long Due { get; private set; }
 
         /// <summary>The particles that become due in one step.</summary>
-        public struct Share
+        public struct Fraction
         {
             public int due;
             /// <summary>Number of the first, from 0.</summary>
@@ -38,7 +38,7 @@ namespace Rill
         /// <param name="until">Time at which it ends, s; may be infinite.</param>
         /// <param name="particleVolume">m³, above 0.</param>
         /// <param name="most">Particles of a step; what is beyond is due in the next.</param>
-        public Share Advance(double step, double rate, double from, double until, double particleVolume, int most)
+        public Fraction Advance(double step, double rate, double from, double until, double particleVolume, int most)
         {
             double start = Time, end = Time + step;
             Time = end;
@@ -49,13 +49,13 @@ namespace Rill
             long dueBefore = Due;
             double whole = Math.Floor(volume / particleVolume + Tolerance);
             Due = (long)Math.Min(whole, dueBefore + (double)most);
-            var share = new Share { due = (int)(Due - dueBefore), first = dueBefore };
-            if (share.due > 0 && rate > 0.0)
+            var fraction = new Fraction { due = (int)(Due - dueBefore), first = dueBefore };
+            if (fraction.due > 0 && rate > 0.0)
             {
-                share.firstAge = (float)(end - ends + (volume - (dueBefore + 1) * particleVolume) / rate);
-                share.interval = (float)(particleVolume / rate);
+                fraction.firstAge = (float)(end - ends + (volume - (dueBefore + 1) * particleVolume) / rate);
+                fraction.interval = (float)(particleVolume / rate);
             }
-            return share;
+            return fraction;
         }
     }
 }

@@ -18,12 +18,12 @@ namespace Rill
         public const float DefaultMaxAcceleration = 100f;       // m/s²
         const float AddedMass = 0.5f;           // of the displaced water: a ball's far from walls (Lamb 1932, art. 92)
         const float TurnDamping = 3f;           // of turns over that of heave: moments on few cells are noisy
-        const float MostPropulsion = 1.1f;      // of the buoyancy
-        const float Certain = 0.95f;            // a share under water above this is all, and below the rest of it none
-        const float LevelRate = 0.1f;           // share of a newly found level that is taken at a step
+        const float MaxPropulsion = 1.1f;      // of the buoyancy
+        const float Certain = 0.95f;            // a fraction under water above this is all, and below the rest of it none
+        const float LevelRate = 0.1f;           // fraction of a newly found level that is taken at a step
 
         ColliderMotion shape;                   // where the body is now
-        float volume, mass, step, virtualShare, damping;        // m³, kg, s
+        float volume, mass, step, virtualFraction, damping;        // m³, kg, s
         Vector3 velocity, angularVelocity;      // m/s, rad/s
         Vector3 force, torque;                  // N; about the middle of the shape, N m
         float resistance;                       // against slip, kg/s
@@ -34,7 +34,7 @@ namespace Rill
         bool levelIsKnown;
 
         /// <summary>Of the body under water, 0 to 1.</summary>
-        public float Share { get; private set; }
+        public float Fraction { get; private set; }
 
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
@@ -60,12 +60,12 @@ namespace Rill
             Tune(DefaultVirtualMass, DefaultDamping);
         }
 
-        /// <param name="virtualMassShare">Of the displaced water.</param>
-        /// <param name="dampingShare">Of the critical damping.</param>
-        public void Tune(float virtualMassShare, float dampingShare)
+        /// <param name="virtualMassFraction">Of the displaced water.</param>
+        /// <param name="dampingFraction">Of the critical damping.</param>
+        public void Tune(float virtualMassFraction, float dampingFraction)
         {
-            virtualShare = virtualMassShare;
-            damping = dampingShare;
+            virtualFraction = virtualMassFraction;
+            damping = dampingFraction;
         }
 
         /// <summary>Adds what one fluid did.</summary>
@@ -77,23 +77,23 @@ namespace Rill
             memory = part.Motion.Memory;
             float displaced = density * volume;     // kg
             float g = gravity.magnitude;
-            float share = SubmergedShare(part, displaced, gravity, g);
+            float fraction = SubmergedFraction(part, displaced, gravity, g);
             Vector3 push = part.Force;
             Vector3 moment = shape.shape != ColliderShape.Sphere || shape.friction > 0f ? part.Torque : Vector3.zero;      // pressure cannot turn a ball
             if (g > 0f)
             {
                 Vector3 up = gravity / -g;
-                share = BringUpToDate(part.Motion, displaced * g, up, share, ref push, ref moment);
-                LimitPropulsion(displaced * g * share, ref push);
-                Damp(displaced, g, up, share, ref push, ref moment);
+                fraction = BringUpToDate(part.Motion, displaced * g, up, fraction, ref push, ref moment);
+                LimitPropulsion(displaced * g * fraction, ref push);
+                Damp(displaced, g, up, fraction, ref push, ref moment);
             }
             force += push;
             torque += moment;
-            float resists = virtualShare * displaced * share / memory;
+            float resists = virtualFraction * displaced * fraction / memory;
             resistance += resists;
             slowed += resists * part.Motion.Slip;
             turnSlowed += resists * part.Motion.AngularSlip;
-            Share = math.min(Share + share, 1f);
+            Fraction = math.min(Fraction + fraction, 1f);
         }
 
         /// <summary>Torque of the fluid, N m.</summary>
@@ -104,7 +104,7 @@ namespace Rill
         /// <param name="limit">Largest acceleration by the fluid, m/s².</param>
         public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
         {
-            float mean = memory > 0f ? SlipVelocity.MeanShare(step, memory) : 0f;
+            float mean = memory > 0f ? SlipVelocity.MeanFraction(step, memory) : 0f;
             float inverse = 1f / (mass + resistance * mean * step);
             acceleration = (force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now) * inverse;
             acceleration = gravity + Limited(acceleration - gravity, limit);
@@ -113,46 +113,46 @@ namespace Rill
         }
 
         // Against the weight of the water in the body's place, less what the slip took off.
-        float SubmergedShare(in FluidForce part, float displaced, Vector3 gravity, float g)
+        float SubmergedFraction(in FluidForce part, float displaced, Vector3 gravity, float g)
         {
-            Vector3 whole = gravity + virtualShare / memory * part.Motion.Slip;
+            Vector3 whole = gravity + virtualFraction / memory * part.Motion.Slip;
             float square = math.max(whole.sqrMagnitude, 0.0625f * g * g);
             return square > 0f ? math.saturate(-Vector3.Dot(part.Force, whole) / (displaced * square)) : part.Force == Vector3.zero ? 0f : 1f;
         }
 
-        // By the rise and the tilt since, of a prism as high and as large as the body. Returns the share under water now.
-        float BringUpToDate(in ObstacleMotion since, float weight, Vector3 up, float share, ref Vector3 push, ref Vector3 moment)
+        // By the rise and the tilt since, of a prism as high and as large as the body. Returns the fraction under water now.
+        float BringUpToDate(in RelativeMotion since, float weight, Vector3 up, float fraction, ref Vector3 push, ref Vector3 moment)
         {
             float height = ColliderMeasures.Width(shape, up);
             float then = Vector3.Dot(since.Position, up);
-            FindLevel(then, height, share);
+            FindLevel(then, height, fraction);
             if (levelIsKnown)
             {
-                share = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
-                push += up * (weight * (share - Wet(then, height)));
+                fraction = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
+                push += up * (weight * (fraction - Wet(then, height)));
             }
 
             Vector3 turn = ColliderTrack.RotationVector(since.Rotation, shape.end.rotation);
             turn -= up * Vector3.Dot(turn, up);
             float angle = turn.magnitude;
             if (shape.shape == ColliderShape.Sphere || angle < 1e-6f)
-                return share;
+                return fraction;
             // Second moment of the waterline's area about the axis of the turn, as of a rectangle.
             float width = ColliderMeasures.Width(shape, Vector3.Cross(up, turn / angle));
-            float pierces = math.saturate(8f * math.min(share, 1f - share));
+            float pierces = math.saturate(8f * math.min(fraction, 1f - fraction));
             moment -= turn * (weight / height * width * width / 12f * pierces);
-            return share;
+            return fraction;
         }
 
         // The water's height, from a body that pierces it; what is all in or out of the water only bounds it. Filtered: the
         // force tells of more than the draft.
-        void FindLevel(float middle, float height, float share)
+        void FindLevel(float middle, float height, float fraction)
         {
             float bottom = middle - 0.5f * height, top = middle + 0.5f * height;
-            bool pierces = share > 1f - Certain && share < Certain;
+            bool pierces = fraction > 1f - Certain && fraction < Certain;
             if (!pierces && !levelIsKnown)
                 return;
-            float found = pierces ? bottom + share * height : share >= Certain ? math.max(level, top) : math.min(level, bottom);
+            float found = pierces ? bottom + fraction * height : fraction >= Certain ? math.max(level, top) : math.min(level, bottom);
             level = levelIsKnown ? math.lerp(level, found, LevelRate) : found;
             levelIsKnown = true;
         }
@@ -166,18 +166,18 @@ namespace Rill
             float speed = velocity.magnitude;
             if (speed < Slow)
                 return;
-            Vector3 way = velocity / speed;
-            push -= way * math.max(Vector3.Dot(push, way) - MostPropulsion * buoyancy, 0f);
+            Vector3 path = velocity / speed;
+            push -= path * math.max(Vector3.Dot(push, path) - MaxPropulsion * buoyancy, 0f);
         }
 
-        // Heave and turns, by a share of the critical damping of a prism of the body's height and volume.
-        void Damp(float displaced, float g, Vector3 up, float share, ref Vector3 push, ref Vector3 moment)
+        // Heave and turns, by a fraction of the critical damping of a prism of the body's height and volume.
+        void Damp(float displaced, float g, Vector3 up, float fraction, ref Vector3 push, ref Vector3 moment)
         {
             float height = ColliderMeasures.Width(shape, up);
             float area = volume / height;
-            float carrying = mass + AddedMass * displaced * share;
+            float carrying = mass + AddedMass * displaced * fraction;
             float stiffness = displaced * g / height;
-            float strength = 2f * damping * math.saturate(4f * share);
+            float strength = 2f * damping * math.saturate(4f * fraction);
             push -= up * (strength * math.sqrt(stiffness * carrying) * Vector3.Dot(velocity, up));
             moment -= angularVelocity * (strength * TurnDamping / 12f * math.sqrt(stiffness * area * carrying * (area + height * height)));
         }

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// A solid obstacle for every <see cref="FluidSimulation"/> whose box it reaches into. It follows its object: what moves between
+    /// A solid collider for every <see cref="FluidSimulation"/> whose box it reaches into. It follows its object: what moves between
     /// two steps sweeps the water along, however fast; what is switched on where water is lets it out slowly.
     /// </summary>
     /// <remarks>
@@ -16,7 +16,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Collider")]
     public sealed class FluidCollider : MonoBehaviour, IHasProblems, IUsesStages
     {
-        [Tooltip("What the obstacle looks like to the water.")]
+        [Tooltip("What the collider looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
 
         [Tooltip("Middle of the shape in the object's frame, m. Not for a mesh, whose field has its place.")]
@@ -43,12 +43,12 @@ namespace Rill
 
         [Tooltip("Share of the velocity into the surface that is given back. 0 to 1.")]
         [Range(0f, 1f)]
-        [SerializeField] float bounce;
+        [SerializeField] float bounciness;
 
         [Tooltip("Whether the solid counts as water to the density of what touches it. Without, water thins out towards the surface.")]
-        [SerializeField] bool carriesDensity = true;
+        [SerializeField] bool contributesDensity = true;
 
-        [Tooltip("Whether what the water does to the obstacle is summed and brought back, a few frames late. Costs a little where on.")]
+        [Tooltip("Whether what the water does to the collider is summed and brought back, a few frames late. Costs a little where on.")]
         [SerializeField] bool measuresForce;
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
@@ -64,7 +64,7 @@ namespace Rill
         bool problemIsKnown;
         string clamped;     // what the newest validation changed
 
-        /// <summary>Shape of the obstacle.</summary>
+        /// <summary>Shape of the collider.</summary>
         public ColliderShape Shape { get => shape; set => shape = value; }
 
         /// <summary>Middle of the shape in the object's frame, m.</summary>
@@ -92,19 +92,19 @@ namespace Rill
         public float Friction { get => friction; set { friction = value; OnValidate(); } }
 
         /// <summary>Share of the velocity into the surface that is given back, 0 to 1.</summary>
-        public float Bounce { get => bounce; set { bounce = value; OnValidate(); } }
+        public float Bounciness { get => bounciness; set { bounciness = value; OnValidate(); } }
 
         /// <summary>Whether the solid counts as water to the density of what touches it.</summary>
-        public bool CarriesDensity { get => carriesDensity; set => carriesDensity = value; }
+        public bool ContributesDensity { get => contributesDensity; set => contributesDensity = value; }
 
-        /// <summary>Whether what the water does to the obstacle is summed and brought back.</summary>
+        /// <summary>Whether what the water does to the collider is summed and brought back.</summary>
         public bool MeasuresForce { get => measuresForce; set => measuresForce = value; }
 
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
-        public Vector3 Middle => shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
+        public Vector3 WorldCenter => shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
 
-        /// <summary>What all simulations did to the obstacle in the newest steps that are known, a few frames ago.</summary>
+        /// <summary>What all simulations did to the collider in the newest steps that are known, a few frames ago.</summary>
         /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place, upwards.</param>
         /// <param name="torque">Mean torque about <see cref="Middle"/>, N m.</param>
         /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off.</returns>
@@ -135,7 +135,7 @@ namespace Rill
         }
 
         /// <summary>Takes a new result of a simulation in place of its last.</summary>
-        internal void Feel(in FluidForce force)
+        internal void SetForce(in FluidForce force)
         {
             for (int i = 0; i < forces.Count; i++)
             {
@@ -164,11 +164,11 @@ namespace Rill
             Limit.Finite("center", ref center, Vector3.zero, ref problem);
             Limit.Finite("size", ref size, Vector3.one, ref problem);
             Limit.Clamp("friction", ref friction, 0f, 1f, 0f, ref problem);
-            Limit.Clamp("bounce", ref bounce, 0f, 1f, 0f, ref problem);
+            Limit.Clamp("bounciness", ref bounciness, 0f, 1f, 0f, ref problem);
             return problem == null;
         }
 
-        /// <summary>Shape and place now, in world space and metres; false, said once, where they make no obstacle.</summary>
+        /// <summary>Shape and place now, in world space and metres; false, said once, where they make no collider.</summary>
         /// <param name="motion">Its poses are both the present one.</param>
         internal bool TryDescribe(out ColliderMotion motion)
         {
@@ -185,13 +185,13 @@ namespace Rill
         }
 
         /// <summary>As <see cref="TryDescribe"/>, without saying anything.</summary>
-        /// <returns>Why it is no obstacle; null where it is one.</returns>
+        /// <returns>Why it is no collider; null where it is one.</returns>
         internal string Describe(out ColliderMotion motion)
         {
             string problem = FollowTransform();
             RigidPose pose = new RigidPose(PointOf(center), lastRotation);
             float evenScale = math.cmax(lastScale);
-            motion = new ColliderMotion { shape = shape, friction = friction, bounce = bounce, insideOut = insideOut, carriesDensity = carriesDensity, reacts = measuresForce };
+            motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = measuresForce };
             switch (shape)
             {
                 case ColliderShape.Sphere:
@@ -248,7 +248,7 @@ namespace Rill
         {
             Vector3 position = transform.position, scale = transform.lossyScale;
             Quaternion rotation = transform.rotation;
-            if (!Limit.IsPlace(position, rotation) || !math.all(math.isfinite((float3)scale)))
+            if (!Limit.IsPose(position, rotation) || !math.all(math.isfinite((float3)scale)))
                 return $"its transform is not finite (position {position}, rotation {rotation}, scale {scale}). Set them to numbers.";
             lastPosition = position;
             lastRotation = rotation;
@@ -287,7 +287,7 @@ namespace Rill
             motion.size = heights.Extents;
             motion.fieldUnit = 1f;
             motion.field = heights.Texture;
-            motion.leastShare = heights.LeastShare;
+            motion.minFraction = heights.MinFraction;
             motion.insideOut = false;
             return null;
         }
@@ -302,6 +302,6 @@ namespace Rill
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        static void ForgetAll() => enabledColliders = new List<FluidCollider>();
+        static void ResetStatics() => enabledColliders = new List<FluidCollider>();
     }
 }

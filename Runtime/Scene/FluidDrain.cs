@@ -10,7 +10,7 @@ namespace Rill
     /// <summary>Takes the fluid out of a volume of a <see cref="FluidSimulation"/>, for good or to where an emitter lets it in again.</summary>
     /// <remarks>
     /// Looks at the particles at the start of every fixed step, and at the way that each came in the step before: what crosses it
-    /// within one step is taken too, however thin it is and while it moves. The way is the velocity's, which contacts with obstacles
+    /// within one step is taken too, however thin it is and while it moves. The way is the velocity's, which contacts with colliders
     /// change: a particle that bounces counts as come from behind the surface, up to a step's way deep, and one that friction slows
     /// counts as come from nearer by as much. Keep a drain further than that from the back of a thin plate that bounces, and
     /// let one that stands on a floor with friction be thicker than friction times the way of a step.
@@ -48,7 +48,7 @@ namespace Rill
         /// <summary>Emitter of the same fluid that lets the particles in again; null for none.</summary>
         public FluidEmitter RecycleTo { get => recycleTo; set => recycleTo = value; }
 
-        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago. Begins anew when this is disabled.</summary>
+        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago. Begins again when this is disabled.</summary>
         public int Drained => Simulation != null && Number >= 0 ? Simulation.DrainedCount(Number) : 0;
 
         internal override void OnRestart()

@@ -24,16 +24,16 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// A particle due is put where it would have got to by the end of the step, unless the fluid there is at rest density: then it
-    /// waits, as it does where an obstacle lies there or before it, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
+    /// waits, as it does where a collider lies there or before it, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Emitter")]
     public sealed class FluidEmitter : FluidPart
     {
         const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;
-        const float LongestWait = 1f;           // s
-        const float LeastSpeed = 0.01f, MostSpeed = 1000f, MostRate = 1e6f;
-        const float MostLifetime = 86400f;      // s: fits the steps that a tag holds
+        const float MaxWait = 1f;           // s
+        const float MinSpeed = 0.01f, MaxSpeed = 1000f, MaxRate = 1e6f;
+        const float MaxLifetime = 86400f;      // s: fits the steps that a tag holds
 
         [Tooltip("Where the fluid comes from: a box, sphere or disc around this object, or the surface of a mesh along its normals.")]
         [SerializeField] EmitterShape shape = EmitterShape.Disc;
@@ -65,7 +65,7 @@ namespace Rill
         [SerializeField] float inheritVelocity = 1f;
 
         [Tooltip("Whether it begins by itself, with the fluid.")]
-        [SerializeField] bool startsItself = true;
+        [SerializeField] bool playOnEnable = true;
 
         [Tooltip("Fluid time from its start until it lets fluid in, s. 0 or more.")]
         [SerializeField] float delay;
@@ -81,9 +81,9 @@ namespace Rill
         [SerializeField] float lifetime;
 
         EmissionClock clock;
-        EmitterPlaces places;
+        EmitterPositions places;
         PlacesKey placesKey;
-        string placesProblem;
+        string positionsProblem;
         bool isOn;
         bool saysLast;              // one step after the last tells the GPU that nothing waits any more
         int searchSteps;            // until every place was tried
@@ -113,7 +113,7 @@ namespace Rill
         /// <remarks>1 by default: as from a real nozzle, whose jet leaves at rest density however it moves.</remarks>
         public float InheritVelocity { get => inheritVelocity; set { inheritVelocity = value; Validate(); } }
         /// <summary>Whether it begins by itself, with the fluid.</summary>
-        public bool StartsItself { get => startsItself; set => startsItself = value; }
+        public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
         /// <summary>Fluid time from its start until it lets fluid in, s.</summary>
         public float Delay { get => delay; set { delay = value; Validate(); } }
         /// <summary>Fluid time during which it lets fluid in, s; 0 for ever.</summary>
@@ -143,7 +143,7 @@ namespace Rill
         /// <summary>Particles that the simulation's capacity did not hold since its start, as far as the GPU has told.</summary>
         public int Refused => Count(EmitterStates.Word.Refused);
 
-        /// <summary>Lets fluid in from now on, after the delay and for the duration. Begins anew if it runs.</summary>
+        /// <summary>Lets fluid in from now on, after the delay and for the duration. Begins again if it runs.</summary>
         public void StartEmission()
         {
             clock = default;
@@ -157,7 +157,7 @@ namespace Rill
         {
             base.OnRestart();
             clock = default;
-            isOn = startsItself;
+            isOn = playOnEnable;
             takenAlong = float3.zero;
         }
 
@@ -173,12 +173,12 @@ namespace Rill
             takenAlong = float3.zero;
             if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end) || !TryGetPlaces(spacing))
                 return false;
-            EmissionClock.Share share = default;
+            EmissionClock.Fraction fraction = default;
             double until = End;
             // What waits at the end of the duration has as long as ever to find room.
-            bool lingers = isOn && clock.Time < until + LongestWait;
+            bool lingers = isOn && clock.Time < until + MaxWait;
             if (isOn)
-                share = clock.Advance(step, rate, delay, until, ParticleVolume, Emitters.MaxCandidates);
+                fraction = clock.Advance(step, rate, delay, until, ParticleVolume, Emitters.MaxCandidates);
             bool takesPart = lingers || isTarget;
             if (!takesPart && !saysLast)
                 return false;
@@ -193,20 +193,20 @@ namespace Rill
                 end = end,
                 speed = LeavingSpeed / spacing,
                 cosSpread = math.cos(math.radians(spread)),
-                due = share.due,
-                firstSerial = (uint)share.first,
-                firstAge = share.firstAge,
-                interval = share.interval,
-                mostWaiting = lingers ? (int)math.min(math.ceil(perSecond * LongestWait), int.MaxValue / 2) : 0,
+                due = fraction.due,
+                firstSerial = (uint)fraction.first,
+                firstAge = fraction.firstAge,
+                interval = fraction.interval,
+                maxWaiting = lingers ? (int)math.min(math.ceil(perSecond * MaxWait), int.MaxValue / 2) : 0,
                 isLast = !takesPart,
                 phase = phase,
                 lifetimeSteps = lifetime > 0f ? math.max((int)math.round(lifetime / step), 1) : 0,
             };
-            result.ChoosePlaces(perSecond, step);
-            result.Inherit(inheritVelocity, (to - from) * frameTime, MostSpeed / spacing);
+            result.ChoosePositions(perSecond, step);
+            result.Inherit(inheritVelocity, (to - from) * frameTime, MaxSpeed / spacing);
             takenAlong = result.velocity;
             searchSteps = result.StepsOfASearch;
-            if (share.due > 0 && MustSay(TooFast, rate > 1.01f * MostRateOf(spacing, step)))
+            if (fraction.due > 0 && MustSay(TooFast, rate > 1.01f * MaxRateOf(spacing, step)))
                 Say(RateProblem(spacing, step));
             return true;
         }
@@ -222,9 +222,9 @@ namespace Rill
 
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
         {
-            FindPlaces(fluid.ParticleSpacing);
-            problems.AddIfAny(placesProblem != null ? ShapeProblem : null);
-            if (places != null && rate > 1.01f * MostRateOf(fluid.ParticleSpacing, fluid.FixedStep))
+            FindPositions(fluid.ParticleSpacing);
+            problems.AddIfAny(positionsProblem != null ? ShapeProblem : null);
+            if (places != null && rate > 1.01f * MaxRateOf(fluid.ParticleSpacing, fluid.FixedStep))
                 problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
             problems.AddIfAny(IsCovered ? CoveredProblem : null);
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
@@ -236,14 +236,14 @@ namespace Rill
         private protected override string ValidateValues()
         {
             string problem = null;
-            Limit.Clamp("rate", ref rate, 0f, MostRate, 0f, ref problem);
-            Limit.Clamp("speed", ref speed, mode == EmitterMode.Fill ? 0f : LeastSpeed, MostSpeed, 1f, ref problem);
+            Limit.Clamp("rate", ref rate, 0f, MaxRate, 0f, ref problem);
+            Limit.Clamp("speed", ref speed, mode == EmitterMode.Fill ? 0f : MinSpeed, MaxSpeed, 1f, ref problem);
             Limit.Clamp("spread", ref spread, 0f, 180f, 0f, ref problem);
             Limit.Clamp("inherit velocity", ref inheritVelocity, 0f, 1f, 1f, ref problem);
             Limit.Clamp("delay", ref delay, 0f, float.MaxValue, 0f, ref problem);
             Limit.Clamp("duration", ref duration, 0f, float.MaxValue, 0f, ref problem);
             Limit.Clamp("phase", ref phase, 0, 7, ref problem);
-            Limit.Clamp("lifetime", ref lifetime, 0f, MostLifetime, 0f, ref problem);
+            Limit.Clamp("lifetime", ref lifetime, 0f, MaxLifetime, 0f, ref problem);
             Limit.Finite("size", ref size, Vector3.one * 0.2f, ref problem);
             Limit.Clamp("radius", ref radius, 0f, float.MaxValue, 0.1f, ref problem);
             return problem;
@@ -263,10 +263,10 @@ namespace Rill
         int Count(EmitterStates.Word word) => Simulation != null && Number >= 0 ? Simulation.EmitterCount(Number, word) : 0;
 
         // m/s.
-        float LeavingSpeed => mode == EmitterMode.Fill && shape != EmitterShape.MeshSurface ? speed : math.max(speed, LeastSpeed);
+        float LeavingSpeed => mode == EmitterMode.Fill && shape != EmitterShape.MeshSurface ? speed : math.max(speed, MinSpeed);
 
         // m³/s that leave the shape at rest density, as far as a step can try.
-        double MostRateOf(float spacing, float step)
+        double MaxRateOf(float spacing, float step)
         {
             double perSecond = Emitters.MaxCandidates / (double)step;
             if (!places.FillsVolume)
@@ -274,27 +274,27 @@ namespace Rill
             return perSecond * spacing * spacing * spacing;
         }
 
-        string ShapeProblem => placesProblem + " It lets nothing in.";
+        string ShapeProblem => positionsProblem + " It lets nothing in.";
 
-        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MostRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
+        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MaxRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
 
         // For so long that what waited first is given up, and every place was tried.
-        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) >= math.max(math.ceil(LongestWait / Simulation.FixedStep - 1e-3f), searchSteps);
+        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) >= math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f), searchSteps);
 
-        string CoveredProblem => "an obstacle covers all of its outlet, so that nothing comes out; what is due is given up and counted as blocked. Move it or the obstacle apart.";
+        string CoveredProblem => "a collider covers all of its outlet, so that nothing comes out; what is due is given up and counted as blocked. Move it or the collider apart.";
 
         string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.";
 
         bool TryGetPlaces(float spacing)
         {
-            FindPlaces(spacing);
-            if (MustSay(NoShape, placesProblem != null))
+            FindPositions(spacing);
+            if (MustSay(NoShape, positionsProblem != null))
                 Say(ShapeProblem);
             return places != null;
         }
 
         // Looks at the shape again only where something of it has changed.
-        void FindPlaces(float spacing)
+        void FindPositions(float spacing)
         {
             var key = new PlacesKey
             {
@@ -309,8 +309,8 @@ namespace Rill
             if (key.Equals(placesKey))
                 return;
             placesKey = key;
-            places = EmitterPlaces.Of(shape, mode, size, radius, mesh, key.scale, spacing, out placesProblem);
-            MustSay(NoShape, false);        // another problem is told anew
+            places = EmitterPositions.Of(shape, mode, size, radius, mesh, key.scale, spacing, out positionsProblem);
+            MustSay(NoShape, false);        // another problem is told again
         }
 
         // What places are made for.

@@ -42,7 +42,7 @@ namespace Rill
     public sealed class FluidForceField : FluidPart
     {
         const int NoSize = FirstOwnProblem;
-        const float CoreShare = 0.1f;           // kCore in ForceFields.compute
+        const float CoreFraction = 0.1f;           // kCore in ForceFields.compute
         const float CoreWithoutBounds = 2f;     // d
 
         [Tooltip("Direction: along the forward axis. Point: towards this object. Vortex: around the forward axis. Wind: drags the surface along the forward axis.")]
@@ -51,7 +51,7 @@ namespace Rill
         [Tooltip("Acceleration, m/s². -1000 to 1000. Of a wind: its speed, m/s.")]
         [SerializeField] float strength = 5f;
 
-        [Tooltip("Of a wind: share of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
+        [Tooltip("Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
         [SerializeField] float drag = 2f;
 
         [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
@@ -69,7 +69,7 @@ namespace Rill
         public ForceFieldKind Kind { get => kind; set => kind = value; }
         /// <summary>Acceleration, m/s², or a wind's speed, m/s. Out-of-range values are clamped with a warning.</summary>
         public float Strength { get => strength; set { strength = value; Validate(); } }
-        /// <summary>Of a wind: share of the difference to its velocity that a particle alone in the air loses in a second, at first.</summary>
+        /// <summary>Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first.</summary>
         public float Drag { get => drag; set { drag = value; Validate(); } }
         /// <summary>How the strength falls towards the bounds.</summary>
         public ForceFieldFalloff Falloff { get => falloff; set => falloff = value; }
@@ -81,14 +81,14 @@ namespace Rill
         public Vector3 Size { get => size; set { size = value; Validate(); } }
 
         /// <summary>Largest acceleration that it asks for, m/s².</summary>
-        internal float LargestAcceleration => kind == ForceFieldKind.Wind ? 0f : math.abs(strength);
+        internal float MaxAcceleration => kind == ForceFieldKind.Wind ? 0f : math.abs(strength);
 
         /// <summary>What it does in the next step.</summary>
         /// <returns>Whether it does anything.</returns>
         internal bool TakeStep(in DomainFrame frame, float spacing, out FieldRegion region)
         {
             region = default;
-            if (!TryGetPlace(frame, out PlaceInDomain place))
+            if (!TryGetPose(frame, out PoseInDomain place))
                 return false;
             float3 half = Half / spacing;
             bool bounded = bounds != ForceFieldBounds.None;
@@ -108,7 +108,7 @@ namespace Rill
                 isSphere = bounds == ForceFieldBounds.Sphere ? 1u : 0u,
                 strength = isWind ? drag : strength / spacing,
                 flow = isWind ? place.axisZ * (strength / spacing) : place.axisZ,
-                core = bounded ? math.max(CoreShare * math.cmax(half), 1e-3f) : CoreWithoutBounds,
+                core = bounded ? math.max(CoreFraction * math.cmax(half), 1e-3f) : CoreWithoutBounds,
             };
             return true;
         }
@@ -126,7 +126,7 @@ namespace Rill
         private protected override string ValidateValues()
         {
             string problem = null;
-            Limit.Clamp("strength", ref strength, -ForceFields.MostAcceleration, ForceFields.MostAcceleration, 0f, ref problem);
+            Limit.Clamp("strength", ref strength, -ForceFields.MaxAcceleration, ForceFields.MaxAcceleration, 0f, ref problem);
             Limit.Clamp("drag", ref drag, 0f, 1000f, 0f, ref problem);
             Limit.Clamp("radius", ref radius, 0f, float.MaxValue, 1f, ref problem);
             Limit.Finite("size", ref size, Vector3.one, ref problem);

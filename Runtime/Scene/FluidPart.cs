@@ -57,14 +57,14 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
-            problems.AddIfAny(PlaceProblem);
+            problems.AddIfAny(PoseProblem);
             FluidSimulation fluid = attached != null ? attached : Wanted;
             problems.AddIfAny(fluid == null ? NoSimulationProblem : attached != null && Number < 0 ? TooManyProblem : null);
             if (fluid != null && fluid.ParticleSpacing > 0f)
                 ListOwnProblems(fluid, problems);
         }
 
-        /// <summary>The simulation begins anew.</summary>
+        /// <summary>The simulation begins again.</summary>
         internal virtual void OnRestart() => Teleport();
 
         /// <summary>Whether a problem is there that is yet to be logged: true once for as long as it stays.</summary>
@@ -78,14 +78,14 @@ namespace Rill
         private protected void Say(string problem) => Debug.LogWarning($"Rill: {GetType().Name} '{name}': {problem}", this);
 
         /// <summary>Where this is and how it is turned in the domain's frame, d; false, and said once, where that is no place.</summary>
-        internal bool TryGetPlace(in DomainFrame frame, out PlaceInDomain place)
+        internal bool TryGetPose(in DomainFrame frame, out PoseInDomain place)
         {
             bool isSomewhere = IsSomewhere();
             place = isSomewhere ? frame.Place(transform.position, transform.rotation) : default;
             return isSomewhere;
         }
 
-        /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was after the last; false as for <see cref="TryGetPlace"/>.</summary>
+        /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was after the last; false as for <see cref="TryGetPose"/>.</summary>
         /// <param name="from">Share of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
@@ -149,17 +149,17 @@ namespace Rill
 
         bool IsSomewhere()
         {
-            bool isNowhere = !Limit.IsPlace(transform.position, transform.rotation);
+            bool isNowhere = !Limit.IsPose(transform.position, transform.rotation);
             if (MustSay(NoPlace, isNowhere))
-                Say(PlaceProblem);
+                Say(PoseProblem);
             return !isNowhere;
         }
 
-        string PlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.";
+        string PoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.";
 
         string NoSimulationProblem => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
 
-        string TooManyProblem => $"FluidSimulation '{attached.name}' has {attached.MostLike(this)} of its kind, the most it takes, and leaves this one out. Disable another and enable this anew.";
+        string TooManyProblem => $"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it takes, and leaves this one out. Disable another and enable this again.";
 
         FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
 

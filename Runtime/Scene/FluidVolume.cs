@@ -135,7 +135,7 @@ namespace Rill
                 if (!field.Validate(out string problem))
                     return "its field " + problem;
                 if (!field.TrySample(field.Bounds.center, out _))
-                    return $"its field '{field.name}' has a texture that cannot be read. Bake it anew.";
+                    return $"its field '{field.name}' has a texture that cannot be read. Bake it again.";
                 float3 scale = math.abs((float3)transform.lossyScale);
                 if (!(math.cmin(scale) > 0f) || math.cmax(scale) - math.cmin(scale) > 1e-3f * math.cmax(scale))
                     return $"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not survive. Scale it uniformly.";
@@ -156,20 +156,20 @@ namespace Rill
         {
             readonly FieldSampler field;
             readonly float3 middle, scale;
-            readonly float evenScale, mostDistance;
+            readonly float evenScale, maxDistance;
 
             /// <param name="middle">Of the field's bounds, scaled, m.</param>
             /// <param name="scale">The same along all axes but for its signs: a negative one mirrors.</param>
-            public FieldVolume(in FieldSampler field, float3 middle, float3 scale, float mostDistance)
+            public FieldVolume(in FieldSampler field, float3 middle, float3 scale, float maxDistance)
             {
                 this.field = field;
                 this.middle = middle;
                 this.scale = scale;
-                this.mostDistance = mostDistance;
+                this.maxDistance = maxDistance;
                 evenScale = math.abs(scale.x);
             }
 
-            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance) && distance * evenScale <= mostDistance;
+            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance) && distance * evenScale <= maxDistance;
         }
     }
 }

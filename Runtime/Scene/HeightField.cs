@@ -13,21 +13,21 @@ namespace Rill
     public sealed class HeightField : IDisposable
     {
         /// <summary>Most heights along a side, as of a 3D texture.</summary>
-        public const int MostHeights = 2048;
+        public const int MaxHeights = 2048;
 
         /// <param name="heights">[z, x], m, upwards.</param>
         /// <param name="width">From the first to the last height along x, m, above 0.</param>
         /// <param name="length">And along z.</param>
         /// <param name="origin">Of the first height, from the object's position, m; also adds to all heights.</param>
         /// <exception cref="ArgumentNullException">No heights.</exception>
-        /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MostHeights"/> along a side, a side that is no length, or a height that is not finite; the message says which.</exception>
+        /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MaxHeights"/> along a side, a side that is no length, or a height that is not finite; the message says which.</exception>
         public HeightField(float[,] heights, float width, float length, Vector3 origin = default)
         {
             if (heights == null)
                 throw new ArgumentNullException(nameof(heights));
             int2 counts = new int2(heights.GetLength(1), heights.GetLength(0));
-            if (math.any(counts < 2) || math.any(counts > MostHeights))
-                throw new ArgumentException($"A height field has 2 to {MostHeights} heights along a side, not {counts.x} x {counts.y}. Take every second, or a part of the ground.", nameof(heights));
+            if (math.any(counts < 2) || math.any(counts > MaxHeights))
+                throw new ArgumentException($"A height field has 2 to {MaxHeights} heights along a side, not {counts.x} x {counts.y}. Take every second, or a part of the ground.", nameof(heights));
             CheckSide(width, nameof(width));
             CheckSide(length, nameof(length));
             if (!math.all(math.isfinite((float3)origin)))
@@ -37,7 +37,7 @@ namespace Rill
             float2 spacing = new float2(width, length) / (counts - 1);
             Center = (float3)origin + new float3(0.5f * width, middle, 0.5f * length);
             Extents = new float3(0.5f * width, highest - middle, 0.5f * length);
-            LeastShare = 1f / math.sqrt(1f + SteepestSquared(heights, spacing));
+            MinFraction = 1f / math.sqrt(1f + SteepestSquared(heights, spacing));
             Texture = new Texture3D(counts.x, 1, counts.y, TextureFormat.RFloat, false) { name = "Rill.HeightField", hideFlags = HideFlags.HideAndDontSave };
             NativeArray<float> texels = Texture.GetPixelData<float>(0);
             for (int z = 0; z < counts.y; z++)
@@ -52,8 +52,8 @@ namespace Rill
         /// <summary>Half sides along x and z, and half of what the heights span, m.</summary>
         internal float3 Extents { get; }
 
-        /// <summary>Of a height over the ground, the share that is free on all sides even beside its steepest place.</summary>
-        internal float LeastShare { get; }
+        /// <summary>Of a height over the ground, the fraction that is free on all sides even beside its steepest place.</summary>
+        internal float MinFraction { get; }
 
         /// <summary>Heights over <see cref="Center"/>, m; null once disposed of.</summary>
         internal Texture3D Texture { get; private set; }

@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>
     /// Distance to the surface of a mesh at the centres of a grid of voxels, m, negative inside, in the frame of the mesh.
-    /// Made by <see cref="MeshSdfBaker"/>; a bake anew replaces the content and keeps the asset, so that references stay.
+    /// Made by <see cref="MeshSdfBaker"/>; a bake again replaces the content and keeps the asset, so that references stay.
     /// </summary>
     public sealed class SignedDistanceField : ScriptableObject, ISerializationCallbackReceiver
     {
@@ -65,7 +65,7 @@ namespace Rill
         /// <summary>Whether the mesh has changed since it was baked, or is another one. False where the field does not know what it was baked from.</summary>
         public bool IsStale(TriangleMesh mesh) => sourceHash != 0 && sourceHash != mesh.Hash();
 
-        /// <summary>What it was baked with, for baking it anew.</summary>
+        /// <summary>What it was baked with, for baking it again.</summary>
         public MeshSdfSettings Settings => settings;
 
         /// <summary>An asset in memory with the content of a bake. The caller saves or destroys it, and its texture with it.</summary>
@@ -164,7 +164,7 @@ namespace Rill
             }
         }
 
-        // Of a voxel the share that a flat surface at its distance leaves inside.
+        // Of a voxel the fraction that a flat surface at its distance leaves inside.
         float MeasureVolume()
         {
             var voxels = new FieldVoxels(texture);
@@ -182,13 +182,13 @@ namespace Rill
         {
             problem = null;
             if (version > CurrentVersion)
-                problem = $"'{name}' has version {version}, but this package reads up to {CurrentVersion}: update the package, or bake it anew.";
+                problem = $"'{name}' has version {version}, but this package reads up to {CurrentVersion}: update the package, or bake it again.";
             else if (texture == null)
                 problem = $"'{name}' has no distances: bake a mesh into it.";
             else if (texture.format != TextureFormat.RHalf && texture.format != TextureFormat.RFloat)
-                problem = $"'{name}' has a texture of {texture.format}, not of one float a voxel: bake it anew.";
+                problem = $"'{name}' has a texture of {texture.format}, not of one float a voxel: bake it again.";
             else if (!(voxelSize > 0f) || float.IsInfinity(voxelSize) || !Fits())
-                problem = $"'{name}' has bounds of {bounds.size} m, which its {Resolution} voxels of {voxelSize} m do not fill: bake it anew.";
+                problem = $"'{name}' has bounds of {bounds.size} m, which its {Resolution} voxels of {voxelSize} m do not fill: bake it again.";
             return problem == null;
         }
 

@@ -22,10 +22,10 @@ namespace Rill
             float3 begin = Now + next - velocity;
             velocity = next;
             Now = begin * math.exp(-time / memory);
-            return begin * MeanShare(time, memory);
+            return begin * MeanFraction(time, memory);
         }
 
-        /// <summary>Mean slip over a time, as a share of the slip at its beginning.</summary>
-        public static float MeanShare(float time, float memory) => (1f - math.exp(-time / memory)) * memory / time;
+        /// <summary>Mean slip over a time, as a fraction of the slip at its beginning.</summary>
+        public static float MeanFraction(float time, float memory) => (1f - math.exp(-time / memory)) * memory / time;
     }
 }

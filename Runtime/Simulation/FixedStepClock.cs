@@ -14,36 +14,36 @@ namespace Rill
         public double Dropped { get; private set; }
 
         /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps has moved.</summary>
-        public double Passed { get; private set; }
+        public double FrameInterval { get; private set; }
 
         /// <summary>Time by which the steps so far stay behind the newest frame, s: less than a step.</summary>
         public double Lag { get; private set; }
 
         /// <summary>Time by which the steps of that last frame stayed behind it, s: less than a step.</summary>
-        public double Behind { get; private set; }
+        public double FrameLag { get; private set; }
 
         /// <summary>The same of the frame before it.</summary>
-        public double LastBehind { get; private set; }
+        public double LastFrameLag { get; private set; }
 
         /// <summary>Steps to take for a frame.</summary>
         /// <param name="frameTime">s, not negative.</param>
         /// <param name="step">Length of a fixed step, s, above 0.</param>
-        /// <param name="mostSteps">Cap, at least 1.</param>
-        public int Advance(double frameTime, double step, int mostSteps)
+        /// <param name="maxSteps">Cap, at least 1.</param>
+        public int Advance(double frameTime, double step, int maxSteps)
         {
             accumulated += frameTime;
             double due = Math.Floor(accumulated / step + Tolerance);
-            int steps = (int)Math.Min(due, mostSteps);
+            int steps = (int)Math.Min(due, maxSteps);
             Dropped += (due - steps) * step;
             accumulated = Math.Max(accumulated - due * step, 0.0);
             Lag = accumulated > Tolerance * step ? accumulated : 0.0;
             passing += frameTime;
             if (steps > 0)
             {
-                Passed = passing > 0.0 ? passing : steps * step;        // a shorter step may be due without a frame's time
+                FrameInterval = passing > 0.0 ? passing : steps * step;        // a shorter step may be due without a frame's time
                 passing = 0.0;
-                LastBehind = Behind;
-                Behind = Lag;
+                LastFrameLag = FrameLag;
+                FrameLag = Lag;
             }
             return steps;
         }

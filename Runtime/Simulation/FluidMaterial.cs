@@ -89,7 +89,7 @@ namespace Rill
         /// <remarks>That of fluid at rest; one that is stretched, or at a ragged surface, is limited earlier. See Viscoelasticity.compute.</remarks>
         /// <param name="spacing">Particle spacing, m.</param>
         /// <param name="substep">Length of a substep, s.</param>
-        public float LargestShearModulus(float spacing, float substep) => (float)(Viscoelasticity.MostStiffness * density * spacing * spacing / ((double)substep * substep));
+        public float MaxShearModulus(float spacing, float substep) => (float)(Viscoelasticity.MaxStiffness * density * spacing * spacing / ((double)substep * substep));
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>

@@ -48,7 +48,7 @@ namespace Rill
             frameTime.DeviceFactor = budget.deviceFactor;
 
             bool isMeasured = pbf.TryGetStatistics(input, out FluidStatistics statistics);
-            GetPlace(out _, out Quaternion rotation);
+            GetPose(out _, out Quaternion rotation);
             var still = new StepInput { settings = solver, material = material, gravity = Quaternion.Inverse(rotation) * gravity };
             effective = budgeted.BeginFrame(seconds, budget, new BudgetScene
             {
@@ -65,7 +65,7 @@ namespace Rill
         void SayBudgetProblems()
         {
             BudgetState state = budgeted.State;
-            if (state.reason == BudgetReason.LeastStable && !saidTooSmall)
+            if (state.reason == BudgetReason.MinStable && !saidTooSmall)
             {
                 saidTooSmall = true;
                 Debug.LogWarning($"Rill: FluidSimulation '{name}': its budget of {state.targetMilliseconds:0.###} ms is less than the {state.milliseconds:0.###} ms that {state.substeps} substeps x {state.iterations} iterations take; less than those is not stable or not within its bounds, so they stand. Raise the budget, widen its bounds or have fewer particles.", this);

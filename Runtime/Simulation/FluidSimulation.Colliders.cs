@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    // Obstacles: those that reach into the box, in its frame, with how they moved since the last steps.
+    // Colliders: those that reach into the box, in its frame, with how they moved since the last steps.
     public sealed partial class FluidSimulation
     {
         readonly ColliderSet colliders = new ColliderSet();
@@ -17,10 +17,10 @@ namespace Rill
         bool tooManyIsKnown;
         bool collidersJump;         // what moved since the last steps has not moved through the fluid
 
-        /// <summary>Obstacles of the last steps.</summary>
+        /// <summary>Colliders of the last steps.</summary>
         internal int ColliderCount => colliders.Count;
 
-        /// <summary>Gathers the obstacles that can touch the fluid in the coming steps.</summary>
+        /// <summary>Gathers the colliders that can touch the fluid in the coming steps.</summary>
         /// <param name="duration">Fluid time of the steps, s.</param>
         void CollectColliders(float duration)
         {
@@ -37,7 +37,7 @@ namespace Rill
             lastColliderCount = colliders.Count;
             colliders.Count = 0;
 
-            GetPlace(out Vector3 place, out Quaternion rotation);
+            GetPose(out Vector3 place, out Quaternion rotation);
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             leftOut = null;
             leftOutCount = 0;
@@ -81,7 +81,7 @@ namespace Rill
             SayTooMany();
         }
 
-        void ForgetColliders() => colliders.Count = 0;
+        void ClearColliders() => colliders.Count = 0;
 
         int LastIndex(FluidCollider collider)
         {
@@ -100,15 +100,15 @@ namespace Rill
             motion.fieldUnit /= particleSpacing;
         }
 
-        // Frames and steps differ: an even motion is even in the fluid only if an obstacle goes as far in the steps as it went in their time.
+        // Frames and steps differ: an even motion is even in the fluid only if a collider goes as far in the steps as it went in their time.
         void Follow(ref ColliderMotion motion, in ColliderMotion last)
         {
             motion.start = last.end;
-            double reached = clock.Passed - clock.Behind;       // after the frame before, s
+            double reached = clock.FrameInterval - clock.FrameLag;       // after the frame before, s
             if (reached >= 0.0)
-                motion.end = RigidPose.Between(last.seen, motion.seen, (float)(reached / clock.Passed));
+                motion.end = RigidPose.Between(last.seen, motion.seen, (float)(reached / clock.FrameInterval));
             else
-                motion.end = RigidPose.Between(last.end, last.seen, (float)(1.0 + reached / clock.LastBehind));
+                motion.end = RigidPose.Between(last.end, last.seen, (float)(1.0 + reached / clock.LastFrameLag));
         }
 
         // Whether it or its way comes near enough to be felt; what has no end, or holds the fluid, does.
@@ -125,7 +125,7 @@ namespace Rill
         static bool SameShape(in ColliderMotion a, in ColliderMotion b)
         {
             return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && math.all(a.mirrored == b.mirrored) && a.voxel == b.voxel && a.friction == b.friction
-                && a.bounce == b.bounce && a.insideOut == b.insideOut && a.carriesDensity == b.carriesDensity;
+                && a.bounciness == b.bounciness && a.insideOut == b.insideOut && a.contributesDensity == b.contributesDensity;
         }
 
         void SayTooMany()

@@ -25,7 +25,7 @@ namespace Rill
             if (pbf == null)
                 throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before adding particles.");
 
-            GetPlace(out Vector3 place, out Quaternion rotation);
+            GetPose(out Vector3 place, out Quaternion rotation);
             Quaternion toDomain = Quaternion.Inverse(rotation);
             using (var local = new NativeArray<float4>(positions.Length, Allocator.Persistent))
             using (var localVelocities = new NativeArray<float4>(positions.Length, Allocator.Persistent))
@@ -80,7 +80,7 @@ namespace Rill
         {
             low = float.MaxValue;
             high = float.MinValue;
-            GetPlace(out Vector3 place, out Quaternion rotation);
+            GetPose(out Vector3 place, out Quaternion rotation);
             Quaternion toDomain = Quaternion.Inverse(rotation);
             float3 size = domainSize;
             int inside = 0;
@@ -100,7 +100,7 @@ namespace Rill
         // Particles in the domain's frame, in spacings, all with one velocity in world space, m/s.
         void Add(NativeArray<float4> positions, Vector3 velocity, float3 low, float3 high)
         {
-            GetPlace(out _, out Quaternion rotation);
+            GetPose(out _, out Quaternion rotation);
             float4 local = new float4((float3)(Quaternion.Inverse(rotation) * velocity), 0f) / particleSpacing;
             using (var shared = new NativeArray<float4>(1, Allocator.Persistent))
             {

@@ -15,10 +15,10 @@ namespace Rill
             problems.AddIfAny(clamped);
             if (pbf == null)
             {
-                problems.AddIfAny(DeviceProblem ?? NoPlaceProblem ?? LayoutProblem ?? failure);
+                problems.AddIfAny(DeviceProblem ?? NoPoseProblem ?? LayoutProblem ?? failure);
                 return;
             }
-            problems.AddIfAny(placeIsLost ? LostPlaceProblem : null);
+            problems.AddIfAny(poseIsLost ? LostPoseProblem : null);
             problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
             problems.AddIfAny(missingProblem);
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
@@ -26,9 +26,9 @@ namespace Rill
                 problems.Add(refusal);
         }
 
-        string NoPlaceProblem => Limit.IsPlace(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.";
+        string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.";
 
-        string LostPlaceProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.";
+        string LostPoseProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.";
 
         string TooManyProblem => $"takes {ColliderSet.Most} colliders at a time; {leftOutCount} more are in its box and left out, '{(leftOut != null ? leftOut.name : "")}' first. Merge meshes into one field, or disable colliders that the fluid does not reach.";
 

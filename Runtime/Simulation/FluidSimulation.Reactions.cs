@@ -4,11 +4,11 @@ using UnityEngine;
 
 namespace Rill
 {
-    // What the fluid does to obstacles: asked for after the steps of a frame, handed to them when it has come.
+    // What the fluid does to colliders: asked for after the steps of a frame, handed to them when it has come.
     public sealed partial class FluidSimulation
     {
         ColliderTrack[] tracks, lastTracks;
-        ObstacleMotion[] takenMotions;
+        RelativeMotion[] takenMotions;
         FluidCollider[] takenOwners;
         float[] takenArms;
         int takenCount;
@@ -17,7 +17,7 @@ namespace Rill
 
         void BeginTracks() => (tracks, lastTracks) = (lastTracks, tracks);
 
-        /// <summary>Follows an obstacle whose force is summed through the coming steps.</summary>
+        /// <summary>Follows a collider whose force is summed through the coming steps.</summary>
         /// <param name="last">Its number in the last steps; negative where nothing is known of its motion since.</param>
         void Track(int index, int last, in RigidPose pose, float duration)
         {
@@ -38,7 +38,7 @@ namespace Rill
                 return null;
             takenOwners ??= new FluidCollider[ColliderSet.Most];
             takenArms ??= new float[ColliderSet.Most];
-            takenMotions ??= new ObstacleMotion[ColliderSet.Most];
+            takenMotions ??= new RelativeMotion[ColliderSet.Most];
             reactions.Arrived ??= OnReactions;
             takenCount = colliders.Count;
             Array.Copy(colliderOwners, takenOwners, takenCount);
@@ -48,7 +48,7 @@ namespace Rill
                 if (colliders.Items[i].reacts)
                     takenMotions[i] = tracks[i].Take();
             }
-            GetPlace(out _, out takenRotation);
+            GetPose(out _, out takenRotation);
             double spacing = particleSpacing;
             takenImpulse = material.density * spacing * spacing * spacing * spacing * input.settings.substeps / FixedStep / VelocityExtrapolation.FractionAtOnce(input);
             reactions.RecordTake(commands);
@@ -70,7 +70,7 @@ namespace Rill
                 reactions.Get(i, out double3 sum, out double3 moment);
                 var force = (Vector3)(float3)(sum * scale);
                 var torque = (Vector3)(float3)(moment * (scale * particleSpacing * takenArms[i]));
-                owner.Feel(new FluidForce(this, takenRotation * force, takenRotation * torque, takenMotions[i]));
+                owner.SetForce(new FluidForce(this, takenRotation * force, takenRotation * torque, takenMotions[i]));
             }
         }
     }

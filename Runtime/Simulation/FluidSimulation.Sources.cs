@@ -7,9 +7,9 @@ namespace Rill
     {
         const int ReadbackInterval = 10;        // steps between readbacks of the emitters' and drains' numbers
 
-        readonly FluidEmitter[] emitters = new FluidEmitter[StepSources.MostEmitters];
-        readonly FluidDrain[] drains = new FluidDrain[StepSources.MostDrains];
-        readonly FluidForceField[] fields = new FluidForceField[StepSources.MostFields];
+        readonly FluidEmitter[] emitters = new FluidEmitter[StepSources.MaxEmitters];
+        readonly FluidDrain[] drains = new FluidDrain[StepSources.MaxDrains];
+        readonly FluidForceField[] fields = new FluidForceField[StepSources.MaxFields];
         int partCount;
         uint goneEmitters, goneDrains;      // since the last step, a bit for each number
         StepSources sources;
@@ -32,7 +32,7 @@ namespace Rill
         }
 
         /// <summary>The most of a part's kind.</summary>
-        internal int MostLike(FluidPart part) => PartsLike(part).Length;
+        internal int MaxLike(FluidPart part) => PartsLike(part).Length;
 
         /// <summary>Takes a part's number back.</summary>
         internal void Detach(FluidPart part)
@@ -74,7 +74,7 @@ namespace Rill
             sources.goneEmitters = pbf.EmitterStates != null ? goneEmitters : 0;       // without, nothing waits
             sources.goneDrains = goneDrains;
             goneEmitters = goneDrains = 0;
-            GetPlace(out Vector3 place, out Quaternion rotation);
+            GetPose(out Vector3 place, out Quaternion rotation);
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             uint targets = 0;
             foreach (FluidDrain drain in drains)
@@ -89,7 +89,7 @@ namespace Rill
             foreach (FluidEmitter emitter in emitters)
             {
                 sources.keepsEmitters |= emitter != null;
-                if (emitter != null && HasStages(StageSet.Emitters) && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.Passed, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (emitter != null && HasStages(StageSet.Emitters) && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.FrameInterval, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
             foreach (FluidForceField field in fields)
@@ -108,7 +108,7 @@ namespace Rill
                 if (partCount > 0)
                     foreach (FluidForceField field in fields)
                         if (field != null)
-                            strongest = Mathf.Max(strongest, field.LargestAcceleration);
+                            strongest = Mathf.Max(strongest, field.MaxAcceleration);
                 return strongest;
             }
         }

@@ -120,7 +120,7 @@ namespace Rill
         {
             get
             {
-                GetPlace(out Vector3 position, out Quaternion rotation);
+                GetPose(out Vector3 position, out Quaternion rotation);
                 return Matrix4x4.TRS(position, rotation, Vector3.one) * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
             }
         }
@@ -144,7 +144,7 @@ namespace Rill
         /// <summary>Set every frame by what draws foam, which then is made in the next steps; none where it was not set.</summary>
         internal FoamSettings? NeedsFoam { get; set; }
 
-        /// <summary>Sets box, resolution and capacity; a running fluid starts anew.</summary>
+        /// <summary>Sets box, resolution and capacity; a running fluid starts again.</summary>
         /// <param name="size">Inner size of the box, m.</param>
         /// <param name="spacing">Distance between particles at rest, m.</param>
         /// <param name="particles">Most particles.</param>
@@ -169,7 +169,7 @@ namespace Rill
             return true;
         }
 
-        /// <summary>Removes all particles, fills the volumes anew and sets fluid time to 0.</summary>
+        /// <summary>Removes all particles, fills the volumes again and sets fluid time to 0.</summary>
         public void Restart()
         {
             if (pbf == null)
@@ -181,7 +181,7 @@ namespace Rill
             lastFrameTime = 0.0;
             stepsSinceStatistics = 0;
             StandStill();
-            ForgetMotions();
+            ClearMotions();
             RestartSources();
             FillVolumes();
         }
@@ -217,9 +217,9 @@ namespace Rill
                 Fail(missing);
                 return;
             }
-            if (NoPlaceProblem != null)
+            if (NoPoseProblem != null)
             {
-                Fail(NoPlaceProblem);
+                Fail(NoPoseProblem);
                 return;
             }
             FollowTransform();
@@ -250,7 +250,7 @@ namespace Rill
         {
             pbf?.Dispose();
             pbf = null;
-            ForgetColliders();
+            ClearColliders();
             ReleaseBudget();
             ReleaseSources();
             commands?.Dispose();
@@ -292,15 +292,15 @@ namespace Rill
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's way back from no place.
             if (paused || !moves)
                 StandStill();
-            if (paused || !moves && !placeIsLost)
-                ForgetMotions();
+            if (paused || !moves && !poseIsLost)
+                ClearMotions();
             if (paused)
                 return;
 
             BeginBudgetFrame(frameTime);
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
             if (steps > 0)
-                Simulate(steps, (float)clock.Passed);
+                Simulate(steps, (float)clock.FrameInterval);
             budgeted?.EndFrame(steps);
         }
 
@@ -312,7 +312,7 @@ namespace Rill
             commands.Clear();
             if (!TryRecordSteps(steps))
                 return;
-            RecordSurface();        // before statistics, which sort anew
+            RecordSurface();        // before statistics, which sort again
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
@@ -362,7 +362,7 @@ namespace Rill
         // Gravity in the domain's frame, less the acceleration of the frame itself since the last steps.
         void PrepareInput(float duration)
         {
-            GetPlace(out Vector3 place, out Quaternion rotation);
+            GetPose(out Vector3 place, out Quaternion rotation);
             float3 position = place;
             float3 velocity = (position - lastPosition) / duration;
             // Each velocity is that in the middle of its time.
@@ -421,14 +421,14 @@ namespace Rill
 
         void StandStill()
         {
-            GetPlace(out Vector3 place, out _);
+            GetPose(out Vector3 place, out _);
             lastPosition = place;
             lastVelocity = 0f;
             lastDuration = 0f;
         }
 
         // What moved through the fluid's box since the last steps has not moved through the fluid.
-        void ForgetMotions()
+        void ClearMotions()
         {
             TeleportParts();
             collidersJump = true;

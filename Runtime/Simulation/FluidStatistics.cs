@@ -13,7 +13,7 @@ namespace Rill
         internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
 
         // Order of Statistics.compute.
-        enum Quantity { Count, DensityError, Interior, InteriorError, Surrounded, Jitter, SpeedSquared, Position, Velocity = 10, Escaped = 13, Coincident, Neighbors, LargestError, LargestSpeedSquared, Furthest }
+        enum Quantity { Count, DensityError, Interior, InteriorError, Surrounded, Jitter, SpeedSquared, Position, Velocity = 10, Escaped = 13, Coincident, Neighbors, MaxError, MaxSpeedSquared, Furthest }
 
         /// <summary>Fixed step since the last reset that was measured; 0 is the state before the first.</summary>
         public int step;
@@ -40,7 +40,7 @@ namespace Rill
         /// <summary>Particles that had more neighbors than their list holds, in the last substep.</summary>
         public int neighborOverflow;
         /// <summary>Most neighbors of such a particle; 0 without one.</summary>
-        public int mostNeighbors;
+        public int maxNeighbors;
         /// <summary>Particles more than 0.1 d beyond where the walls let a centre go.</summary>
         public int escaped;
         /// <summary>Particles closer than 0.05 d to another.</summary>
@@ -109,17 +109,17 @@ namespace Rill
                 refused = Counter(block, ParticleCounter.Refused),
                 nonFinite = Counter(block, ParticleCounter.NonFinite),
                 neighborOverflow = Counter(block, ParticleCounter.Overflow),
-                mostNeighbors = Counter(block, ParticleCounter.MostNeighbors),
+                maxNeighbors = Counter(block, ParticleCounter.MaxNeighbors),
                 escaped = (int)Value(block, Quantity.Escaped),
                 coincident = (int)Value(block, Quantity.Coincident),
                 densityError = Value(block, Quantity.DensityError) * perParticle,
                 densityError999 = math.asfloat(block[QuantityCount]),
-                densityErrorMax = Value(block, Quantity.LargestError),
+                densityErrorMax = Value(block, Quantity.MaxError),
                 interiorError = Value(block, Quantity.InteriorError) / math.max(Value(block, Quantity.Interior), 1f),
                 volumeRatio = 2f * meanPosition.y * box.x * box.z / math.max(count * d * d * d, 1e-30f),
                 jitter = d * math.sqrt(Value(block, Quantity.Jitter) / math.max(Value(block, Quantity.Surrounded), 1f)),
                 speed = d * math.sqrt(Value(block, Quantity.SpeedSquared) * perParticle),
-                speedMax = d * math.sqrt(Value(block, Quantity.LargestSpeedSquared)),
+                speedMax = d * math.sqrt(Value(block, Quantity.MaxSpeedSquared)),
                 neighborsMean = Value(block, Quantity.Neighbors) * perParticle,
                 centerOfMass = meanPosition,
                 furthest = Vector(block, Quantity.Furthest) * d,

@@ -44,7 +44,7 @@ namespace Rill
         }
 
         /// <summary>Whether all components of a transform's position and rotation are numbers.</summary>
-        public static bool IsPlace(Vector3 position, Quaternion rotation)
+        public static bool IsPose(Vector3 position, Quaternion rotation)
         {
             float sum = position.x + position.y + position.z + rotation.x + rotation.y + rotation.z + rotation.w;
             return !float.IsNaN(sum) && !float.IsInfinity(sum);

@@ -8,15 +8,15 @@ namespace Rill
     public struct SolverSettings
     {
         /// <summary>Where over-relaxation ends in theory.</summary>
-        const float LargestRelaxation = 2f;
+        const float RelaxationLimit = 2f;
 
         /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see Documentation~/solver.md.</summary>
-        const float LeastDeepRelaxation = 0.3f;
+        const float MinDeepRelaxation = 0.3f;
 
         internal const int MaxSubsteps = 16;
 
         /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the coarse grid.</summary>
-        const float LargestGravityStep = 0.6f;
+        const float MaxGravityStep = 0.6f;
 
         /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills too.</summary>
         const float EasyGravityStep = 0.3f;
@@ -29,16 +29,16 @@ namespace Rill
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 
-        /// <summary>Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.</summary>
-        [Tooltip("Relaxation ω: the share of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.")]
-        [Range(0f, LargestRelaxation)] public float relaxation;
+        /// <summary>Relaxation ω: the fraction of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.</summary>
+        [Tooltip("Relaxation ω: the fraction of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.")]
+        [Range(0f, RelaxationLimit)] public float relaxation;
 
         /// <summary>Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity would carry a particle more than 0.6 spacings in one.</summary>
         [Tooltip("Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity would carry a particle more than 0.6 spacings in one.")]
         [Range(1, MaxSubsteps)] public int substeps;
 
-        /// <summary>Constraint force mixing ε, as a share of the constraint's denominator at rest. 1e-6 to 1; larger is softer.</summary>
-        [Tooltip("Constraint force mixing ε, as a share of the constraint's denominator at rest. 1e-6 to 1; larger is softer.")]
+        /// <summary>Constraint force mixing ε, as a fraction of the constraint's denominator at rest. 1e-6 to 1; larger is softer.</summary>
+        [Tooltip("Constraint force mixing ε, as a fraction of the constraint's denominator at rest. 1e-6 to 1; larger is softer.")]
         [Range(1e-6f, 1f)] public float softness;
 
         /// <summary>Radius of the neighbor list in support radii. 1 to 1.5; above 1 the list stays valid while particles move within a step.</summary>
@@ -88,19 +88,19 @@ namespace Rill
         /// <param name="deepWater">Whether the coarse grid carries the pressure of deep water: then at least 0.3.</param>
         public float StableRelaxation(bool deepWater)
         {
-            float least = deepWater ? LeastDeepRelaxation : 0f;
+            float least = deepWater ? MinDeepRelaxation : 0f;
             return Math.Min(Math.Max(relaxation, least), MaxRelaxation(iterations, deepWater));
         }
 
         /// <summary>Substeps that a simulation takes: those asked for, or as many as it needs for gravity to stay small in one.</summary>
         /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
-        public int StableSubsteps(float gravityStep) => Math.Max(substeps, LeastSubsteps(gravityStep));
+        public int StableSubsteps(float gravityStep) => Math.Max(substeps, MinSubsteps(gravityStep));
 
         /// <summary>Fewest substeps with which gravity stays small in one.</summary>
         /// <param name="gravityStep">How far gravity carries a particle in a step, |g| Δt², d.</param>
-        public static int LeastSubsteps(float gravityStep)
+        public static int MinSubsteps(float gravityStep)
         {
-            double needed = gravityStep > LargestGravityStep ? Math.Ceiling(Math.Sqrt(gravityStep / EasyGravityStep)) : 1.0;
+            double needed = gravityStep > MaxGravityStep ? Math.Ceiling(Math.Sqrt(gravityStep / EasyGravityStep)) : 1.0;
             return (int)Math.Min(needed, MaxSubsteps);
         }
 
@@ -111,7 +111,7 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("iterations", ref iterations, 1, 50, ref problem);
-            Limit.Clamp("relaxation", ref relaxation, 0f, LargestRelaxation, Default.relaxation, ref problem);
+            Limit.Clamp("relaxation", ref relaxation, 0f, RelaxationLimit, Default.relaxation, ref problem);
             Limit.Clamp("substeps", ref substeps, 1, MaxSubsteps, ref problem);
             Limit.Clamp("softness", ref softness, 1e-6f, 1f, Default.softness, ref problem);
             Limit.Clamp("list margin", ref listMargin, 1f, 1.5f, Default.listMargin, ref problem);

@@ -14,7 +14,7 @@ namespace Rill
         public float3 coupling;
         public float screening;
         public float inverseVolume;
-        public float negativeShare;
+        public float negativeFraction;
         public float maxFlow;
         public float maxPush;
         public uint levelCount;
@@ -33,7 +33,7 @@ namespace Rill
         const float ScreeningLength = 100f;
 
         /// <summary>Share of a small negative density error that the projection takes up; without it thin layers hover.</summary>
-        const float NegativeShare = 0.3f;
+        const float NegativeFraction = 0.3f;
 
         /// <summary>Longest displacements, d: a lower one of the projection would damp splashes.</summary>
         const float MaxFlow = 40f;
@@ -54,7 +54,7 @@ namespace Rill
                 coupling = 1f / (grid.CellSize * grid.CellSize),
                 screening = 1f / (ScreeningLength * ScreeningLength),
                 inverseVolume = 1f / volume,
-                negativeShare = NegativeShare,
+                negativeFraction = NegativeFraction,
                 maxFlow = MaxFlow,
                 maxPush = MaxPush,
                 levelCount = (uint)grid.LevelCount,

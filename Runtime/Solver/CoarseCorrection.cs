@@ -25,8 +25,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
         readonly int binFlow, findSurface, findDivergence, displaceFlow;
         readonly int findErrors, displaceErrors, extendDisplacements;
-        readonly int binFlowSolids, findSurfaceSolids, findDivergenceSolids, displaceFlowSolids, findErrorsSolids, displaceErrorsSolids, reactToFlow, reactToErrors;
-        CoarseSolids solids;
+        readonly int binFlowWithColliders, findSurfaceWithColliders, findDivergenceWithColliders, displaceFlowWithColliders, findErrorsWithColliders, displaceErrorsWithColliders, reactToFlow, reactToErrors;
+        CoarseColliders coarseColliders;
         GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
@@ -37,17 +37,17 @@ namespace Rill
         {
             binFlow = shader.FindKernel("BinFlow");
             findSurface = shader.FindKernel("FindSurface");
-            findSurfaceSolids = shader.FindKernel("FindSurfaceSolids");
+            findSurfaceWithColliders = shader.FindKernel("FindSurfaceWithColliders");
             findDivergence = shader.FindKernel("FindDivergence");
             displaceFlow = shader.FindKernel("DisplaceFlow");
             findErrors = shader.FindKernel("FindErrors");
             displaceErrors = shader.FindKernel("DisplaceErrors");
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
-            binFlowSolids = shader.FindKernel("BinFlowSolids");
-            findDivergenceSolids = shader.FindKernel("FindDivergenceSolids");
-            displaceFlowSolids = shader.FindKernel("DisplaceFlowSolids");
-            findErrorsSolids = shader.FindKernel("FindErrorsSolids");
-            displaceErrorsSolids = shader.FindKernel("DisplaceErrorsSolids");
+            binFlowWithColliders = shader.FindKernel("BinFlowWithColliders");
+            findDivergenceWithColliders = shader.FindKernel("FindDivergenceWithColliders");
+            displaceFlowWithColliders = shader.FindKernel("DisplaceFlowWithColliders");
+            findErrorsWithColliders = shader.FindKernel("FindErrorsWithColliders");
+            displaceErrorsWithColliders = shader.FindKernel("DisplaceErrorsWithColliders");
             reactToFlow = shader.FindKernel("ReactToFlow");
             reactToErrors = shader.FindKernel("ReactToErrors");
 
@@ -94,26 +94,26 @@ namespace Rill
         /// <param name="layers">Depth of the water, d.</param>
         /// <param name="present">Whether a correction runs already: it stays a while, since a new one starts without a past.</param>
         public static bool IsNeeded(DeepWater mode, float layers, bool present) =>
-            mode == DeepWater.On || mode == DeepWater.Automatic && math.round(layers) > (present ? StaysAboveLayers : MostShallowLayers);
+            mode == DeepWater.On || mode == DeepWater.Automatic && math.round(layers) > (present ? StaysAboveLayers : MaxShallowLayers);
 
         /// <summary>Layers of particles up to which plain iterations hold the water; see Documentation~/solver.md.</summary>
-        public const float MostShallowLayers = 4f;
+        public const float MaxShallowLayers = 4f;
 
         /// <summary>Layers above which a correction that runs stays: gravity that turns back and forth shall not switch it.</summary>
         public const float StaysAboveLayers = 3f;
 
-        /// <summary>Records what solid obstacles leave open of the grid in this substep; before the rest of it.</summary>
+        /// <summary>Records what solid colliders leave open of the grid in this substep; before the rest of it.</summary>
         /// <param name="colliders">Null for none.</param>
-        public void RecordSolids(CommandBuffer cmd, GraphicsBuffer constants, Colliders colliders)
+        public void RecordColliders(CommandBuffer cmd, GraphicsBuffer constants, Colliders colliders)
         {
             if (colliders == null)
             {
-                solids?.Dispose();
-                solids = null;
+                coarseColliders?.Dispose();
+                coarseColliders = null;
                 return;
             }
-            solids ??= new CoarseSolids(Grid);
-            solids.Record(cmd, constants, Constants, colliders);
+            coarseColliders ??= new CoarseColliders(Grid);
+            coarseColliders.Record(cmd, constants, Constants, colliders);
         }
 
         /// <summary>Records the projection: <see cref="Displacements"/> are what the prediction shall add to the flow.</summary>
@@ -121,8 +121,8 @@ namespace Rill
         {
             cmd.BeginSample(ProjectionMarker);
             BindConstants(cmd, constants);
-            int bin = solids == null ? binFlow : binFlowSolids;
-            solids?.Bind(cmd, shader, bin);
+            int bin = coarseColliders == null ? binFlow : binFlowWithColliders;
+            coarseColliders?.Bind(cmd, shader, bin);
             cmd.SetComputeBufferParam(shader, bin, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, bin, Ids.Counters, particles.Counters);
@@ -131,17 +131,17 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
             particles.DispatchAlive(cmd, shader, bin);
 
-            int find = solids == null ? findSurface : findSurfaceSolids;
+            int find = coarseColliders == null ? findSurface : findSurfaceWithColliders;
             BindCells(cmd, find, flowPotential);
-            solids?.BindVolume(cmd, shader, find);
+            coarseColliders?.BindVolume(cmd, shader, find);
             cmd.SetComputeBufferParam(shader, find, Ids.WeightedCounts, weightedCounts);
             cmd.SetComputeBufferParam(shader, find, Ids.Source, source);
             cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
             Dispatch(cmd, find);
 
-            RecordSource(cmd, solids == null ? findDivergence : findDivergenceSolids, flowPotential);
-            Solver.Record(cmd, Constants, source, diagonal, flowPotential, solids);
-            RecordDisplacements(cmd, solids == null ? displaceFlow : displaceFlowSolids, flowPotential);
+            RecordSource(cmd, coarseColliders == null ? findDivergence : findDivergenceWithColliders, flowPotential);
+            Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
+            RecordDisplacements(cmd, coarseColliders == null ? displaceFlow : displaceFlowWithColliders, flowPotential);
             RecordReaction(cmd, reactToFlow, flowPotential);
             cmd.EndSample(ProjectionMarker);
         }
@@ -151,9 +151,9 @@ namespace Rill
         {
             cmd.BeginSample(DensityMarker);
             BindConstants(cmd, constants);
-            RecordSource(cmd, solids == null ? findErrors : findErrorsSolids, errorPotential);
-            Solver.Record(cmd, Constants, source, diagonal, errorPotential, solids);
-            RecordDisplacements(cmd, solids == null ? displaceErrors : displaceErrorsSolids, errorPotential);
+            RecordSource(cmd, coarseColliders == null ? findErrors : findErrorsWithColliders, errorPotential);
+            Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders);
+            RecordDisplacements(cmd, coarseColliders == null ? displaceErrors : displaceErrorsWithColliders, errorPotential);
             RecordReaction(cmd, reactToErrors, errorPotential);
             cmd.EndSample(DensityMarker);
         }
@@ -161,8 +161,8 @@ namespace Rill
         public void Dispose()
         {
             Solver.Dispose();
-            solids?.Dispose();
-            solids = null;
+            coarseColliders?.Dispose();
+            coarseColliders = null;
             GpuBuffer.Release(ref flow);
             GpuBuffer.Release(ref fill);
             GpuBuffer.Release(ref surface);
@@ -186,22 +186,22 @@ namespace Rill
             bool needed = IsNeeded(input.settings.deepWater, layers, stage != null);
             string depth = $"water {layers:0} layers deep";
             string reason = input.settings.deepWater != DeepWater.Automatic ? $"deep water is set to {input.settings.deepWater}"
-                : needed ? $"{depth}, more than {MostShallowLayers:0} (and stays above {StaysAboveLayers:0})" : $"{depth}, at most {MostShallowLayers:0}";
+                : needed ? $"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})" : $"{depth}, at most {MaxShallowLayers:0}";
             var description = new StageDescription("Coarse correction", needed, reason);
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            string variant = stage.solids == null ? "" : "Solids";
+            string variant = stage.coarseColliders == null ? "" : "WithColliders";
             foreach (string kernel in new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
                 description.Kernel("CoarseGrid", kernel + variant, substeps);
-            stage.solids?.Describe(description, substeps);
-            if (stage.solids?.Reacting != null)
+            stage.coarseColliders?.Describe(description, substeps);
+            if (stage.coarseColliders?.Reacting != null)
             {
                 description.Kernel("CoarseGrid", "ReactToFlow", substeps);
                 description.Kernel("CoarseGrid", "ReactToErrors", substeps);
             }
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
-            stage.Solver.Describe(description, 2 * substeps, stage.solids != null);
+            stage.Solver.Describe(description, 2 * substeps, stage.coarseColliders != null);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
             description.Buffer("Rill.Coarse.Fill", stage.fill);
@@ -226,7 +226,7 @@ namespace Rill
         // What a kernel does not use is bound in vain and costs nothing.
         void BindCells(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
-            solids?.Bind(cmd, shader, kernel);
+            coarseColliders?.Bind(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Bins, Bins);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Flow, flow);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Fill, fill);
@@ -254,12 +254,12 @@ namespace Rill
 
         void RecordReaction(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
         {
-            if (solids?.Reacting == null)
+            if (coarseColliders?.Reacting == null)
                 return;
             BindCells(cmd, kernel, potential);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
-            solids.Reacting.BindShapes(cmd, shader, kernel);
-            solids.Reacting.Reactions.Bind(cmd, shader, kernel);
+            coarseColliders.Reacting.BindShapes(cmd, shader, kernel);
+            coarseColliders.Reacting.Reactions.Bind(cmd, shader, kernel);
             Dispatch(cmd, kernel);
         }
 

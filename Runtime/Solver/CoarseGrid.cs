@@ -71,9 +71,9 @@ namespace Rill
         /// <summary>Records a kernel for so many cells: ParticleIndex of Solver.hlsl numbers its threads.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
         {
-            const int mostGroups = 65535;
+            const int maxGroups = 65535;
             int groups = (cells + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, mostGroups), (groups + mostGroups - 1) / mostGroups, 1);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, maxGroups), (groups + maxGroups - 1) / maxGroups, 1);
         }
 
         /// <summary>

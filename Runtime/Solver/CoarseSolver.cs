@@ -14,7 +14,7 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
         readonly CoarseSolverPath path;
-        readonly int smooth, smoothSolids, correctAndSmooth, correctAndSmoothSolids, restrictGrid, restrictGridSolids, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
+        readonly int smooth, smoothWithColliders, correctAndSmooth, correctAndSmoothWithColliders, restrictGrid, restrictGridWithColliders, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
         GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
 
         /// <param name="grid">With the tail of the path.</param>
@@ -23,15 +23,15 @@ namespace Rill
             this.grid = grid;
             this.path = path;
             smooth = Tiled("Smooth");
-            smoothSolids = Tiled("SmoothSolids");
+            smoothWithColliders = Tiled("SmoothWithColliders");
             restrictGrid = shader.FindKernel("RestrictGrid");
-            restrictGridSolids = shader.FindKernel("RestrictGridSolids");
+            restrictGridWithColliders = shader.FindKernel("RestrictGridWithColliders");
             smoothLevel = Tiled("SmoothLevel");
             restrictLevel = shader.FindKernel("RestrictLevel");
             correctAndSmoothLevel = Tiled("CorrectAndSmoothLevel");
             solveTail = shader.FindKernel(path.Tail);
             correctAndSmooth = Tiled("CorrectAndSmooth");
-            correctAndSmoothSolids = Tiled("CorrectAndSmoothSolids");
+            correctAndSmoothWithColliders = Tiled("CorrectAndSmoothWithColliders");
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
             residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
@@ -47,21 +47,21 @@ namespace Rill
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
         /// <param name="solids">What closes faces; null for nothing.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseSolids solids = null)
+        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders = null)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             for (int cycle = 0; cycle < Cycles; cycle++)
-                RecordCycle(cmd, source, diagonal, potential, solids);
+                RecordCycle(cmd, source, diagonal, potential, coarseColliders);
         }
 
-        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseSolids solids)
+        void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders)
         {
-            int first = solids == null ? smooth : smoothSolids;
-            int restrict = solids == null ? restrictGrid : restrictGridSolids;
-            int last = solids == null ? correctAndSmooth : correctAndSmoothSolids;
-            solids?.Bind(cmd, shader, first);
-            solids?.Bind(cmd, shader, restrict);
-            solids?.Bind(cmd, shader, last);
+            int first = coarseColliders == null ? smooth : smoothWithColliders;
+            int restrict = coarseColliders == null ? restrictGrid : restrictGridWithColliders;
+            int last = coarseColliders == null ? correctAndSmooth : correctAndSmoothWithColliders;
+            coarseColliders?.Bind(cmd, shader, first);
+            coarseColliders?.Bind(cmd, shader, restrict);
+            coarseColliders?.Bind(cmd, shader, last);
             RecordSmooth(cmd, first, source, diagonal, potential, smoothed);
             BindGrid(cmd, restrict, source, diagonal, smoothed);
             BindLevels(cmd, restrict);
@@ -83,10 +83,10 @@ namespace Rill
             RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
         }
 
-        public void Describe(StageDescription stage, int perStep, bool solids)
+        public void Describe(StageDescription stage, int perStep, bool coarseColliders)
         {
             int levels = grid.FirstTailLevel - 1;
-            string variant = solids ? "Solids" : "";
+            string variant = coarseColliders ? "WithColliders" : "";
             perStep *= Cycles;
             stage.Kernel("CoarseSolver", path.Tiled("Smooth" + variant), perStep);
             stage.Kernel("CoarseSolver", "RestrictGrid" + variant, perStep);

@@ -19,7 +19,7 @@ namespace Rill
         /// <summary>Each kernel as large as the device holds it.</summary>
         public static CoarseSolverPath For(in DeviceLimits limits)
         {
-            bool tiles = limits.Holds(File, "Smooth") && limits.Holds(File, "SmoothSolids") && limits.Holds(File, "SmoothLevel");
+            bool tiles = limits.Holds(File, "Smooth") && limits.Holds(File, "SmoothWithColliders") && limits.Holds(File, "SmoothLevel");
             return new CoarseSolverPath(!tiles, !limits.Holds(File, "SolveTail"));
         }
 

@@ -10,24 +10,24 @@ namespace Rill
     {
         static readonly ProfilerMarker ListMarker = GpuMarker.Create("Rill.List");
         static readonly ProfilerMarker LambdaMarker = GpuMarker.Create("Rill.Lambda");
-        static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.Displace");
+        static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.ApplyDeltaP");
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
-        readonly int buildList, buildListDeep, buildListBeside, buildListDeepBeside, solveLambda, solveLambdaBeside, displace, displaceWithPressure, displaceDeep, displaceDeepWithPressure;
+        readonly int buildList, buildListDeep, buildListWithColliders, buildListDeepWithColliders, solveLambda, solveLambdaWithColliders, applyDeltaP, applyDeltaPWithPressure, applyDeltaPDeep, applyDeltaPDeepWithPressure;
         readonly LocalKeyword twoLists, sleep;
 
         public DensityConstraint(SolverLayout layout)
         {
             buildList = shader.FindKernel("BuildList");
             buildListDeep = shader.FindKernel("BuildListDeep");
-            buildListBeside = shader.FindKernel("BuildListBeside");
-            buildListDeepBeside = shader.FindKernel("BuildListDeepBeside");
+            buildListWithColliders = shader.FindKernel("BuildListWithColliders");
+            buildListDeepWithColliders = shader.FindKernel("BuildListDeepWithColliders");
             solveLambda = shader.FindKernel("SolveLambda");
-            solveLambdaBeside = shader.FindKernel("SolveLambdaBeside");
-            displace = shader.FindKernel("Displace");
-            displaceWithPressure = shader.FindKernel("DisplaceWithPressure");
-            displaceDeep = shader.FindKernel("DisplaceDeep");
-            displaceDeepWithPressure = shader.FindKernel("DisplaceDeepWithPressure");
+            solveLambdaWithColliders = shader.FindKernel("SolveLambdaWithColliders");
+            applyDeltaP = shader.FindKernel("ApplyDeltaP");
+            applyDeltaPWithPressure = shader.FindKernel("ApplyDeltaPWithPressure");
+            applyDeltaPDeep = shader.FindKernel("ApplyDeltaPDeep");
+            applyDeltaPDeepWithPressure = shader.FindKernel("ApplyDeltaPDeepWithPressure");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             Lists = new NeighborLists(layout);
@@ -47,7 +47,7 @@ namespace Rill
                 if (i > 0)
                 {
                     cmd.BeginSample(LambdaMarker);
-                    int solve = colliders != null ? solveLambdaBeside : solveLambda;
+                    int solve = colliders != null ? solveLambdaWithColliders : solveLambda;
                     colliders?.BindDensity(cmd, shader, solve);
                     colliders?.BindVolume(cmd, shader, solve);
                     Dispatch(cmd, solve, particles, particles.Predicted, particles.Current, resting);
@@ -55,10 +55,10 @@ namespace Rill
                 }
 
                 cmd.BeginSample(DisplaceMarker);
-                int kernel = artificialPressure ? displaceWithPressure : displace;
+                int kernel = artificialPressure ? applyDeltaPWithPressure : applyDeltaP;
                 if (i == 0 && coarse != null)
                 {
-                    kernel = artificialPressure ? displaceDeepWithPressure : displaceDeep;
+                    kernel = artificialPressure ? applyDeltaPDeepWithPressure : applyDeltaPDeep;
                     cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
                 }
                 Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted, resting);
@@ -70,7 +70,7 @@ namespace Rill
         /// <summary>Records the list and the first multipliers, at Predicted, into Current; their errors into the bins of the coarse grid.</summary>
         public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
         {
-            int build = colliders == null ? coarse != null ? buildListDeep : buildList : coarse != null ? buildListDeepBeside : buildListBeside;
+            int build = colliders == null ? coarse != null ? buildListDeep : buildList : coarse != null ? buildListDeepWithColliders : buildListWithColliders;
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -98,15 +98,15 @@ namespace Rill
             int substeps = input.settings.substeps, iterations = input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
             var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, neighbor lists in {lists}, artificial pressure is {input.material.artificialPressure}");
-            string beside = colliders != null ? "Beside" : "";
-            stage.Kernel("DensityConstraint", (deep ? "BuildListDeep" : "BuildList") + beside, substeps, variant);
+            string withColliders = colliders != null ? "WithColliders" : "";
+            stage.Kernel("DensityConstraint", (deep ? "BuildListDeep" : "BuildList") + withColliders, substeps, variant);
             if (iterations > 1)
-                stage.Kernel("DensityConstraint", "SolveLambda" + beside, substeps * (iterations - 1), variant);
+                stage.Kernel("DensityConstraint", "SolveLambda" + withColliders, substeps * (iterations - 1), variant);
             string pressure = input.material.artificialPressure > 0f ? "WithPressure" : "";
             if (deep)
-                stage.Kernel("DensityConstraint", "DisplaceDeep" + pressure, substeps, variant);
+                stage.Kernel("DensityConstraint", "ApplyDeltaPDeep" + pressure, substeps, variant);
             if (!deep || iterations > 1)
-                stage.Kernel("DensityConstraint", "Displace" + pressure, substeps * (deep ? iterations - 1 : iterations), variant);
+                stage.Kernel("DensityConstraint", "ApplyDeltaP" + pressure, substeps * (deep ? iterations - 1 : iterations), variant);
             Lists.Describe(stage);
             return stage;
         }

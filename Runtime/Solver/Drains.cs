@@ -27,14 +27,14 @@ namespace Rill
         public float3 inverseHalf;
         /// <summary>Number of the emitter that puts them back.</summary>
         public uint emitter;
-        /// <summary>Its number, below <see cref="StepSources.MostDrains"/>.</summary>
+        /// <summary>Its number, below <see cref="StepSources.MaxDrains"/>.</summary>
         public uint number;
     }
 
     /// <summary>Removes particles in drains and those whose time is over, at the start of a step. Made when first needed.</summary>
     sealed class Drains : IDisposable
     {
-        const int Lots = 1024;          // kLots in Drains.compute
+        const int RandomRanks = 1024;          // kRandomRanks in Drains.compute
         const int StateWords = 4;       // kDrainWords
         const int DrainedWord = 2;      // kDrainDrained
         const string LifetimesKeyword = "RILL_LIFETIMES", RecyclingKeyword = "RILL_RECYCLING";
@@ -42,23 +42,23 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Drain");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Drains");
-        readonly int drawLots, chooseLots, drain;
+        readonly int countRandomRanks, selectRandom, drain;
         readonly LocalKeyword sleep, lifetimes, recycling;
-        readonly uint[] zeros = new uint[StepSources.MostDrains * StateWords];
-        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MostDrains * StateWords));
+        readonly uint[] zeros = new uint[StepSources.MaxDrains * StateWords];
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MaxDrains * StateWords));
         GraphicsBuffer regions, histogram;
         uint gone;
 
         public Drains()
         {
-            drawLots = shader.FindKernel("DrawLots");
-            chooseLots = shader.FindKernel("ChooseLots");
+            countRandomRanks = shader.FindKernel("CountRandomRanks");
+            selectRandom = shader.FindKernel("SelectRandom");
             drain = shader.FindKernel("Drain");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             lifetimes = new LocalKeyword(shader, LifetimesKeyword);
             recycling = new LocalKeyword(shader, RecyclingKeyword);
-            regions = GpuBuffer.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MostDrains);
-            regions.SetData(new DrainRegion[StepSources.MostDrains]);
+            regions = GpuBuffer.Structured<DrainRegion>("Rill.Drains.Regions", StepSources.MaxDrains);
+            regions.SetData(new DrainRegion[StepSources.MaxDrains]);
             Clear();
         }
 
@@ -69,11 +69,11 @@ namespace Rill
         public void Clear()
         {
             BufferClear.Now(readback.Buffer);
-            readback.Forget();
+            readback.Invalidate();
         }
 
         /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
-        public void Forget(uint drains) => gone |= drains;
+        public void Remove(uint drains) => gone |= drains;
 
         /// <summary>Records that the drains to forget have taken nothing, also where none takes anything in this step.</summary>
         public void RecordForgotten(CommandBuffer cmd)
@@ -101,7 +101,7 @@ namespace Rill
             if (count > 0)
                 cmd.SetBufferData(regions, sources.drains, 0, 0, count);
             if (count > 0 && sources.limitsDrains)
-                RecordLots(cmd, particles);
+                RecordRandomSelection(cmd, particles);
             else
                 GpuBuffer.Release(ref histogram);
 
@@ -148,8 +148,8 @@ namespace Rill
                 variant = variant == null ? RecyclingKeyword : variant + " " + RecyclingKeyword;
             if (count > 0 && sources.limitsDrains)
             {
-                description.Kernel("Drains", "DrawLots", 1, variant);
-                description.Kernel("Drains", "ChooseLots", 1, variant);
+                description.Kernel("Drains", "CountRandomRanks", 1, variant);
+                description.Kernel("Drains", "SelectRandom", 1, variant);
             }
             description.Kernel("Drains", "Drain", 1, variant);
             description.Buffer("Rill.Drains.Regions", stage.regions);
@@ -164,25 +164,25 @@ namespace Rill
             readback.Zero(number * StateWords, StateWords);
         }
 
-        void RecordLots(CommandBuffer cmd, ParticleBuffers particles)
+        void RecordRandomSelection(CommandBuffer cmd, ParticleBuffers particles)
         {
             if (histogram == null)
             {
-                histogram = GpuBuffer.Structured<uint>("Rill.Drains.Histogram", StepSources.MostDrains * Lots);
+                histogram = GpuBuffer.Structured<uint>("Rill.Drains.Histogram", StepSources.MaxDrains * RandomRanks);
                 BufferClear.Now(histogram);
             }
-            cmd.SetComputeBufferParam(shader, drawLots, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, drawLots, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, drawLots, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, drawLots, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, drawLots, Ids.DrainHistogram, histogram);
-            cmd.SetComputeBufferParam(shader, drawLots, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, drawLots, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.StartPositions, particles.Start);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Drains, regions);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.DrainHistogram, histogram);
+            cmd.SetComputeBufferParam(shader, countRandomRanks, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, countRandomRanks, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
 
-            cmd.SetComputeBufferParam(shader, chooseLots, Ids.Drains, regions);
-            cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainStates, readback.Buffer);
-            cmd.SetComputeBufferParam(shader, chooseLots, Ids.DrainHistogram, histogram);
-            cmd.DispatchCompute(shader, chooseLots, 1, 1, 1);
+            cmd.SetComputeBufferParam(shader, selectRandom, Ids.Drains, regions);
+            cmd.SetComputeBufferParam(shader, selectRandom, Ids.DrainStates, readback.Buffer);
+            cmd.SetComputeBufferParam(shader, selectRandom, Ids.DrainHistogram, histogram);
+            cmd.DispatchCompute(shader, selectRandom, 1, 1, 1);
         }
 
         static class Ids

@@ -11,9 +11,9 @@ namespace Rill
         public const int Words = 8;
 
         /// <summary>Words by their place; the constants of EmitterStates.hlsl.</summary>
-        public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked, InSolid, Shut }
+        public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked, InCollider, Shut }
 
-        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Emitters.States", StepSources.MostEmitters * Words));
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Emitters.States", StepSources.MaxEmitters * Words));
 
         public EmitterStates() => Clear();
 
@@ -24,11 +24,11 @@ namespace Rill
         public void Clear()
         {
             BufferClear.Now(Buffer);
-            readback.Forget();
+            readback.Invalidate();
         }
 
         /// <summary>One emitter has done nothing: its number goes to another.</summary>
-        public void Forget(int emitter) => readback.Zero(emitter * Words, Words);
+        public void Invalidate(int emitter) => readback.Zero(emitter * Words, Words);
 
         /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
         public void Request() => readback.Request();

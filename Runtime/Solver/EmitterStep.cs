@@ -5,9 +5,9 @@ namespace Rill
     /// <summary>What one emitter does in one step. Lengths in d, times in seconds, directions in the domain's frame.</summary>
     struct EmitterStep
     {
-        /// <summary>Its number, below <see cref="StepSources.MostEmitters"/>.</summary>
+        /// <summary>Its number, below <see cref="StepSources.MaxEmitters"/>.</summary>
         public int number;
-        public EmitterPlaces places;
+        public EmitterPositions places;
         /// <summary>At the start and at the end of the step.</summary>
         public RigidPose start, end;
         /// <summary>d/s, along each place's direction of flow.</summary>
@@ -22,11 +22,11 @@ namespace Rill
         /// <summary>At the end of the step, s, since the first particle due was emitted; and the time between two.</summary>
         public float firstAge, interval;
         /// <summary>Places of the cross-section that are filled in turn, 1 to the number of places.</summary>
-        public int layerPlaces;
+        public int layerPositions;
         /// <summary>Places tried in this step, 1 to <see cref="Emitters.MaxCandidates"/>.</summary>
         public int candidates;
         /// <summary>Particles that wait for room at most; what is beyond is given up.</summary>
-        public int mostWaiting;
+        public int maxWaiting;
         /// <summary>Whether it does nothing from here on.</summary>
         public bool isLast;
         /// <summary>0 to 255; 0 for none.</summary>
@@ -46,19 +46,19 @@ namespace Rill
         /// <summary>Chooses the places that a step tries, from the particles a second that are asked for.</summary>
         /// <param name="perSecond">Particles a second.</param>
         /// <param name="step">Length of the step, s.</param>
-        public void ChoosePlaces(float perSecond, float step)
+        public void ChoosePositions(float perSecond, float step)
         {
             int count = places.Count;
             if (places.FillsVolume)
             {
-                layerPlaces = count;
+                layerPositions = count;
                 candidates = math.min(count, Emitters.MaxCandidates);
                 return;
             }
             // So many that they fill a layer in the time in which it moves on by a spacing: the flow is as wide as it needs
             // to be at rest density, and no wider.
             float needed = math.ceil(perSecond / speed - 1e-3f);
-            layerPlaces = places.UsesAllPlaces ? count : (int)math.clamp(needed, 1f, count);
+            layerPositions = places.UsesAllPositions ? count : (int)math.clamp(needed, 1f, count);
             candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
         }
 
@@ -66,13 +66,13 @@ namespace Rill
         /// <param name="share">0 to 1.</param>
         /// <param name="duration">Time in which it came from start to end, s, above 0; not that of the step where frames and steps differ.</param>
         /// <param name="most">Most that a particle takes of each, d/s.</param>
-        public void Inherit(float share, float duration, float most)
+        public void Inherit(float fraction, float duration, float most)
         {
             float4 turn = math.mul(end.rotation, math.conjugate(start.rotation)).value;
             turn = turn.w < 0f ? -turn : turn;
             float angle = 2f * math.atan2(math.length(turn.xyz), turn.w);
-            velocity = share * AtMost((end.position - start.position) / duration, most);
-            spin = share * AtMost(math.normalizesafe(turn.xyz) * (angle / duration), most / math.max(places.Radius, 1f));
+            velocity = fraction * AtMost((end.position - start.position) / duration, most);
+            spin = fraction * AtMost(math.normalizesafe(turn.xyz) * (angle / duration), most / math.max(places.Radius, 1f));
         }
 
         /// <summary>Steps until every place was tried where none has room: the first tries those that the flow would use.</summary>

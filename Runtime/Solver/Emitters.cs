@@ -19,11 +19,11 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
-        readonly int findRoomAlone, findRoomBeside, emit, reset;
+        readonly int findRoomAlone, findRoomWithColliders, emit, reset;
         readonly string emitName;
         readonly LocalKeyword sleep, withTags;
-        readonly GraphicsBuffer[] placeBuffers = new GraphicsBuffer[StepSources.MostEmitters];
-        readonly EmitterPlaces[] uploaded = new EmitterPlaces[StepSources.MostEmitters];
+        readonly GraphicsBuffer[] positionBuffers = new GraphicsBuffer[StepSources.MaxEmitters];
+        readonly EmitterPositions[] uploaded = new EmitterPositions[StepSources.MaxEmitters];
         GraphicsBuffer free;
 
         public Emitters() : this(DeviceLimits.Current) { }
@@ -31,7 +31,7 @@ namespace Rill
         public Emitters(in DeviceLimits limits)
         {
             findRoomAlone = shader.FindKernel("FindRoom");
-            findRoomBeside = shader.FindKernel("FindRoomBeside");
+            findRoomWithColliders = shader.FindKernel("FindRoomWithColliders");
             emitName = limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small;
             emit = shader.FindKernel(emitName);
             reset = shader.FindKernel("Reset");
@@ -56,7 +56,7 @@ namespace Rill
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             cmd.SetKeyword(shader, withTags, tags != null);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            for (int number = 0; number < StepSources.MostEmitters; number++)
+            for (int number = 0; number < StepSources.MaxEmitters; number++)
                 if ((sources.goneEmitters >> number & 1) != 0)
                     RecordReset(cmd, particles, number);
             for (int e = 0; e < sources.emitterCount; e++)
@@ -66,8 +66,8 @@ namespace Rill
 
         public void Dispose()
         {
-            for (int number = 0; number < placeBuffers.Length; number++)
-                GpuBuffer.Release(ref placeBuffers[number]);
+            for (int number = 0; number < positionBuffers.Length; number++)
+                GpuBuffer.Release(ref positionBuffers[number]);
             GpuBuffer.Release(ref free);
             States?.Dispose();
             States = null;
@@ -84,23 +84,23 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, resting);
-            description.Kernel("Emitters", colliders != null ? "FindRoomBeside" : "FindRoom", sources.emitterCount, variant);
+            description.Kernel("Emitters", colliders != null ? "FindRoomWithColliders" : "FindRoom", sources.emitterCount, variant);
             description.Kernel("Emitters", stage.emitName, sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
-            foreach (GraphicsBuffer places in stage.placeBuffers)
+            foreach (GraphicsBuffer places in stage.positionBuffers)
                 description.Buffer("Rill.Emitters.Places", places);
             return description;
         }
 
         void Record(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search, StepSources sources, int index, float step, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
         {
-            int findRoom = colliders != null ? findRoomBeside : findRoomAlone;
+            int findRoom = colliders != null ? findRoomWithColliders : findRoomAlone;
             colliders?.BindShapes(cmd, shader, findRoom);
             colliders?.BindVolume(cmd, shader, findRoom);
             ref EmitterStep emitter = ref sources.emitters[index];
             RecordParameters(cmd, emitter, step, SeesNew(sources, index, step), stepIndex);
-            GraphicsBuffer places = PlacesOf(emitter);
+            GraphicsBuffer places = PositionsOf(emitter);
 
             cmd.SetComputeBufferParam(shader, findRoom, Ids.Places, places);
             cmd.SetComputeBufferParam(shader, findRoom, Ids.CellStarts, search.CellStarts);
@@ -137,10 +137,10 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.Emitter, emitter.number);
             cmd.SetComputeIntParam(shader, Ids.Due, emitter.due);
             cmd.SetComputeIntParam(shader, Ids.FirstSerial, (int)emitter.firstSerial);
-            cmd.SetComputeIntParam(shader, Ids.LayerPlaces, emitter.layerPlaces);
-            cmd.SetComputeIntParam(shader, Ids.PlaceCount, emitter.places.Count);
+            cmd.SetComputeIntParam(shader, Ids.LayerPositions, emitter.layerPositions);
+            cmd.SetComputeIntParam(shader, Ids.PositionCount, emitter.places.Count);
             cmd.SetComputeIntParam(shader, Ids.Candidates, emitter.candidates);
-            cmd.SetComputeIntParam(shader, Ids.MostWaiting, emitter.mostWaiting);
+            cmd.SetComputeIntParam(shader, Ids.MaxWaiting, emitter.maxWaiting);
             cmd.SetComputeIntParam(shader, Ids.Fills, emitter.places.FillsVolume ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.SeesNew, seesNew ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.IsLast, emitter.isLast ? 1 : 0);
@@ -153,8 +153,8 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, reset, Ids.EmitterStates, States.Buffer);
             cmd.SetComputeBufferParam(shader, reset, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, reset, 1, 1, 1);
-            States.Forget(number);
-            GpuBuffer.Release(ref placeBuffers[number]);
+            States.Invalidate(number);
+            GpuBuffer.Release(ref positionBuffers[number]);
             uploaded[number] = null;
         }
 
@@ -171,9 +171,9 @@ namespace Rill
             return false;
         }
 
-        GraphicsBuffer PlacesOf(in EmitterStep emitter)
+        GraphicsBuffer PositionsOf(in EmitterStep emitter)
         {
-            ref GraphicsBuffer buffer = ref placeBuffers[emitter.number];
+            ref GraphicsBuffer buffer = ref positionBuffers[emitter.number];
             if (uploaded[emitter.number] == emitter.places)
                 return buffer;
             GpuBuffer.Release(ref buffer);
@@ -185,7 +185,7 @@ namespace Rill
 
         static class Ids
         {
-            public static readonly int Places = Shader.PropertyToID("_Places");
+            public static readonly int Places = Shader.PropertyToID("_EmitterPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");
@@ -204,10 +204,10 @@ namespace Rill
             public static readonly int Emitter = Shader.PropertyToID("_Emitter");
             public static readonly int Due = Shader.PropertyToID("_Due");
             public static readonly int FirstSerial = Shader.PropertyToID("_FirstSerial");
-            public static readonly int LayerPlaces = Shader.PropertyToID("_LayerPlaces");
-            public static readonly int PlaceCount = Shader.PropertyToID("_PlaceCount");
+            public static readonly int LayerPositions = Shader.PropertyToID("_LayerPositions");
+            public static readonly int PositionCount = Shader.PropertyToID("_PositionCount");
             public static readonly int Candidates = Shader.PropertyToID("_Candidates");
-            public static readonly int MostWaiting = Shader.PropertyToID("_MostWaiting");
+            public static readonly int MaxWaiting = Shader.PropertyToID("_MaxWaiting");
             public static readonly int Fills = Shader.PropertyToID("_Fills");
             public static readonly int SeesNew = Shader.PropertyToID("_SeesNew");
             public static readonly int IsLast = Shader.PropertyToID("_IsLast");

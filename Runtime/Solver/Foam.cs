@@ -110,12 +110,12 @@ namespace Rill
 
         public static bool IsNeeded(in StepInput input) => input.foam.budget > 0;
 
-        /// <summary>No foam, at once; counts begin anew.</summary>
+        /// <summary>No foam, at once; counts begin again.</summary>
         public void Clear()
         {
             BufferClear.Now(readback.Buffer);
             arguments.SetData(NoParticles);
-            readback.Forget();
+            readback.Invalidate();
         }
 
         /// <summary>Records the step of all foam, after the fluid's own. <see cref="Particles"/> is another buffer then.</summary>

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The limits of foam in a scene, as FoamSources.compute takes them: fixed shares of the scene's own speed and depth, in d and s.</summary>
+    /// <summary>The limits of foam in a scene, as FoamSources.compute takes them: fixed fractions of the scene's own speed and depth, in d and s.</summary>
     readonly struct FoamScales
     {
         /// <summary>Of the scene's speed: slower water makes no foam, faster than the second makes all that it can.</summary>

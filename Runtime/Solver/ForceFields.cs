@@ -40,20 +40,20 @@ namespace Rill
     sealed class ForceFields : IDisposable
     {
         /// <summary>Most that all fields together accelerate a particle, m/s²: about a hundred times gravity.</summary>
-        public const float MostAcceleration = 1000f;
+        public const float MaxAcceleration = 1000f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Fields");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ForceFields");
         readonly int accelerate;
-        readonly FieldRegion[] last = new FieldRegion[StepSources.MostFields];
+        readonly FieldRegion[] last = new FieldRegion[StepSources.MaxFields];
         int lastCount = -1;
         GraphicsBuffer regions;
 
         public ForceFields()
         {
             accelerate = shader.FindKernel("Accelerate");
-            regions = GpuBuffer.Structured<FieldRegion>("Rill.Fields", StepSources.MostFields);
+            regions = GpuBuffer.Structured<FieldRegion>("Rill.Fields", StepSources.MaxFields);
         }
 
         public static bool IsNeeded(StepSources sources) => sources != null && sources.fieldCount > 0;
@@ -79,7 +79,7 @@ namespace Rill
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
             cmd.SetComputeIntParam(shader, Ids.FieldCount, lastCount);
-            cmd.SetComputeFloatParam(shader, Ids.MostAcceleration, MostAcceleration / layout.Spacing);
+            cmd.SetComputeFloatParam(shader, Ids.MaxAcceleration, MaxAcceleration / layout.Spacing);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Fields, regions);
@@ -109,7 +109,7 @@ namespace Rill
             public static readonly int Fields = Shader.PropertyToID("_Fields");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
             public static readonly int FieldCount = Shader.PropertyToID("_FieldCount");
-            public static readonly int MostAcceleration = Shader.PropertyToID("_MostAcceleration");
+            public static readonly int MaxAcceleration = Shader.PropertyToID("_MaxAcceleration");
         }
     }
 }

@@ -25,8 +25,8 @@ namespace Rill
         public static GraphicsBuffer Structured<T>(string name, long count) where T : struct
         {
             int stride = UnsafeUtility.SizeOf<T>();
-            if (count < 1 || count * stride > LargestBinding)
-                throw new ArgumentOutOfRangeException(nameof(count), count, $"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {LargestBinding / stride:N0}.");
+            if (count < 1 || count * stride > MaxBinding)
+                throw new ArgumentOutOfRangeException(nameof(count), count, $"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {MaxBinding / stride:N0}.");
             return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, stride));
         }
 
@@ -37,7 +37,7 @@ namespace Rill
         }
 
         /// <summary>Largest buffer that a kernel can be given here, bytes.</summary>
-        public static long LargestBinding => Math.Min(MaxBytes, SystemInfo.maxGraphicsBufferSize);
+        public static long MaxBinding => Math.Min(MaxBytes, SystemInfo.maxGraphicsBufferSize);
 
         public static void Release(ref GraphicsBuffer buffer)
         {

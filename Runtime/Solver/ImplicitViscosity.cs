@@ -21,7 +21,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.ImplicitViscosity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ImplicitViscosity");
-        readonly int applyProjection, findCoefficients, findCoefficientsBeside, findResidual, firstPass, nextPass;
+        readonly int applyProjection, findCoefficients, findCoefficientsWithColliders, findResidual, firstPass, nextPass;
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer solution, nextSolution, changes, holds;
 
@@ -29,7 +29,7 @@ namespace Rill
         {
             applyProjection = shader.FindKernel("ApplyProjection");
             findCoefficients = shader.FindKernel("FindCoefficients");
-            findCoefficientsBeside = shader.FindKernel("FindCoefficientsBeside");
+            findCoefficientsWithColliders = shader.FindKernel("FindCoefficientsWithColliders");
             findResidual = shader.FindKernel("FindResidual");
             firstPass = shader.FindKernel("FirstPass");
             nextPass = shader.FindKernel("NextPass");
@@ -104,14 +104,14 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * strength));
             cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
             cmd.SetComputeVectorParam(shader, Ids.Surface, new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
-            cmd.SetComputeFloatParam(shader, Ids.LeastMoment, (float)(LeastFill * LatticeKernels.ViscosityMoment));
-            cmd.SetComputeFloatParam(shader, Ids.LeastReach, (float)(LeastReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
+            cmd.SetComputeFloatParam(shader, Ids.MinMoment, (float)(MinFill * LatticeKernels.ViscosityMoment));
+            cmd.SetComputeFloatParam(shader, Ids.MinReach, (float)(MinReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
 
             cmd.SetComputeFloatParam(shader, Ids.WallFriction, input.material.wallFriction);
             cmd.SetComputeFloatParam(shader, Ids.WallHold, (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold));
             cmd.SetComputeVectorParam(shader, Ids.WallMissing, new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares, (float)LatticeKernels.ViscosityWallLean, 0f));
 
-            int coefficients = colliders != null ? findCoefficientsBeside : findCoefficients;
+            int coefficients = colliders != null ? findCoefficientsWithColliders : findCoefficients;
             Bind(cmd, coefficients, particles, lists, resting);
             colliders?.BindShapes(cmd, shader, coefficients);
             cmd.SetComputeBufferParam(shader, coefficients, Ids.Solution, solution);
@@ -162,7 +162,7 @@ namespace Rill
             int substeps = input.settings.substeps, passes = PassesFor(Strength(input, layout));
             if (deep)
                 description.Kernel("ImplicitViscosity", "ApplyProjection", substeps, variant);
-            description.Kernel("ImplicitViscosity", colliders != null ? "FindCoefficientsBeside" : "FindCoefficients", substeps, variant);
+            description.Kernel("ImplicitViscosity", colliders != null ? "FindCoefficientsWithColliders" : "FindCoefficients", substeps, variant);
             description.Kernel("ImplicitViscosity", "FindResidual", substeps, variant);
             description.Kernel("ImplicitViscosity", "FirstPass", substeps, variant);
             if (passes > 1)
@@ -176,7 +176,7 @@ namespace Rill
 
         // Of the lattice's Σ w r⁴: with fewer neighbors than that a particle resists less. And how much more than the lattice crowded
         // particles may resist: half as much for the reach that is left of Σ w r⁴ / Σ w r².
-        const double LeastFill = 0.25, LeastReach = 0.5;
+        const double MinFill = 0.25, MinReach = 0.5;
 
         void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, RestingRegions resting)
         {
@@ -208,8 +208,8 @@ namespace Rill
             public static readonly int Strength = Shader.PropertyToID("_Strength");
             public static readonly int Blend = Shader.PropertyToID("_Blend");
             public static readonly int Surface = Shader.PropertyToID("_Surface");
-            public static readonly int LeastMoment = Shader.PropertyToID("_LeastMoment");
-            public static readonly int LeastReach = Shader.PropertyToID("_LeastReach");
+            public static readonly int MinMoment = Shader.PropertyToID("_MinMoment");
+            public static readonly int MinReach = Shader.PropertyToID("_MinReach");
             public static readonly int Pass = Shader.PropertyToID("_Pass");
             public static readonly int IsLast = Shader.PropertyToID("_IsLast");
         }

@@ -30,7 +30,7 @@ namespace Rill
         /// <summary>Σ w over Σ w x² of the weights w of Viscoelasticity.compute on the lattice, 1/d².</summary>
         public static readonly double StressMultiplier = SumLattice(StressWeight, includeSelf: false) / SumLattice(r => StressWeight(r) * r * r / 3.0, includeSelf: false);
 
-        /// <summary>Σ w_i x_i⁴ = 3 Σ w x²y² on the lattice with the weights of ImplicitViscosity.compute: what the share of t² has to be for it, d².</summary>
+        /// <summary>Σ w_i x_i⁴ = 3 Σ w x²y² on the lattice with the weights of ImplicitViscosity.compute: what the fraction of t² has to be for it, d².</summary>
         /// <remarks>So that the lattice resists as fluid without order does, the same in every direction.</remarks>
         public static readonly double ViscosityBlend = SumAnisotropy(3) / -SumAnisotropy(2);
 

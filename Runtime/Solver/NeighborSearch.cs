@@ -13,7 +13,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsBeside, countCellsDeepBeside, countCellsAtRest, scatterOrder, gather, gatherBeside, gatherTags, gatherOrigins, gatherMeans;
+        readonly int countCells, countCellsDeep, countCellsWithColliders, countCellsDeepWithColliders, countCellsAtRest, scatterOrder, gather, gatherWithColliders, gatherTags, gatherPreviousIndices, gatherMeans;
         readonly LocalKeyword sleep;
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
@@ -27,14 +27,14 @@ namespace Rill
             isNarrow = !limits.Holds("NeighborSearch", "Gather");
             countCells = shader.FindKernel("CountCells");
             countCellsDeep = shader.FindKernel("CountCellsDeep");
-            countCellsBeside = shader.FindKernel("CountCellsBeside");
-            countCellsDeepBeside = shader.FindKernel("CountCellsDeepBeside");
+            countCellsWithColliders = shader.FindKernel("CountCellsWithColliders");
+            countCellsDeepWithColliders = shader.FindKernel("CountCellsDeepWithColliders");
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
             gather = shader.FindKernel(isNarrow ? "Gather" + KernelNeed.Narrow : "Gather");
-            gatherBeside = shader.FindKernel("GatherBeside");
+            gatherWithColliders = shader.FindKernel("GatherWithColliders");
             gatherTags = shader.FindKernel("GatherTags");
-            gatherOrigins = shader.FindKernel("GatherOrigins");
+            gatherPreviousIndices = shader.FindKernel("GatherPreviousIndices");
             gatherMeans = shader.FindKernel("GatherMeans");
 
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
@@ -59,7 +59,7 @@ namespace Rill
         /// <param name="colliders">End the ways that meet them; null for none.</param>
         /// <param name="extrapolation">Whose mean velocities go with their particles; null for none.</param>
         /// <param name="origins">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer origins = null, VelocityExtrapolation extrapolation = null)
+        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer previousIndices = null, VelocityExtrapolation extrapolation = null)
         {
             cmd.BeginSample(Marker);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -72,10 +72,10 @@ namespace Rill
                 cmd.BeginSample(Marker);
             }
             RecordOrder(cmd, particles);
-            if (origins != null)
+            if (previousIndices != null)
             {
-                cmd.SetComputeBufferParam(shader, gatherOrigins, Viscoelasticity.Ids.Origins, origins);
-                DispatchOrdered(cmd, particles, gatherOrigins);
+                cmd.SetComputeBufferParam(shader, gatherPreviousIndices, Viscoelasticity.Ids.PreviousIndices, previousIndices);
+                DispatchOrdered(cmd, particles, gatherPreviousIndices);
             }
 
             if (extrapolation != null)
@@ -86,7 +86,7 @@ namespace Rill
 
             if (isNarrow && colliders == null)
                 RecordGather(cmd, particles, particles.Ids, particles.SortedIds);
-            int kernel = colliders == null ? gather : gatherBeside;
+            int kernel = colliders == null ? gather : gatherWithColliders;
             resting?.Bind(cmd, shader, kernel);
             colliders?.BindSort(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
@@ -134,14 +134,14 @@ namespace Rill
         public StageDescription Describe(in SolverSettings settings, bool deep, RestingRegions resting, Colliders colliders)
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
-            string beside = colliders != null ? "Beside" : "";
-            stage.Kernel("NeighborSearch", (deep ? "CountCellsDeep" : "CountCells") + beside, settings.substeps, RestingRegions.Variant(null, resting));
+            string withColliders = colliders != null ? "WithColliders" : "";
+            stage.Kernel("NeighborSearch", (deep ? "CountCellsDeep" : "CountCells") + withColliders, settings.substeps, RestingRegions.Variant(null, resting));
             prefixSum.Describe(stage, settings.substeps);
             stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps, RestingRegions.Variant(null, resting));
             bool narrow = isNarrow && colliders == null;
             if (narrow)
                 stage.Kernel("NeighborSearch", "GatherTags", settings.substeps);
-            stage.Kernel("NeighborSearch", (narrow ? "Gather" + KernelNeed.Narrow : "Gather") + beside, settings.substeps, RestingRegions.Variant(null, resting));
+            stage.Kernel("NeighborSearch", (narrow ? "Gather" + KernelNeed.Narrow : "Gather") + withColliders, settings.substeps, RestingRegions.Variant(null, resting));
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);
@@ -164,7 +164,7 @@ namespace Rill
 
         void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)
         {
-            int kernel = colliders == null ? coarse != null ? countCellsDeep : countCells : coarse != null ? countCellsDeepBeside : countCellsBeside;
+            int kernel = colliders == null ? coarse != null ? countCellsDeep : countCells : coarse != null ? countCellsDeepWithColliders : countCellsWithColliders;
             resting?.Bind(cmd, shader, kernel);
             colliders?.BindCount(cmd, shader, kernel);
             if (coarse != null)

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Entries of the counter buffer; the constants of the same names in Solver.hlsl.</summary>
-    enum ParticleCounter { Alive, Sorted, NextId, Refused, NonFinite, Overflow, MostNeighbors, Added, Emitted, Drained, Blocked, Waiting, Recycling, Moved, ViscosityBound, ViscosityChange }
+    enum ParticleCounter { Alive, Sorted, NextId, Refused, NonFinite, Overflow, MaxNeighbors, Added, Emitted, Drained, Blocked, Waiting, Recycling, Moved, ViscosityBound, ViscosityChange }
 
     /// <summary>The state of the particles on the GPU. Lengths in d, in the domain's frame.</summary>
     /// <remarks>

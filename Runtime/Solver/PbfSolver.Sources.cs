@@ -46,7 +46,7 @@ namespace Rill
                 drains ??= new Drains();
             else if (drains != null && (sources == null || !sources.keepsDrains))
                 ReleaseDrains();
-            drains?.Forget(sources?.goneDrains ?? 0);
+            drains?.Remove(sources?.goneDrains ?? 0);
             if (ForceFields.IsNeeded(sources))
                 forceFields ??= new ForceFields();
             else
@@ -85,8 +85,8 @@ namespace Rill
         {
             float3 down = math.normalizesafe(gravity) * math.length(Layout.DomainSize);
             float3 low = math.min(emitter.start.position, emitter.end.position) - emitter.places.Radius, high = math.max(emitter.start.position, emitter.end.position) + emitter.places.Radius;
-            lowestAdded = math.min(lowestAdded, math.clamp(math.min(low, low + down), 0f, Layout.DomainSize));
-            highestAdded = math.max(highestAdded, math.clamp(math.max(high, high + down), 0f, Layout.DomainSize));
+            minAdded = math.min(minAdded, math.clamp(math.min(low, low + down), 0f, Layout.DomainSize));
+            maxAdded = math.max(maxAdded, math.clamp(math.max(high, high + down), 0f, Layout.DomainSize));
         }
 
         void ClearSources()

@@ -22,7 +22,7 @@ namespace Rill
         /// <summary>Differs once <see cref="Surface"/> is that of another state.</summary>
         public int SurfaceVersion { get; private set; } = 1;
 
-        /// <summary>Records the surface of the current state; not after <see cref="RecordStatistics"/> of that state, which sorts anew.</summary>
+        /// <summary>Records the surface of the current state; not after <see cref="RecordStatistics"/> of that state, which sorts again.</summary>
         /// <exception cref="ArgumentOutOfRangeException">Its buffers are more than the device can bind.</exception>
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {

@@ -19,7 +19,7 @@ namespace Rill
     {
         readonly DeviceLimits limits;
         readonly ParticleBuffers particles;
-        readonly Emission emission;
+        readonly ParticleUpload particleUpload;
         readonly NeighborSearch neighborSearch;
         readonly DensityConstraint densityConstraint;
         readonly VelocityUpdate velocityUpdate;
@@ -37,7 +37,7 @@ namespace Rill
         readonly SolverConstants[] constantsUpload = new SolverConstants[1];        // copied as it is recorded, as Unity's own ConstantBuffer relies on
         uint stepIndex;
         int lastSubsteps;       // of the last step
-        float3 lowestAdded, highestAdded;       // d, of all particles since the last Clear
+        float3 minAdded, maxAdded;       // d, of all particles since the last Clear
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
         public PbfSolver(SolverLayout layout) : this(layout, DeviceLimits.Current) { }
@@ -50,7 +50,7 @@ namespace Rill
             try
             {
                 particles = new ParticleBuffers(layout.Capacity);
-                emission = new Emission();
+                particleUpload = new ParticleUpload();
                 neighborSearch = new NeighborSearch(layout, limits);
                 densityConstraint = new DensityConstraint(layout);
                 velocityUpdate = new VelocityUpdate();
@@ -111,19 +111,19 @@ namespace Rill
             stepIndex = 0;
             lastSubsteps = 0;
             InvalidateSurface();
-            statistics?.Forget();
+            statistics?.Invalidate();
             foam?.Clear();
-            ReleaseCoarse();        // whether the next water is deep is decided anew
+            ReleaseCoarse();        // whether the next water is deep is decided again
             ReleaseViscosity();
             ReleaseViscoelasticity();       // the next fluid is not stretched
             ReleaseExtrapolation();
             ClearSources();
             restingRegions?.Wake();
-            lowestAdded = float.MaxValue;
-            highestAdded = float.MinValue;
+            minAdded = float.MaxValue;
+            maxAdded = float.MinValue;
             using (var cmd = new CommandBuffer { name = "Rill.Clear" })
             {
-                emission.Clear(cmd, particles);
+                particleUpload.Clear(cmd, particles);
                 Graphics.ExecuteCommandBuffer(cmd);
             }
         }
@@ -154,10 +154,10 @@ namespace Rill
         /// <param name="high">And the highest.</param>
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high)
         {
-            emission.Append(particles, Layout.Capacity, positions, velocities, tags);
-            lowestAdded = math.min(lowestAdded, low);
-            highestAdded = math.max(highestAdded, high);
-            emission.Trim();
+            particleUpload.Append(particles, Layout.Capacity, positions, velocities, tags);
+            minAdded = math.min(minAdded, low);
+            maxAdded = math.max(maxAdded, high);
+            particleUpload.Trim();
             restingRegions?.Wake();
             SurfaceIsCurrent = false;
             hasNew = true;
@@ -183,12 +183,12 @@ namespace Rill
                 resting?.Record(cmd, constants, particles, Layout, input);
                 fields?.Record(cmd, constants, particles, Layout);
                 obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
-                coarse?.RecordSolids(cmd, constants, obstacles);
+                coarse?.RecordColliders(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
                 bool hasLists = lastSubsteps > 0 || substep > 0;
                 if (hasLists)
                     viscous?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, coarse, resting, obstacles);
-                neighborSearch.RecordSort(cmd, constants, particles, viscous == null || !hasLists ? coarse : null, resting, obstacles, elastic?.Origins, extrapolation);
+                neighborSearch.RecordSort(cmd, constants, particles, viscous == null || !hasLists ? coarse : null, resting, obstacles, elastic?.PreviousIndices, extrapolation);
                 tags?.RecordSort(cmd, particles, neighborSearch);
                 densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
                 velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles, extrapolation);
@@ -269,7 +269,7 @@ namespace Rill
         public void Dispose()
         {
             particles?.Dispose();
-            emission?.Dispose();
+            particleUpload?.Dispose();
             neighborSearch?.Dispose();
             densityConstraint?.Dispose();
             ReleaseResting();
@@ -296,12 +296,12 @@ namespace Rill
         /// <summary>How deep the water can be, d: as far as what was added reaches along gravity, or across where there is none.</summary>
         float WaterDepth(float3 gravity)
         {
-            float3 extent = math.max(highestAdded - lowestAdded + 1f, 0f);
+            float3 extent = math.max(maxAdded - minAdded + 1f, 0f);
             float strength = math.length(gravity);
             return strength > 0f ? math.dot(math.abs(gravity) / strength, extent) : 0f;
         }
 
-        // Made when first needed, and anew for another size of its cells; null where the scene does without.
+        // Made when first needed, and again for another size of its cells; null where the scene does without.
         CoarseCorrection CoarseFor(in StepInput input)
         {
             if (!IsDeep(input))
@@ -334,7 +334,7 @@ namespace Rill
                 return null;
             }
             colliders ??= new Colliders(Layout);
-            if (colliders.Disturb(input.colliders))
+            if (colliders.ConsumeChanges(input.colliders))
                 restingRegions?.Wake();
             return colliders;
         }

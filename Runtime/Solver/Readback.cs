@@ -52,7 +52,7 @@ namespace Rill
         }
 
         /// <summary>Results from before this call are dropped when they come.</summary>
-        public void Forget()
+        public void Invalidate()
         {
             generation++;
             HasResult = false;

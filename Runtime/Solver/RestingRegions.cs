@@ -26,7 +26,7 @@ namespace Rill
         public const string Keyword = "RILL_SLEEP";
 
         const int MotionStride = 5;             // kMotionStride in RestingRegions.hlsl
-        const float GravityChange = 0.01f;      // share of it that wakes everything
+        const float GravityChange = 0.01f;      // fraction of it that wakes everything
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");
 
@@ -63,12 +63,12 @@ namespace Rill
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, SolverLayout layout, in StepInput input)
         {
             float dt = input.timeStep / input.settings.substeps;
-            float way = input.settings.sleepSpeed * dt / layout.Spacing;
+            float path = input.settings.sleepSpeed * dt / layout.Spacing;
             wake |= HasChanged(input);
             cmd.BeginSample(Marker);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            cmd.SetComputeFloatParam(shader, Ids.RestingWay, way);
-            cmd.SetComputeFloatParam(shader, Ids.JitterWay, JitterRatio * way);
+            cmd.SetComputeFloatParam(shader, Ids.SleepDisplacement, path);
+            cmd.SetComputeFloatParam(shader, Ids.JitterDisplacement, JitterRatio * path);
             cmd.SetComputeIntParam(shader, Ids.StepsToSleep, (int)math.ceil(Delay / dt));
             cmd.SetComputeIntParam(shader, Ids.WakeAll, wake ? 1 : 0);
 
@@ -151,8 +151,8 @@ namespace Rill
             public static readonly int RegionMotion = Shader.PropertyToID("_RegionMotion");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");
             public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int RestingWay = Shader.PropertyToID("_RestingWay");
-            public static readonly int JitterWay = Shader.PropertyToID("_JitterWay");
+            public static readonly int SleepDisplacement = Shader.PropertyToID("_SleepDisplacement");
+            public static readonly int JitterDisplacement = Shader.PropertyToID("_JitterDisplacement");
             public static readonly int StepsToSleep = Shader.PropertyToID("_StepsToSleep");
             public static readonly int WakeAll = Shader.PropertyToID("_Wake");
         }

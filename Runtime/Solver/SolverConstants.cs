@@ -34,8 +34,8 @@ namespace Rill
         public float smoothing;
         public float confinement;
         public float extrapolation;
-        public float accelerationShare;
-        public float longestExtrapolation;
+        public float accelerationFraction;
+        public float maxExtrapolation;
         public float unused;
 
         /// <summary>Longest correction of one pass, d: what keeps a pass from throwing particles past their neighbors.</summary>
@@ -87,8 +87,8 @@ namespace Rill
                 smoothing = Smoothing(input),
                 confinement = material.vorticity / layout.Spacing * atOnce,
                 extrapolation = VelocityExtrapolation.WeightFor(input),
-                accelerationShare = atOnce,
-                longestExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
+                accelerationFraction = atOnce,
+                maxExtrapolation = VelocityExtrapolation.Longest(input, layout.Spacing),
             };
         }
     }

@@ -34,10 +34,10 @@ namespace Rill
         /// <param name="listMargin">List radius over support radius, at least 1.</param>
         /// <exception cref="ArgumentException">A value is out of range; the message names it, the limit and the remedy.</exception>
         public SolverLayout(float3 domainSize, float spacing, int capacity, int neighborCapacity, float listMargin)
-            : this(domainSize, spacing, capacity, neighborCapacity, listMargin, GpuBuffer.LargestBinding) { }
+            : this(domainSize, spacing, capacity, neighborCapacity, listMargin, GpuBuffer.MaxBinding) { }
 
-        /// <param name="largestBinding">Bytes of the largest buffer that a kernel can be given.</param>
-        internal SolverLayout(float3 domainSize, float spacing, int capacity, int neighborCapacity, float listMargin, long largestBinding)
+        /// <param name="maxBinding">Bytes of the largest buffer that a kernel can be given.</param>
+        internal SolverLayout(float3 domainSize, float spacing, int capacity, int neighborCapacity, float listMargin, long maxBinding)
         {
             if (!(spacing > 0f) || float.IsInfinity(spacing))
                 throw new ArgumentException($"Particle spacing {spacing} m: it must be above 0. Set it to the distance between particles at rest, e.g. 0.05.");
@@ -58,7 +58,7 @@ namespace Rill
             AskedNeighborCapacity = neighborCapacity;
             ListRadius = support * listMargin;
             ChooseCells();
-            SplitLists(largestBinding);
+            SplitLists(maxBinding);
         }
 
         /// <summary>Particle spacing d, m.</summary>
@@ -107,12 +107,12 @@ namespace Rill
             throw new ArgumentException($"Domain size {Text(DomainSize * Spacing)} m has more than {MaxCells:N0} grid cells of {CellSize.x * Spacing} m. Shrink the domain or raise the particle spacing.");
         }
 
-        void SplitLists(long largestBinding)
+        void SplitLists(long maxBinding)
         {
-            long entries = largestBinding / sizeof(uint);
+            long entries = maxBinding / sizeof(uint);
             long perBuffer = entries / NeighborCapacity / ParticlesPerListBlock * ParticlesPerListBlock;
             if (2 * perBuffer < Capacity)
-                throw new ArgumentException($"Capacity {Capacity:N0} with {NeighborCapacity} neighbors each needs more than two buffers of {largestBinding:N0} bytes, the most this device binds. Lower the capacity to {2 * perBuffer:N0} or the neighbor capacity.");
+                throw new ArgumentException($"Capacity {Capacity:N0} with {NeighborCapacity} neighbors each needs more than two buffers of {maxBinding:N0} bytes, the most this device binds. Lower the capacity to {2 * perBuffer:N0} or the neighbor capacity.");
             FirstListParticles = (int)Math.Min(Capacity, perBuffer);
         }
 

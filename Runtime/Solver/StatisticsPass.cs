@@ -14,14 +14,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Statistics");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
-        readonly int measure, measureBeside, reduce;
+        readonly int measure, measureWithColliders, reduce;
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize));
         GraphicsBuffer partials, histogram;
 
         public StatisticsPass(int capacity)
         {
             measure = shader.FindKernel("Measure");
-            measureBeside = shader.FindKernel("MeasureBeside");
+            measureWithColliders = shader.FindKernel("MeasureWithColliders");
             reduce = shader.FindKernel("Reduce");
             int groups = (capacity + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
@@ -46,7 +46,7 @@ namespace Rill
             search.RecordOrderAtRest(cmd, constants, particles);
             cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
 
-            int kernel = colliders == null ? measure : measureBeside;
+            int kernel = colliders == null ? measure : measureWithColliders;
             if (colliders != null)
             {
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
@@ -73,7 +73,7 @@ namespace Rill
         public void Request() => readback.Request();
 
         /// <summary>Results from before this call are dropped when they come.</summary>
-        public void Forget() => readback.Forget();
+        public void Invalidate() => readback.Invalidate();
 
         public void Dispose()
         {
@@ -94,7 +94,7 @@ namespace Rill
             description.Kernel("NeighborSearch", "ScatterOrder", 0);
             if (colliders != null)
                 description.Kernel("Colliders", "FindBoundary", 0);
-            description.Kernel("Statistics", colliders == null ? "Measure" : "MeasureBeside", 0);
+            description.Kernel("Statistics", colliders == null ? "Measure" : "MeasureWithColliders", 0);
             description.Kernel("Statistics", "Reduce", 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);
             description.Buffer("Rill.Statistics.Histogram", stage.histogram);

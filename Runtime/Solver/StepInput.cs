@@ -15,7 +15,7 @@ namespace Rill
         public FluidMaterial material;
         /// <summary>Whether something reads the density that comes with the velocities.</summary>
         public bool needsDensity;
-        /// <summary>Solid obstacles over the frame that the step belongs to; null for none.</summary>
+        /// <summary>Solid colliders over the frame that the step belongs to; null for none.</summary>
         public ColliderSet colliders;
         /// <summary>Shares of that frame at which the step starts and ends.</summary>
         public float frameFrom, frameTo;

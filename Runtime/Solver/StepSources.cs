@@ -4,15 +4,15 @@ namespace Rill
     sealed class StepSources
     {
         /// <summary>Most emitters of a simulation.</summary>
-        public const int MostEmitters = 32;
-        /// <summary>Most drains of a simulation; the threads of ChooseLots in Drains.compute.</summary>
-        public const int MostDrains = 32;
+        public const int MaxEmitters = 32;
+        /// <summary>Most drains of a simulation; the threads of SelectRandom in Drains.compute.</summary>
+        public const int MaxDrains = 32;
         /// <summary>Most force fields of a simulation.</summary>
-        public const int MostFields = 32;
+        public const int MaxFields = 32;
 
-        public readonly EmitterStep[] emitters = new EmitterStep[MostEmitters];
-        public readonly DrainRegion[] drains = new DrainRegion[MostDrains];
-        public readonly FieldRegion[] fields = new FieldRegion[MostFields];
+        public readonly EmitterStep[] emitters = new EmitterStep[MaxEmitters];
+        public readonly DrainRegion[] drains = new DrainRegion[MaxDrains];
+        public readonly FieldRegion[] fields = new FieldRegion[MaxFields];
         public int emitterCount, drainCount, fieldCount;
 
         /// <summary>Bit e: the emitter with number e is gone, and what waits for it is given up before this step emits.</summary>

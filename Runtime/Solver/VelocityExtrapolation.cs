@@ -18,8 +18,8 @@ namespace Rill
     sealed class VelocityExtrapolation : IDisposable
     {
         // Changes of velocity up to which they are extrapolated, times Δt: what is longer is an impact, which would bounce.
-        const float LongestAtRest = 0.1f;       // d
-        const float LongestFalling = 2f;        // of what gravity gives, or the strongest field
+        const float MaxAtRest = 0.1f;       // d
+        const float MaxFalling = 2f;        // of what gravity gives, or the strongest field
 
         GraphicsBuffer means, sorted;
         float lastTimeStep, lastWeight;
@@ -50,7 +50,7 @@ namespace Rill
             float strongest = math.length(input.gravity) / spacing;
             for (int i = 0; i < (input.sources?.fieldCount ?? 0); i++)
                 strongest = math.max(strongest, math.abs(input.sources.fields[i].strength));
-            return LongestAtRest / dt + LongestFalling * strongest * dt;
+            return MaxAtRest / dt + MaxFalling * strongest * dt;
         }
 
         /// <summary>Binds what a sort takes along.</summary>

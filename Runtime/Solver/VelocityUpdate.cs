@@ -10,16 +10,16 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Velocity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
-        readonly int update, updateViscous, updateViscousBeside, updateExtrapolated, updateExtrapolatedBeside;
+        readonly int update, updateViscous, updateViscousWithColliders, updateExtrapolated, updateExtrapolatedWithColliders;
         readonly LocalKeyword twoLists, sleep;
 
         public VelocityUpdate()
         {
             update = shader.FindKernel("UpdateVelocity");
             updateViscous = shader.FindKernel("UpdateVelocityViscous");
-            updateViscousBeside = shader.FindKernel("UpdateVelocityViscousBeside");
+            updateViscousWithColliders = shader.FindKernel("UpdateVelocityViscousWithColliders");
             updateExtrapolated = shader.FindKernel("UpdateVelocityExtrapolated");
-            updateExtrapolatedBeside = shader.FindKernel("UpdateVelocityExtrapolatedBeside");
+            updateExtrapolatedWithColliders = shader.FindKernel("UpdateVelocityExtrapolatedWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
@@ -33,8 +33,8 @@ namespace Rill
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
         {
             bool visits = VisitsNeighbors(input);
-            int kernel = extrapolation != null ? colliders == null ? updateExtrapolated : updateExtrapolatedBeside
-                : !visits ? update : colliders == null ? updateViscous : updateViscousBeside;
+            int kernel = extrapolation != null ? colliders == null ? updateExtrapolated : updateExtrapolatedWithColliders
+                : !visits ? update : colliders == null ? updateViscous : updateViscousWithColliders;
             cmd.BeginSample(Marker);
             lists.RecordKeyword(cmd, shader, twoLists);
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
@@ -64,7 +64,7 @@ namespace Rill
                 : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
             string kernel = VelocityExtrapolation.IsNeeded(input) ? "UpdateVelocityExtrapolated" : visits ? "UpdateVelocityViscous" : "UpdateVelocity";
-            stage.Kernel("VelocityUpdate", visits && colliders != null ? kernel + "Beside" : kernel, input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
+            stage.Kernel("VelocityUpdate", visits && colliders != null ? kernel + "WithColliders" : kernel, input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
             return stage;
         }
 

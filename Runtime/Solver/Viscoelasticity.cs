@@ -13,15 +13,15 @@ namespace Rill
     /// </summary>
     sealed class Viscoelasticity : IDisposable
     {
-        /// <summary>kMostStiffness of Viscoelasticity.compute over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
-        public static readonly double MostStiffness = 1.0 / (2.0 * Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
+        /// <summary>kMaxStiffness of Viscoelasticity.compute over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
+        public static readonly double MaxStiffness = 1.0 / (2.0 * Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Viscoelasticity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Viscoelasticity");
         readonly int deform, applyStress;
         readonly LocalKeyword twoLists, sleep;
-        GraphicsBuffer conformation, deformed, stress, origins;
+        GraphicsBuffer conformation, deformed, stress, previousIndices;
 
         public Viscoelasticity(int capacity)
         {
@@ -32,7 +32,7 @@ namespace Rill
             conformation = GpuBuffer.Structured<Symmetric>("Rill.Conformation", capacity);
             deformed = GpuBuffer.Structured<Symmetric>("Rill.DeformedConformation", capacity);
             stress = GpuBuffer.Structured<float3x3>("Rill.Stress", capacity);
-            origins = GpuBuffer.Structured<uint>("Rill.Origins", capacity);
+            previousIndices = GpuBuffer.Structured<uint>("Rill.PreviousIndices", capacity);
             BufferClear.Now(conformation);
         }
 
@@ -50,7 +50,7 @@ namespace Rill
         public GraphicsBuffer Conformation => conformation;
 
         /// <summary>uint [capacity], where each particle was before the sort; NeighborSearch writes it.</summary>
-        public GraphicsBuffer Origins => origins;
+        public GraphicsBuffer PreviousIndices => previousIndices;
 
         public static bool IsNeeded(in StepInput input) => input.material.shearModulus > 0f;
 
@@ -67,7 +67,7 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * layout.Spacing * layout.Spacing));
             cmd.SetComputeFloatParam(shader, Ids.Relaxing, math.exp(-0.5f * dt / material.relaxationTime));
 
-            cmd.SetComputeBufferParam(shader, deform, Ids.Origins, origins);
+            cmd.SetComputeBufferParam(shader, deform, Ids.PreviousIndices, previousIndices);
             cmd.SetComputeBufferParam(shader, deform, Ids.Conformation, conformation);
             cmd.SetComputeBufferParam(shader, deform, Ids.Deformed, deformed);
             Dispatch(cmd, deform, particles, lists, resting);
@@ -82,7 +82,7 @@ namespace Rill
             GpuBuffer.Release(ref conformation);
             GpuBuffer.Release(ref deformed);
             GpuBuffer.Release(ref stress);
-            GpuBuffer.Release(ref origins);
+            GpuBuffer.Release(ref previousIndices);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -94,13 +94,13 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(lists.Variant, resting);
-            description.Kernel("NeighborSearch", "GatherOrigins", input.settings.substeps, RestingRegions.Variant(null, resting));
+            description.Kernel("NeighborSearch", "GatherPreviousIndices", input.settings.substeps, RestingRegions.Variant(null, resting));
             description.Kernel("Viscoelasticity", "Deform", input.settings.substeps, variant);
             description.Kernel("Viscoelasticity", "ApplyStress", input.settings.substeps, variant);
             description.Buffer("Rill.Conformation", stage.conformation);
             description.Buffer("Rill.DeformedConformation", stage.deformed);
             description.Buffer("Rill.Stress", stage.stress);
-            description.Buffer("Rill.Origins", stage.origins);
+            description.Buffer("Rill.PreviousIndices", stage.previousIndices);
             return description;
         }
 
@@ -110,7 +110,7 @@ namespace Rill
             if (material.shearModulus <= 0f)
                 return "the shear modulus is 0";
             string text = $"shear modulus {material.shearModulus} Pa, relaxing in {material.relaxationTime} s";
-            float largest = material.LargestShearModulus(layout.Spacing, input.timeStep / input.settings.substeps);
+            float largest = material.MaxShearModulus(layout.Spacing, input.timeStep / input.settings.substeps);
             return material.shearModulus > largest ? $"{text}; at this spacing and substep it acts like {largest:G3} Pa" : text;
         }
 
@@ -127,7 +127,7 @@ namespace Rill
 
         public static class Ids
         {
-            public static readonly int Origins = Shader.PropertyToID("_Origins");
+            public static readonly int PreviousIndices = Shader.PropertyToID("_PreviousIndices");
             public static readonly int Conformation = Shader.PropertyToID("_Conformation");
             public static readonly int Deformed = Shader.PropertyToID("_Deformed");
             public static readonly int Stress = Shader.PropertyToID("_Stress");

@@ -20,7 +20,7 @@ namespace Rill
         {
             curlKernel = shader.FindKernel("Curl");
             confineKernel = shader.FindKernel("Confine");
-            confineBesideKernel = shader.FindKernel("ConfineBeside");
+            confineBesideKernel = shader.FindKernel("ConfineWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             curl = GpuBuffer.Structured<float4>("Rill.Curl", capacity);
             confined = GpuBuffer.Structured<float4>("Rill.Confined", capacity);
@@ -60,7 +60,7 @@ namespace Rill
             if (needed)
             {
                 description.Kernel("VorticityConfinement", "Curl", input.settings.substeps, lists.Variant);
-                description.Kernel("VorticityConfinement", colliders == null ? "Confine" : "ConfineBeside", input.settings.substeps, lists.Variant);
+                description.Kernel("VorticityConfinement", colliders == null ? "Confine" : "ConfineWithColliders", input.settings.substeps, lists.Variant);
             }
             if (stage != null)
             {

@@ -8,21 +8,21 @@ namespace Rill
     /// Makes a Terrain solid for the fluid: gives its heights to the <see cref="FluidCollider"/> beside it, again whenever they
     /// were changed and <see cref="Refresh"/> is called.
     /// </summary>
-    /// <remarks>Holes of the terrain are closed; trees and details are no obstacles. Without the terrain module this component is not there.</remarks>
+    /// <remarks>Holes of the terrain are closed; trees and details are no colliders. Without the terrain module this component is not there.</remarks>
     [AddComponentMenu("Rill/Fluid Terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
     public sealed class FluidTerrain : MonoBehaviour, IHasProblems
     {
-        [Tooltip("Part of the terrain that the fluid can reach, as shares of its sides from 0 to 1. A smaller part is exact in large terrains and costs less memory.")]
+        [Tooltip("Part of the terrain that the fluid can reach, as fractions of its sides from 0 to 1. A smaller part is exact in large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
-        FluidCollider obstacle;
+        FluidCollider collider;
         HeightField heights;
         string clamped;     // what the newest validation changed
         string refusal;     // why the newest heights were not taken
 
-        /// <summary>Part of the terrain that the fluid can reach, as shares of its sides along x and z, 0 to 1. After a change call <see cref="Refresh"/>.</summary>
+        /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call <see cref="Refresh"/>.</summary>
         public Rect Part { get => part; set { part = value; OnValidate(); } }
 
         /// <summary>Clamps what is out of range.</summary>
@@ -39,10 +39,10 @@ namespace Rill
             return false;
         }
 
-        /// <summary>Takes the terrain's heights anew.</summary>
+        /// <summary>Takes the terrain's heights again.</summary>
         public void Refresh()
         {
-            Forget();
+            Release();
             refusal = null;
             TerrainData data = GetComponent<Terrain>().terrainData;
             if (data == null)
@@ -53,36 +53,36 @@ namespace Rill
             int last = data.heightmapResolution - 1;
             int x = Mathf.FloorToInt(part.xMin * last), z = Mathf.FloorToInt(part.yMin * last);
             int countX = Mathf.CeilToInt(part.xMax * last) - x + 1, countZ = Mathf.CeilToInt(part.yMax * last) - z + 1;
-            if (Mathf.Max(countX, countZ) > HeightField.MostHeights)
+            if (Mathf.Max(countX, countZ) > HeightField.MaxHeights)
             {
-                Refuse($"it has {countX} x {countZ} heights, and {HeightField.MostHeights} along a side can be taken. Set Part to where the fluid gets, or lower the terrain's heightmap resolution.");
+                Refuse($"it has {countX} x {countZ} heights, and {HeightField.MaxHeights} along a side can be taken. Set Part to where the fluid gets, or lower the terrain's heightmap resolution.");
                 return;
             }
             Vector3 size = data.size, spacing = size / last;
-            float[,] shares = data.GetHeights(x, z, countX, countZ);
+            float[,] fractions = data.GetHeights(x, z, countX, countZ);
             for (int i = 0; i < countZ; i++)
                 for (int k = 0; k < countX; k++)
-                    shares[i, k] *= size.y;
+                    fractions[i, k] *= size.y;
             try
             {
-                heights = new HeightField(shares, (countX - 1) * spacing.x, (countZ - 1) * spacing.z, new Vector3(x * spacing.x, 0f, z * spacing.z));
+                heights = new HeightField(fractions, (countX - 1) * spacing.x, (countZ - 1) * spacing.z, new Vector3(x * spacing.x, 0f, z * spacing.z));
             }
             catch (ArgumentException e)
             {
                 Refuse(e.Message);
                 return;
             }
-            obstacle.Shape = ColliderShape.HeightField;
-            obstacle.Heights = heights;
+            collider.Shape = ColliderShape.HeightField;
+            collider.Heights = heights;
         }
 
         void OnEnable()
         {
-            obstacle = GetComponent<FluidCollider>();
+            collider = GetComponent<FluidCollider>();
             Refresh();
         }
 
-        void OnDisable() => Forget();
+        void OnDisable() => Release();
 
         void OnValidate()
         {
@@ -99,13 +99,13 @@ namespace Rill
         void Refuse(string problem)
         {
             refusal = problem;
-            Debug.LogError($"Rill: FluidTerrain '{name}' is no obstacle: {problem}", this);
+            Debug.LogError($"Rill: FluidTerrain '{name}' is no collider: {problem}", this);
         }
 
-        void Forget()
+        void Release()
         {
-            if (obstacle != null && ReferenceEquals(obstacle.Heights, heights))
-                obstacle.Heights = null;
+            if (collider != null && ReferenceEquals(collider.Heights, heights))
+                collider.Heights = null;
             heights?.Dispose();
             heights = null;
         }

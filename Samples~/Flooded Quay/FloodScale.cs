@@ -18,7 +18,7 @@ namespace Rill.Samples
         [Min(1f)]
         [SerializeField] float volume = 540f;
 
-        /// <summary>Particles of the whole flood. When it is set, the flood begins anew.</summary>
+        /// <summary>Particles of the whole flood. When it is set, the flood begins again.</summary>
         public int Particles
         {
             get => particles;

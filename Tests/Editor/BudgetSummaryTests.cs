@@ -42,7 +42,7 @@ namespace Rill.Editor.Tests
             Assert.That(BudgetSummary.Messages(budget, Spent, 10), Is.EqualTo(new[] { (MessageType.Warning, problem) }));
         }
 
-        [TestCase(BudgetReason.LeastStable, MessageType.Warning, "cannot be held")]
+        [TestCase(BudgetReason.MinStable, MessageType.Warning, "cannot be held")]
         [TestCase(BudgetReason.TimeUnknown, MessageType.Info, "Frame Timing Stats")]
         public void A_budget_that_cannot_be_held_or_told_says_what_to_do(BudgetReason reason, MessageType type, string text)
         {

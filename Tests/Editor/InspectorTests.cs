@@ -90,9 +90,9 @@ namespace Rill.Editor.Tests
             var fluid = scene.Add<FluidSimulation>();
             Assert.That(Shown(fluid).Where(path => path.StartsWith("budget.")), Is.EqualTo(new[] { "budget.mode" }));
             Set(fluid, "budget.mode", (int)BudgetMode.Milliseconds);
-            Assert.That(Shown(fluid), Has.Member("budget.milliseconds").And.No.Member("budget.share"));
-            Set(fluid, "budget.mode", (int)BudgetMode.ShareOfFrame);
-            Assert.That(Shown(fluid), Has.Member("budget.share").And.Member("budget.frameRate").And.No.Member("budget.milliseconds"));
+            Assert.That(Shown(fluid), Has.Member("budget.milliseconds").And.No.Member("budget.fraction"));
+            Set(fluid, "budget.mode", (int)BudgetMode.FrameFraction);
+            Assert.That(Shown(fluid), Has.Member("budget.fraction").And.Member("budget.frameRate").And.No.Member("budget.milliseconds"));
         }
 
         [TestCase(ForceFieldKind.Direction, "m/s²")]

@@ -90,7 +90,7 @@ namespace Rill.Editor.Tests
             };
             foreach ((string label, string text) row in StatisticsSummary.Rows(statistics, 1000000))
                 yield return row;
-            var budget = new BudgetState { reason = BudgetReason.LeastStable, substeps = 4, iterations = 12, relaxation = 0.35f, milliseconds = 12.345f, targetMilliseconds = 2.5f, source = GpuTimeKind.Modelled, densityError = 0.0123f, deviceFactor = 1.25f };
+            var budget = new BudgetState { reason = BudgetReason.MinStable, substeps = 4, iterations = 12, relaxation = 0.35f, milliseconds = 12.345f, targetMilliseconds = 2.5f, source = GpuTimeKind.Modelled, densityError = 0.0123f, deviceFactor = 1.25f };
             foreach ((string label, string text) row in BudgetSummary.Rows(budget))
                 yield return row;
         }

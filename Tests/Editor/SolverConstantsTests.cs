@@ -82,7 +82,7 @@ namespace Rill.Editor.Tests
         [TestCase(1f, 1f)]
         [TestCase(0.5f, 2f / 3f)]
         [TestCase(0f, 0.5f)]
-        public void What_lasts_acts_at_once_as_far_as_the_numerical_damping_says(float damping, float share)
+        public void What_lasts_acts_at_once_as_far_as_the_numerical_damping_says(float damping, float fraction)
         {
             StepInput input = SolverStages.Still();
             input.gravity = new float3(0f, -9.81f, 0f);
@@ -92,11 +92,11 @@ namespace Rill.Editor.Tests
             SolverConstants first = For(input);
             input.settings.numericalDamping = damping;
             SolverConstants constants = For(input);
-            Assert.That(constants.extrapolation, Is.EqualTo(1f - share).Within(1e-6f));
-            Assert.That(constants.accelerationShare, Is.EqualTo(share).Within(1e-6f));
-            Assert.That(constants.gravityStep.y, Is.EqualTo(share * first.gravityStep.y).Within(1e-6f));
-            Assert.That(constants.smoothing, Is.EqualTo(share * first.smoothing).Within(1e-6f));
-            Assert.That(constants.confinement, Is.EqualTo(share * first.confinement).Within(1e-6f));
+            Assert.That(constants.extrapolation, Is.EqualTo(1f - fraction).Within(1e-6f));
+            Assert.That(constants.accelerationFraction, Is.EqualTo(fraction).Within(1e-6f));
+            Assert.That(constants.gravityStep.y, Is.EqualTo(fraction * first.gravityStep.y).Within(1e-6f));
+            Assert.That(constants.smoothing, Is.EqualTo(fraction * first.smoothing).Within(1e-6f));
+            Assert.That(constants.confinement, Is.EqualTo(fraction * first.confinement).Within(1e-6f));
         }
 
         [Test]

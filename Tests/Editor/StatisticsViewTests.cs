@@ -13,7 +13,7 @@ namespace Rill.Editor.Tests
         [Test]
         public void Counts_of_particles_that_came_went_and_were_left_out_are_told()
         {
-            var statistics = new FluidStatistics { particles = 900, added = 500, emitted = 450, drained = 40, nonFinite = 10, refused = 7, blocked = 6, waiting = 5, densityError = 0.0123f, neighborOverflow = 3, mostNeighbors = 80 };
+            var statistics = new FluidStatistics { particles = 900, added = 500, emitted = 450, drained = 40, nonFinite = 10, refused = 7, blocked = 6, waiting = 5, densityError = 0.0123f, neighborOverflow = 3, maxNeighbors = 80 };
             string all = string.Join("\n", StatisticsSummary.Rows(statistics, 1000).Select(row => $"{row.label}: {row.text}"));
             foreach (string text in new[] { "900 of ", "added 500", "emitted 450", "drained 40", "not finite 10", "refused 7", "no room 6", "waiting 5", $"mean {0.0123f:P2}", "over the list 3" })
                 Assert.That(all, Does.Contain(text));
@@ -43,7 +43,7 @@ namespace Rill.Editor.Tests
                 readings[list] = 0.5f;
                 times.Add(readings);
                 Assert.That(times.Rows.Select(row => row.Label), Is.EqualTo(new[] { "Sort", "Neighbor list" }));
-                Assert.That(times.Rows.Select(row => row.Share), Is.EqualTo(new[] { 0.5f, 1f }));
+                Assert.That(times.Rows.Select(row => row.Fraction), Is.EqualTo(new[] { 0.5f, 1f }));
                 Assert.That(times.Total, Is.EqualTo(0.75f).Within(1e-6f));
                 readings[list] = 0f;
                 for (int i = 0; i < 100; i++)
@@ -77,7 +77,7 @@ namespace Rill.Editor.Tests
             var rows = new List<MemoryRows.Row>();
             MemoryRows.List(new List<StageDescription> { first, second }, rows);
             Assert.That(rows.Select(row => row.Label), Is.EqualTo(new[] { "Large", "Other", "Small" }));
-            Assert.That(rows.Select(row => row.Share), Is.EqualTo(new[] { 1f, 0.25f, 0.25f }));
+            Assert.That(rows.Select(row => row.Fraction), Is.EqualTo(new[] { 1f, 0.25f, 0.25f }));
             Assert.That(MemoryRows.Total(rows), Is.EqualTo(6144));
             MemoryRows.List(new List<StageDescription>(), rows);
             Assert.That(MemoryRows.Total(rows), Is.Zero);

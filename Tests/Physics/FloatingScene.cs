@@ -20,7 +20,7 @@ namespace Rill.Tests
         /// <summary>Height of the body's middle over the floor, m, and its velocity, m/s, after each frame.</summary>
         public readonly List<float> Heights = new List<float>(), Speeds = new List<float>();
         /// <summary>Largest change of the body's velocity over the time in which it came, m/s²; of its angular velocity, rad/s².</summary>
-        public float LargestAcceleration { get; private set; }
+        public float PeakAcceleration { get; private set; }
 
         readonly List<GameObject> made = new List<GameObject>();
         readonly float least;
@@ -82,7 +82,7 @@ namespace Rill.Tests
                 Vector3 velocity = Body.GetPointVelocity(Body.worldCenterOfMass);
                 Heights.Add(Body.position.y);
                 Speeds.Add(velocity.magnitude);
-                LargestAcceleration = Mathf.Max(LargestAcceleration, (velocity - lastVelocity).magnitude / time);
+                PeakAcceleration = Mathf.Max(PeakAcceleration, (velocity - lastVelocity).magnitude / time);
                 lastVelocity = velocity;
                 if (Body.position.y >= least || Body.isKinematic)
                     continue;

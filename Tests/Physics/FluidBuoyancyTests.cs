@@ -105,7 +105,7 @@ namespace Rill.Tests
 
         void AssertBounded()
         {
-            Assert.That(scene.LargestAcceleration, Is.LessThan(scene.Buoyancy.MaxAcceleration + FloatingScene.Gravity + 1f));
+            Assert.That(scene.PeakAcceleration, Is.LessThan(scene.Buoyancy.MaxAcceleration + FloatingScene.Gravity + 1f));
             Assert.That(Sideways, Is.LessThan(scene.Side), "in the tank");
         }
 
@@ -113,7 +113,7 @@ namespace Rill.Tests
 
         static Vector3 Size(ColliderShape shape) => shape == ColliderShape.Box ? BoxSize : Vector3.one * BallSize;
 
-        // Height of the middle of a body that floats as Archimedes has it: a prism, or a ball whose cap of height x (of its diameter) has the share 3x² - 2x³.
+        // Height of the middle of a body that floats as Archimedes has it: a prism, or a ball whose cap of height x (of its diameter) has the fraction 3x² - 2x³.
         static float Draft(ColliderShape shape, float height, float ratio, float level)
         {
             float depth = ratio;

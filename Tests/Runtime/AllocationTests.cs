@@ -33,10 +33,10 @@ namespace Rill.Tests
         {
             FluidSimulation simulation = Dam();
             FluidRenderer[] renderers = fluid.GetComponents<FluidRenderer>();
-            Transform obstacle = fluid.GetComponentInChildren<FluidCollider>().transform;
+            Transform collider = fluid.GetComponentInChildren<FluidCollider>().transform;
             TestDelegate frame = () =>
             {
-                obstacle.localPosition = new Vector3(0.1f * Mathf.Sin(simulation.StepCount), 0f, 0f);
+                collider.localPosition = new Vector3(0.1f * Mathf.Sin(simulation.StepCount), 0f, 0f);
                 simulation.NeedsSurface = true;
                 simulation.Advance(Step);
                 foreach (FluidRenderer renderer in renderers)
@@ -135,7 +135,7 @@ namespace Rill.Tests
             SolverBudget budget = SolverBudget.Default;
             budget.mode = BudgetMode.Milliseconds;
             budget.milliseconds = 1000f;        // a device that takes longer would say so, in a message
-            budget.mostIterations = 4;
+            budget.maxIterations = 4;
             simulation.Budget = budget;
             FluidMaterial material = FluidMaterial.Water;
             material.vorticity = 0.1f;
@@ -146,10 +146,10 @@ namespace Rill.Tests
             settings.deepWater = DeepWater.On;
             simulation.Settings = settings;
             fluid.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.4f, 0.5f);
-            var obstacle = new GameObject("Obstacle").AddComponent<FluidCollider>();
-            obstacle.transform.SetParent(fluid.transform, false);
-            obstacle.Size = 0.2f * Vector3.one;
-            obstacle.MeasuresForce = true;
+            var collider = new GameObject("Collider").AddComponent<FluidCollider>();
+            collider.transform.SetParent(fluid.transform, false);
+            collider.Size = 0.2f * Vector3.one;
+            collider.MeasuresForce = true;
             fluid.AddComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
             fluid.AddComponent<DomainRenderer>();
             fluid.SetActive(true);

@@ -56,7 +56,7 @@ namespace Rill.Tests
         // What the residual falls to in a cycle, at most. Aggregates that keep the free surface's faces in full are too stiff
         // below it, the more so the deeper the water is; a calm surface is worth that. So is a surface that lies near a cell's centre,
         // whose row is up to ten times as large.
-        static double MostLeft(string name)
+        static double MaxLeft(string name)
         {
             switch (name)
             {
@@ -81,7 +81,7 @@ namespace Rill.Tests
                     residual = problem.Reference.Residual(problem.Cycle().Potential);
                 double factor = cycles == 0 ? 0.0 : Math.Pow(residual / first, 1.0 / cycles);
                 TestContext.Out.WriteLine($"{name}: the residual falls to {factor:0.000} in a cycle, mean of {cycles}");
-                Assert.That(factor, Is.LessThan(MostLeft(name)));
+                Assert.That(factor, Is.LessThan(MaxLeft(name)));
                 problem.Cycle(24 - cycles);
                 problem.AssertSolution(1e-3);
             }
@@ -243,13 +243,13 @@ namespace Rill.Tests
                 return this;
             }
 
-            /// <summary>Fails unless each cell is as near to the reference as a share of the largest potential.</summary>
-            public void AssertSolution(double share)
+            /// <summary>Fails unless each cell is as near to the reference as a fraction of the largest potential.</summary>
+            public void AssertSolution(double fraction)
             {
-                double[] expected = Reference.Solve(1.9, share: Cells.Total > 100000 ? 1e-6 : 1e-8), actual = Potential;
+                double[] expected = Reference.Solve(1.9, fraction: Cells.Total > 100000 ? 1e-6 : 1e-8), actual = Potential;
                 double largest = expected.Max();
                 TestContext.Out.WriteLine($"off by at most {Enumerable.Range(0, expected.Length).Max(i => Math.Abs(actual[i] - expected[i])) / Math.Max(largest, 1e-30):g3} of {largest:g4}");
-                Compare.Scalars("potential", expected.Length, i => actual[i], i => expected[i], i => share * largest + 1e-12);
+                Compare.Scalars("potential", expected.Length, i => actual[i], i => expected[i], i => fraction * largest + 1e-12);
             }
 
             public void Dispose()

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>Deep water and solid obstacles: the coarse grid's pressure stops at them, and holds the water above and beside them.</summary>
+    /// <summary>Deep water and solid colliders: the coarse grid's pressure stops at them, and holds the water above and beside them.</summary>
     public class ColliderDeepWaterTests
     {
         const float Spacing = 0.05f;
@@ -29,15 +29,15 @@ namespace Rill.Tests
             }
         }
 
-        // Without closed faces the water flows into the obstacle's cells as into air: 0.1 m/s and more of jitter.
+        // Without closed faces the water flows into the collider's cells as into air: 0.1 m/s and more of jitter.
         [Test]
-        public void Water_stands_still_around_a_submerged_obstacle([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        public void Water_stands_still_around_a_submerged_collider([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
         {
             using (var fluid = new TestFluid(32f * Spacing, Spacing, 25000, Deep))
             {
-                ColliderMotion obstacle = ColliderTests.Still(shape, 6f, new float3(15f, 10f, 17f), quaternion.Euler(0.3f, 0.2f, 0.1f));
-                fluid.AddAround(obstacle, 0f, new float3(32f, 24f, 32f));
-                ColliderTests.Use(fluid, obstacle);
+                ColliderMotion collider = ColliderTests.Still(shape, 6f, new float3(15f, 10f, 17f), quaternion.Euler(0.3f, 0.2f, 0.1f));
+                fluid.AddAround(collider, 0f, new float3(32f, 24f, 32f));
+                ColliderTests.Use(fluid, collider);
                 FluidStatistics settled = fluid.Step(60).MeasureWhole();
                 Assert.That(settled.densityError, Is.LessThan(0.005f));
                 Assert.That(settled.jitter, Is.LessThan(0.05f));
@@ -45,9 +45,9 @@ namespace Rill.Tests
             }
         }
 
-        // Kernels are shared by all fluids of a scene, and what rests is not recorded anew.
+        // Kernels are shared by all fluids of a scene, and what rests is not recorded again.
         [Test]
-        public void Two_fluids_with_obstacles_at_rest_do_not_disturb_each_other([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
+        public void Two_fluids_with_colliders_at_rest_do_not_disturb_each_other([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater)
         {
             ParticleState alone, otherAlone;
             using (TestFluid fluid = Fluid(0.05f, 24f))
@@ -76,7 +76,7 @@ namespace Rill.Tests
         }
 
         // A film of three layers slides over a floor that lies within cells of the coarse grid, along the grid or across it. Where the closed
-        // share of a face stops what flows past it, half of the speed is gone in a step.
+        // fraction of a face stops what flows past it, half of the speed is gone in a step.
         [Test]
         public void A_floor_does_not_brake_the_film_that_slides_along_it([Values(0f, 5f, 20f)] float tilt)
         {

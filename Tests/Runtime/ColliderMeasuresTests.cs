@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>Volumes and widths of obstacles, against counted points of a lattice.</summary>
+    /// <summary>Volumes and widths of colliders, against counted points of a lattice.</summary>
     public class ColliderMeasuresTests
     {
         const int Half = 40;

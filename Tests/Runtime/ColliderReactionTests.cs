@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>What the fluid does to obstacles: as much as they do to it, and what Archimedes says.</summary>
+    /// <summary>What the fluid does to colliders: as much as they do to it, and what Archimedes says.</summary>
     public class ColliderReactionTests
     {
         const float Spacing = 0.05f;
@@ -13,7 +13,7 @@ namespace Rill.Tests
         // The coarse grid moves spray too, without an opposite: that is what the looser bar is for.
         [TestCase(DeepWater.Off, 0.01f)]
         [TestCase(DeepWater.On, 0.15f)]
-        public void An_impact_gives_an_obstacle_the_momentum_that_the_fluid_loses(DeepWater deepWater, float error)
+        public void An_impact_gives_a_collider_the_momentum_that_the_fluid_loses(DeepWater deepWater, float error)
         {
             foreach (ColliderShape shape in new[] { ColliderShape.Sphere, ColliderShape.Box })
                 using (TestFluid fluid = Box(deepWater, 32f))
@@ -36,7 +36,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Still_water_lifts_an_obstacle_by_the_weight_of_the_water_in_its_place([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        public void Still_water_lifts_a_collider_by_the_weight_of_the_water_in_its_place([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
         {
             float size = shape == ColliderShape.Sphere ? 6.3f : 5f;
             using (TestFluid fluid = Box(DeepWater.On))
@@ -76,9 +76,9 @@ namespace Rill.Tests
                 ball.start = ball.end;
                 Use(fluid, ball);
                 float water = fluid.Input.material.density * 4f / 3f * math.PI * math.pow(radius * Spacing, 3);
-                float share = (still - force) * fluid.Input.timeStep / (water * speed);
-                TestContext.Out.WriteLine($"{share:0.00} of the displaced water");
-                Assert.That(share, Is.InRange(0.45f, 0.75f));
+                float fraction = (still - force) * fluid.Input.timeStep / (water * speed);
+                TestContext.Out.WriteLine($"{fraction:0.00} of the displaced water");
+                Assert.That(fraction, Is.InRange(0.45f, 0.75f));
             }
         }
 

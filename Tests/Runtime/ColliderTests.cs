@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>Solid obstacles in a solver: nobody inside, nobody through, and what lies behind a surface counts as water.</summary>
+    /// <summary>Solid colliders in a solver: nobody inside, nobody through, and what lies behind a surface counts as water.</summary>
     public class ColliderTests
     {
         const float Spacing = 0.05f;
@@ -73,13 +73,13 @@ namespace Rill.Tests
                 Use(fluid, ball);
                 fluid.Step();
                 ParticleState state = fluid.Read();
-                float[] insets = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
+                float[] contactOffsets = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);
                 float reach = math.max(2f, 0.5f + 0.5f * iterations + (deepWater == DeepWater.On ? 2f : 0f));
                 for (int i = 0; i < state.Count; i++)
                 {
                     float distance = (float)Reference.Shapes.Distance(ball, state.positions[i].xyz);
                     if (distance > 1f && math.abs(distance - reach) > 0.3f)       // they move a little
-                        Assert.That(insets[i], Is.EqualTo(distance < reach ? 0.5f : 1f).Within(1e-3f), $"{distance} d away");
+                        Assert.That(contactOffsets[i], Is.EqualTo(distance < reach ? 0.5f : 1f).Within(1e-3f), $"{distance} d away");
                 }
             }
         }
@@ -145,7 +145,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void What_touches_loses_the_share_of_its_velocity_that_friction_says([Values(1, 2)] int substeps, [Values(0f, 0.3f, 1f)] float friction)
+        public void What_touches_loses_the_fraction_of_its_velocity_that_friction_says([Values(1, 2)] int substeps, [Values(0f, 0.3f, 1f)] float friction)
         {
             using (TestFluid fluid = Box(DeepWater.Off))
             {
@@ -159,7 +159,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_drop_comes_back_with_the_share_of_its_velocity_that_bounce_says([Values(0f, 0.5f, 1f)] float bounce)
+        public void A_drop_comes_back_with_the_fraction_of_its_velocity_that_bounce_says([Values(0f, 0.5f, 1f)] float bounciness)
         {
             using (TestFluid fluid = Box(DeepWater.Off))
             {
@@ -167,13 +167,13 @@ namespace Rill.Tests
                 quaternion turn = quaternion.Euler(0f, 0f, 0.25f);
                 float3 normal = math.mul(turn, math.up());
                 ColliderMotion floor = Still(ColliderShape.Plane, 0f, new float3(9f, 6f, 9f), turn);
-                floor.bounce = bounce;
+                floor.bounciness = bounciness;
                 Use(fluid, floor);
                 fluid.Add(new[] { new float3(9f, 12f, 9f) * Spacing }, -4f * normal);
                 for (int i = 0; i < 8; i++)
                     fluid.Step();
                 float3 velocity = fluid.Read().velocities[0].xyz * Spacing;
-                Assert.That(math.dot(velocity, normal), Is.EqualTo(4f * bounce).Within(0.05f));
+                Assert.That(math.dot(velocity, normal), Is.EqualTo(4f * bounciness).Within(0.05f));
                 Assert.That(math.length(velocity - normal * math.dot(velocity, normal)), Is.LessThan(0.01f));
             }
         }
@@ -216,7 +216,7 @@ namespace Rill.Tests
         internal static ColliderMotion Still(ColliderShape kind, float3 size, float3 position, quaternion rotation)
         {
             var pose = new RigidPose(position, rotation);
-            return new ColliderMotion { shape = kind, size = size, start = pose, end = pose, carriesDensity = true };
+            return new ColliderMotion { shape = kind, size = size, start = pose, end = pose, contributesDensity = true };
         }
 
         internal static void Use(TestFluid fluid, params ColliderMotion[] motions)

@@ -41,18 +41,18 @@ namespace Rill.Tests
         static void Elements(string what, int count, Func<int, double> error, Func<int, double> tolerance, Func<int, string> describe)
         {
             int worst = -1, wrong = 0;
-            double worstShare = 1.0;
+            double worstFraction = 1.0;
             for (int i = 0; i < count; i++)
             {
-                double share = error(i) / tolerance(i);
-                if (share <= 1.0)
+                double fraction = error(i) / tolerance(i);
+                if (fraction <= 1.0)
                     continue;
                 wrong++;
-                if (worst < 0 || !(share <= worstShare))
-                    (worst, worstShare) = (i, share);
+                if (worst < 0 || !(fraction <= worstFraction))
+                    (worst, worstFraction) = (i, fraction);
             }
             if (wrong > 0)
-                Assert.Fail($"{what}: {wrong:N0} of {count:N0} are off, worst element {worst}: {describe(worst)}, {worstShare:g3} times the tolerance of {tolerance(worst):g3}");
+                Assert.Fail($"{what}: {wrong:N0} of {count:N0} are off, worst element {worst}: {describe(worst)}, {worstFraction:g3} times the tolerance of {tolerance(worst):g3}");
         }
     }
 }

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>Obstacles put together from several bodies, side by side or in one another: as one body of the same outline. Lengths in d.</summary>
+    /// <summary>Colliders put together from several bodies, side by side or in one another: as one body of the same outline. Lengths in d.</summary>
     public class CompoundTests
     {
         const float Spacing = 0.05f;
@@ -100,7 +100,7 @@ namespace Rill.Tests
                 Assert.That(tiles.jitter, Is.LessThan(one.jitter + 0.02f), "jitter");
                 Assert.That(tiles.height, Is.EqualTo(one.height).Within(0.03f), "mean height");
                 Assert.That(tiles.overSeams, Is.EqualTo(one.overSeams).Within(0.06f), "height of the lowest layer over the seams");
-                // The grid's share of the force is counted in faces of its cells, which the seams divide.
+                // The grid's fraction of the force is counted in faces of its cells, which the seams divide.
                 Assert.That(tiles.force.y, Is.EqualTo(one.force.y).Within((deepWater == DeepWater.On ? 0.1f : 0.01f) * math.abs(one.force.y)), "the sum of the forces, in the water's weight");
                 Assert.That(math.length(tiles.force.xz), Is.LessThan(0.005f), "nothing pushes sideways");
             }
@@ -114,7 +114,7 @@ namespace Rill.Tests
             foreach (float overlap in new[] { 0f, 1f })
             {
                 ColliderMotion[] tiles = Enumerable.Range(0, 22).Select(i => Box(new float3(7.3f * (i / 2) - 4f - overlap, 0f, i % 2 == 0 ? -4f : 6f - overlap), new float3(7.3f * (i / 2) + 3.3f, FloorTop, i % 2 == 0 ? 6f : 16f))).ToArray();
-                Assert.That(SlideOver(deepWater, tiles), Is.EqualTo(one).Within(0.007f), $"share of the speed that is left, with an overlap of {overlap} d");
+                Assert.That(SlideOver(deepWater, tiles), Is.EqualTo(one).Within(0.007f), $"fraction of the speed that is left, with an overlap of {overlap} d");
             }
         }
 
@@ -195,7 +195,7 @@ namespace Rill.Tests
             }
         }
 
-        // Three layers for half a second: the share of their speed that is left.
+        // Three layers for half a second: the fraction of their speed that is left.
         static float SlideOver(DeepWater deepWater, ColliderMotion[] floor)
         {
             using (TestFluid fluid = Water(new float3(76f, 20f, 12f), deepWater, 1000))
@@ -247,8 +247,8 @@ namespace Rill.Tests
             float3[] joints = Enumerable.Range(0, pieces + 1).Select(i => 0.5f * math.PI * i / pieces).Select(angle => new float3(5f, 5f, 12f) + 13f * new float3(math.sin(angle), 1f - math.cos(angle), 0f)).ToArray();
             return Enumerable.Range(0, pieces).Select(i =>
             {
-                float3 way = joints[i + 1] - joints[i];
-                return ColliderTests.Still(ColliderShape.Capsule, new float3(2.5f, 0.5f * math.length(way), 0f), 0.5f * (joints[i] + joints[i + 1]), quaternion.RotateZ(math.atan2(way.y, way.x) - 0.5f * math.PI));
+                float3 path = joints[i + 1] - joints[i];
+                return ColliderTests.Still(ColliderShape.Capsule, new float3(2.5f, 0.5f * math.length(path), 0f), 0.5f * (joints[i] + joints[i + 1]), quaternion.RotateZ(math.atan2(path.y, path.x) - 0.5f * math.PI));
             }).ToArray();
         }
 
@@ -265,7 +265,7 @@ namespace Rill.Tests
             }
             Bounds bounds = ball.Bounds;
             var pose = new RigidPose(center + (float3)bounds.center, quaternion.identity);
-            return new ColliderMotion { shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose, carriesDensity = true, field = ball.Texture, voxel = ball.VoxelSize, fieldUnit = 1f };
+            return new ColliderMotion { shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose, contributesDensity = true, field = ball.Texture, voxel = ball.VoxelSize, fieldUnit = 1f };
         }
 
         static double Distance(ColliderMotion[] bodies, double3 p) => bodies.Min(body => body.shape == ColliderShape.Mesh ? math.distance(p, (double3)body.end.position) - BallRadius : Shapes.Distance(body, p));

@@ -143,7 +143,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Deep_and_shallow_solvers_that_share_the_shaders_do_not_disturb_each_other()
+        public void Deep_and_shallow_solvers_that_fraction_the_shaders_do_not_disturb_each_other()
         {
             using (TestFluid deep = Dam(DeepWater.On), shallow = Shallow(), deepAlone = Dam(DeepWater.On), shallowAlone = Shallow())
             {
@@ -198,7 +198,7 @@ namespace Rill.Tests
             {
                 fluid.Input.material.artificialPressure = 0.1f;
                 fluid.Step();
-                Assert.That(Kernels(fluid), Has.Some.Contains(": DisplaceDeepWithPressure").And.Some.Contains(": DisplaceWithPressure").And.None.EndsWith(": DisplaceDeep"));
+                Assert.That(Kernels(fluid), Has.Some.Contains(": ApplyDeltaPDeepWithPressure").And.Some.Contains(": ApplyDeltaPWithPressure").And.None.EndsWith(": ApplyDeltaPDeep"));
                 ParticleState with = fluid.Read();
                 using (TestFluid plain = Dam(DeepWater.On).Step())
                     Assert.That(with.positions.Zip(plain.Read().positions, (a, b) => math.distance(a.xyz, b.xyz)).Max(), Is.GreaterThan(1e-4f), "the pressure changes nothing");

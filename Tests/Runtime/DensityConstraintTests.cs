@@ -210,12 +210,12 @@ namespace Rill.Tests
                     Assert.That(lists[i].Distinct().Count(), Is.EqualTo(lists[i].Length), $"particle {i}");
                 }
                 Assert.That(stages.Counter(ParticleCounter.Overflow), Is.EqualTo(all.Count(near => near.Length > 16)));
-                Assert.That(stages.Counter(ParticleCounter.MostNeighbors), Is.EqualTo(all.Max(near => near.Length)));
+                Assert.That(stages.Counter(ParticleCounter.MaxNeighbors), Is.EqualTo(all.Max(near => near.Length)));
             }
         }
 
         [Test]
-        public void Overflow_is_counted_anew_every_step()
+        public void Overflow_is_counted_again_every_step()
         {
             SolverSettings settings = SolverStages.Roomy;
             settings.neighborCapacity = 16;
@@ -254,7 +254,7 @@ namespace Rill.Tests
             ParticleState state = ParticleState.Random(997, seed: 12);
             // 96 entries of 4 bytes each: two thirds of the particles fit the first buffer.
             using (var one = new SolverStages(state, SolverStages.Still()).Sort().Constrain(iterations: 3))
-            using (var two = new SolverStages(state, SolverStages.Still(), largestBinding: 96 * 4 * 672).Sort().Constrain(iterations: 3))
+            using (var two = new SolverStages(state, SolverStages.Still(), maxBinding: 96 * 4 * 672).Sort().Constrain(iterations: 3))
             {
                 Assert.That(one.Layout.TwoLists, Is.False);
                 Assert.That(two.Layout.FirstListParticles, Is.EqualTo(672));

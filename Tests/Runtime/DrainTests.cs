@@ -95,7 +95,7 @@ namespace Rill.Tests
 
         // What bounced counts as come from behind the surface, no deeper than its way of a step: 0.17 m.
         [Test]
-        public void A_drain_behind_a_plate_takes_what_bounced_no_further_behind_it_than_the_way_of_a_step([Values(0f, 0.8f)] float bounce, [Values(0.03f, 0.2f)] float depth)
+        public void A_drain_behind_a_plate_takes_what_bounced_no_further_behind_it_than_the_way_of_a_step([Values(0f, 0.8f)] float bounciness, [Values(0.03f, 0.2f)] float depth)
         {
             using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 100))
             {
@@ -105,7 +105,7 @@ namespace Rill.Tests
                 FluidCollider collider = plate.AddComponent<FluidCollider>();
                 collider.Shape = ColliderShape.Box;
                 collider.Size = new Vector3(2f, 0.02f, 2f);
-                collider.Bounce = bounce;
+                collider.Bounciness = bounciness;
                 scene.Add<FluidDrain>(new Vector3(0f, -0.01f - depth, 0f), Vector3.forward, d => d.Size = new Vector3(2f, 0.01f, 2f));
                 using (var positions = new Unity.Collections.NativeArray<float3>(Enumerable.Range(0, 64).Select(i => new float3(i % 8 * 0.2f - 0.7f, 0.3f + i * 0.003f, i / 8 * 0.2f - 0.7f)).ToArray(), Unity.Collections.Allocator.Persistent))
                 using (var velocities = new Unity.Collections.NativeArray<float3>(Enumerable.Repeat(new float3(0f, -10f, 0f), 64).ToArray(), Unity.Collections.Allocator.Persistent))
@@ -113,7 +113,7 @@ namespace Rill.Tests
                 scene.Step(6);
                 int drained = scene.AssertConserved().drained;
                 TestContext.Out.WriteLine($"{drained} of 64 taken");
-                Assert.That(drained, bounce > 0f && depth < 0.1f ? Is.InRange(16, 63) : Is.Zero);
+                Assert.That(drained, bounciness > 0f && depth < 0.1f ? Is.InRange(16, 63) : Is.Zero);
             }
         }
 
@@ -268,7 +268,7 @@ namespace Rill.Tests
                     emitter.Speed = 6f;
                 });
                 for (int i = 0; i < 5; i++)
-                    scene.Step().Measure();     // which orders the particles anew, those just let in too
+                    scene.Step().Measure();     // which orders the particles again, those just let in too
                 using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.85f, 0.5f, 0.5f), new float3(-0.85f, -0.5f, 0.5f) }, Unity.Collections.Allocator.Persistent))
                 using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(10f, 0f, 0f), new float3(10f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);

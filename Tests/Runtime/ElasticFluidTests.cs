@@ -321,7 +321,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_gel_stays_outside_an_obstacle()
+        public void A_gel_stays_outside_a_collider()
         {
             using (var scene = new SourceScene(1.2f * Vector3.one, Spacing, 3000))
             {

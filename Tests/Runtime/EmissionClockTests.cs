@@ -44,12 +44,12 @@ namespace Rill.Tests
             var clock = new EmissionClock();
             for (int i = 0; i < 200; i++)
             {
-                EmissionClock.Share share = clock.Advance(step, rate, delay, double.PositiveInfinity, Volume, NoLimit);
-                for (int k = 0; k < share.due; k++)
+                EmissionClock.Fraction fraction = clock.Advance(step, rate, delay, double.PositiveInfinity, Volume, NoLimit);
+                for (int k = 0; k < fraction.due; k++)
                 {
-                    double instant = clock.Time - share.firstAge + k * share.interval;
-                    Assert.That(instant, Is.EqualTo(delay + (share.first + k + 1) * Volume / rate).Within(1e-6));
-                    Assert.That(share.firstAge - k * share.interval, Is.InRange(-1e-6, step + 1e-6));
+                    double instant = clock.Time - fraction.firstAge + k * fraction.interval;
+                    Assert.That(instant, Is.EqualTo(delay + (fraction.first + k + 1) * Volume / rate).Within(1e-6));
+                    Assert.That(fraction.firstAge - k * fraction.interval, Is.InRange(-1e-6, step + 1e-6));
                 }
             }
         }
@@ -64,9 +64,9 @@ namespace Rill.Tests
             var clock = new EmissionClock();
             for (int i = 0; i < 120; i++)
             {
-                EmissionClock.Share share = clock.Advance(1.0 / 60, rate, delay, delay + duration, Volume, NoLimit);
+                EmissionClock.Fraction fraction = clock.Advance(1.0 / 60, rate, delay, delay + duration, Volume, NoLimit);
                 if (clock.Time < delay || clock.Time - 1.0 / 60 > delay + duration)
-                    Assert.That(share.due, Is.Zero);
+                    Assert.That(fraction.due, Is.Zero);
             }
             Assert.That(clock.Due * Volume, Is.InRange(rate * duration - Volume * 1.001, rate * duration + Volume * 1e-3));
         }

@@ -81,11 +81,11 @@ namespace Rill.Tests
                 double before = FrameOf(scene, stepsInAFrame), all = before;
                 for (int frame = 1; frame <= 8 / stepsInAFrame; frame++)
                 {
-                    float share = frame * stepsInAFrame / 8f;
+                    float fraction = frame * stepsInAFrame / 8f;
                     if (turns)
-                        emitter.transform.rotation = Quaternion.Euler(0f, 0f, -70f * share) * first;
+                        emitter.transform.rotation = Quaternion.Euler(0f, 0f, -70f * fraction) * first;
                     else
-                        emitter.transform.position = new Vector3(-0.8f + moved * share, -0.9f, 0f);
+                        emitter.transform.position = new Vector3(-0.8f + moved * fraction, -0.9f, 0f);
                     all += FrameOf(scene, stepsInAFrame);
                 }
                 ParticleState state = scene.Read();
@@ -93,9 +93,9 @@ namespace Rill.Tests
                 for (int i = 0; i < state.Count; i++)
                 {
                     double instant = (state.ids[i] + 1) * scene.ParticleVolume / rate;
-                    float share = (float)math.saturate((instant - before) / (all - before));
-                    Vector3 place = new Vector3(-0.8f + (turns ? 0f : moved * share), turns ? 0f : -0.9f, 0f);
-                    Vector3 direction = turns ? Quaternion.Euler(0f, 0f, -70f * share) * Vector3.up : Vector3.up;
+                    float fraction = (float)math.saturate((instant - before) / (all - before));
+                    Vector3 place = new Vector3(-0.8f + (turns ? 0f : moved * fraction), turns ? 0f : -0.9f, 0f);
+                    Vector3 direction = turns ? Quaternion.Euler(0f, 0f, -70f * fraction) * Vector3.up : Vector3.up;
                     float3 expected = place + direction * (0.5f * Spacing + speed * (float)(all - instant));
                     Assert.That(math.distance(state.positions[i].xyz * Spacing - (float3)Box * 0.5f, expected), Is.LessThan(0.25f * Spacing), $"particle {state.ids[i]}, let in at {instant} s of {all} s");
                 }
@@ -106,7 +106,7 @@ namespace Rill.Tests
         // Without gravity each goes straight from where the nozzle was, with the nozzle's velocity then besides its own. The nozzle
         // sits on an arm that turns while its foot moves, and turns with it; places off its axis go round it.
         [Test]
-        public void What_leaves_a_moving_emitter_takes_its_velocity_along([Values(1, 4)] int stepsInAFrame, [Values(0f, 0.4f, 1f)] float share)
+        public void What_leaves_a_moving_emitter_takes_its_velocity_along([Values(1, 4)] int stepsInAFrame, [Values(0f, 0.4f, 1f)] float fraction)
         {
             const float rate = 0.007f, speed = 1.1f;        // about one particle a step
             const int frames = 6;
@@ -119,7 +119,7 @@ namespace Rill.Tests
                     e.Rate = rate;
                     e.Speed = speed;
                     e.Radius = 0.4f;
-                    e.InheritVelocity = share;
+                    e.InheritVelocity = fraction;
                 });
                 var at = new (double time, Vector3 position, Quaternion rotation)[frames + 2];
                 double time = 0.0;
@@ -148,19 +148,19 @@ namespace Rill.Tests
                     // Where on the outlet it left follows from where it has got to: offset = arm + share age (spin x arm).
                     float age = (float)(time - instant);
                     float3 velocity = state.velocities[i].xyz * Spacing, place = state.positions[i].xyz * Spacing - (float3)Box;
-                    float3 offset = place - (float3)position - axis * (0.5f * Spacing + speed * age) - share * linear * age;
-                    float3 turned = share * age * spin;
+                    float3 offset = place - (float3)position - axis * (0.5f * Spacing + speed * age) - fraction * linear * age;
+                    float3 turned = fraction * age * spin;
                     float3 arm = (offset - math.cross(turned, offset) + turned * math.dot(turned, offset)) / (1f + math.lengthsq(turned));
-                    float3 expected = axis * speed + share * (linear + math.cross(spin, arm));
+                    float3 expected = axis * speed + fraction * (linear + math.cross(spin, arm));
                     Assert.That(math.abs(math.dot(arm, axis)), Is.LessThan(0.1f * Spacing), $"particle {state.ids[i]} left in the plane of the outlet");
                     Assert.That(math.length(arm), Is.LessThan(0.4f + 0.1f * Spacing), $"particle {state.ids[i]} left within the outlet");
                     // A place is off by up to 0.02 d along each axis so that no pattern is perfect, and viscosity takes a little beside others.
-                    worst = math.max(worst, math.distance(velocity, expected) / (share * math.length(spin) * 0.035f * Spacing + 0.01f));
+                    worst = math.max(worst, math.distance(velocity, expected) / (fraction * math.length(spin) * 0.035f * Spacing + 0.01f));
                     fastest = math.max(fastest, math.length(velocity - axis * speed));
                 }
                 TestContext.Out.WriteLine($"{state.Count} particles, at most {fastest:0.00} m/s besides the jet's, off by {worst:0.00} of what may be");
                 Assert.That(worst, Is.LessThan(1f));
-                Assert.That(fastest, share > 0f ? Is.GreaterThan(2f * share) : Is.LessThan(0.05f));
+                Assert.That(fastest, fraction > 0f ? Is.GreaterThan(2f * fraction) : Is.LessThan(0.05f));
             }
         }
 
@@ -408,7 +408,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Nothing_is_let_into_an_obstacle()
+        public void Nothing_is_let_into_a_collider()
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
@@ -438,7 +438,7 @@ namespace Rill.Tests
 
         static FluidCollider Obstacle(SourceScene scene, Vector3 position, Vector3 size, bool insideOut = false)
         {
-            var gameObject = new GameObject("Obstacle");
+            var gameObject = new GameObject("Collider");
             gameObject.transform.SetParent(scene.Fluid.transform, false);
             gameObject.transform.position = position;
             var collider = gameObject.AddComponent<FluidCollider>();
@@ -449,7 +449,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void An_outlet_that_an_obstacle_covers_in_part_lets_in_what_the_rest_holds([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode)
+        public void An_outlet_that_a_collider_covers_in_part_lets_in_what_the_rest_holds([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
@@ -478,9 +478,9 @@ namespace Rill.Tests
             }
         }
 
-        // Less than a particle a step: the places that the flow alone would use are those that the obstacle covers.
+        // Less than a particle a step: the places that the flow alone would use are those that the collider covers.
         [Test]
-        public void A_low_rate_finds_what_an_obstacle_leaves_of_the_outlet([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode, [Values(1f, 20f)] float speed, [Values(0.0006f, 0.004f)] float rate)
+        public void A_low_rate_finds_what_a_collider_leaves_of_the_outlet([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode, [Values(1f, 20f)] float speed, [Values(0.0006f, 0.004f)] float rate)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
@@ -522,16 +522,16 @@ namespace Rill.Tests
                 {
                     Jet(0.01f)(e);
                     e.Duration = cause == "over" ? 1.2f : 0f;
-                    e.StartsItself = cause != "no drain";
+                    e.PlayOnEnable = cause != "no drain";
                 });
                 FluidDrain drain = cause != "no drain" ? null : scene.Add<FluidDrain>(new Vector3(0f, -0.9f, 0f), Vector3.up, d =>
                 {
                     d.RateLimit = 0.01f;
                     d.RecycleTo = emitter;
                 });
-                LogAssert.Expect(LogType.Warning, new Regex("an obstacle covers all of its outlet"));
+                LogAssert.Expect(LogType.Warning, new Regex("a collider covers all of its outlet"));
                 Pass(scene, 90);
-                Assert.That(ProblemsOf(emitter), Has.Some.Contains("an obstacle covers"));
+                Assert.That(ProblemsOf(emitter), Has.Some.Contains("a collider covers"));
                 if (cause == "stopped")
                     emitter.StopEmission();
                 else if (cause == "no rate")
@@ -585,13 +585,13 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void An_outlet_that_an_obstacle_covers_is_said_once_and_goes_on_when_it_is_free()
+        public void An_outlet_that_a_collider_covers_is_said_once_and_goes_on_when_it_is_free()
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
                 FluidCollider obstacle = Obstacle(scene, Vector3.zero, 0.6f * Vector3.one);
                 FluidEmitter emitter = scene.Add(Vector3.zero, Vector3.down, Jet(0.01f, 22f));       // would be out of it within a step
-                string message = "Rill: FluidEmitter 'FluidEmitter': an obstacle covers all of its outlet";
+                string message = "Rill: FluidEmitter 'FluidEmitter': a collider covers all of its outlet";
                 Pass(scene, 50);
                 LogAssert.NoUnexpectedReceived();       // less than a second: it may only pass by
                 Assert.That(scene.Count(ParticleCounter.Emitted), Is.Zero);
@@ -630,7 +630,7 @@ namespace Rill.Tests
 
         // As into a domain of that size: see A_volume_is_filled_once.
         [Test]
-        public void A_volume_between_obstacles_is_filled_to_rest_density_and_no_more()
+        public void A_volume_between_colliders_is_filled_to_rest_density_and_no_more()
         {
             using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000))
             {
@@ -648,7 +648,7 @@ namespace Rill.Tests
                 FluidStatistics statistics = scene.AssertConserved();
                 TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, C+ {statistics.densityError}");
                 Assert.That(statistics.particles, Is.InRange(200, 229), "up to the density that is allowed");
-                Assert.That(statistics.densityError, Is.LessThan(0.005f), "216 are at rest density, and 224 went in where obstacles did not count");
+                Assert.That(statistics.densityError, Is.LessThan(0.005f), "216 are at rest density, and 224 went in where colliders did not count");
             }
         }
 
@@ -755,14 +755,14 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void It_lets_in_the_rate_times_the_duration_after_the_delay_and_again_when_started_anew()
+        public void It_lets_in_the_rate_times_the_duration_after_the_delay_and_again_when_started_again()
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
                 FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0f, 0.9f, 0f), Vector3.down, e =>
                 {
                     Jet(0.013f)(e);
-                    e.StartsItself = false;
+                    e.PlayOnEnable = false;
                     e.Delay = 0.105f;
                     e.Duration = 0.33f;
                 });

@@ -13,7 +13,7 @@ namespace Rill.Tests
         const float Spacing = 0.05f, Radius = 4f, Voxel = 0.2f, Slope = 0.25f;
         const int Side = 64, GroundSide = 513;
         const long HalfFloat = 2;
-        static readonly float3 Box = new float3(24f, 20f, 24f), Middle = new float3(12f, 14f, 12f);
+        static readonly float3 Box = new float3(24f, 20f, 24f), WorldCenter = new float3(12f, 14f, 12f);
 
         readonly List<Object> made = new List<Object>();
         HeightField ground;
@@ -49,7 +49,7 @@ namespace Rill.Tests
                 for (int i = 0; i < state.Count; i++)
                 {
                     float3 p = state.positions[i].xyz;
-                    float toBall = math.distance(p, Middle) - Radius, toGround = (p.y - Height(p.xz)) * math.rsqrt(1f + Slope * Slope);
+                    float toBall = math.distance(p, WorldCenter) - Radius, toGround = (p.y - Height(p.xz)) * math.rsqrt(1f + Slope * Slope);
                     float wanted = math.min(math.min(toBall, toGround), 2f);
                     if (wanted < -1f)
                         continue;
@@ -67,8 +67,8 @@ namespace Rill.Tests
         {
             using (TestFluid fluid = Fluid())
             {
-                var pose = new RigidPose(Middle, quaternion.identity);
-                var sphere = new ColliderMotion { shape = ColliderShape.Sphere, size = Radius, start = pose, end = pose, carriesDensity = true };
+                var pose = new RigidPose(WorldCenter, quaternion.identity);
+                var sphere = new ColliderMotion { shape = ColliderShape.Sphere, size = Radius, start = pose, end = pose, contributesDensity = true };
                 ColliderMotion ball = Ball(16), other = Ball(8), field = Ground();
                 void Holds(int voxels, int heights, params ColliderMotion[] colliders)
                 {
@@ -115,8 +115,8 @@ namespace Rill.Tests
             var pose = new RigidPose(ground.Center / Spacing, quaternion.identity);
             return new ColliderMotion
             {
-                shape = ColliderShape.HeightField, size = ground.Extents / Spacing, start = pose, end = pose, carriesDensity = true,
-                field = ground.Texture, fieldUnit = 1f / Spacing, leastShare = ground.LeastShare,
+                shape = ColliderShape.HeightField, size = ground.Extents / Spacing, start = pose, end = pose, contributesDensity = true,
+                field = ground.Texture, fieldUnit = 1f / Spacing, minFraction = ground.MinFraction,
             };
         }
 
@@ -130,10 +130,10 @@ namespace Rill.Tests
             for (int i = 0; i < texels.Length; i++)
                 texels[i] = voxel * math.length(new float3(i % side, i / side % side, i / (side * side)) + 0.5f - 0.5f * side) - Radius;
             field.Apply(false, true);
-            var pose = new RigidPose(Middle, quaternion.identity);
+            var pose = new RigidPose(WorldCenter, quaternion.identity);
             return new ColliderMotion
             {
-                shape = ColliderShape.Mesh, size = 0.5f * side * voxel, start = pose, end = pose, carriesDensity = true,
+                shape = ColliderShape.Mesh, size = 0.5f * side * voxel, start = pose, end = pose, contributesDensity = true,
                 field = field, fieldUnit = 1f, voxel = voxel,
             };
         }

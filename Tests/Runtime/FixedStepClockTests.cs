@@ -59,7 +59,7 @@ namespace Rill.Tests
             var clock = new FixedStepClock();
             Assert.That(clock.Advance(1.5 * Step, Step, 4), Is.EqualTo(1));
             Assert.That(clock.Advance(0.0, Step / 2.0, 4), Is.EqualTo(1));
-            Assert.That(clock.Passed, Is.EqualTo(Step / 2.0), "never 0: speeds are by this time");
+            Assert.That(clock.FrameInterval, Is.EqualTo(Step / 2.0), "never 0: speeds are by this time");
         }
 
         [TestCase(0.3, 1.2)]
@@ -68,14 +68,14 @@ namespace Rill.Tests
         public void The_time_between_frames_that_step_is_that_of_all_frames_since(double frameSteps, double passedSteps)
         {
             var clock = new FixedStepClock();
-            Assert.That(clock.Passed, Is.Zero);
+            Assert.That(clock.FrameInterval, Is.Zero);
             for (int frame = 0; clock.Advance(frameSteps * Step, Step, 4) == 0; frame++)
-                Assert.That(clock.Passed, Is.Zero, "no frame has stepped");
-            Assert.That(clock.Passed, Is.EqualTo(passedSteps * Step).Within(1e-9), "what the cap drops has passed too");
-            double before = clock.Passed;
+                Assert.That(clock.FrameInterval, Is.Zero, "no frame has stepped");
+            Assert.That(clock.FrameInterval, Is.EqualTo(passedSteps * Step).Within(1e-9), "what the cap drops has passed too");
+            double before = clock.FrameInterval;
             while (clock.Advance(frameSteps * Step, Step, 4) == 0)
-                Assert.That(clock.Passed, Is.EqualTo(before), "of the last frame that stepped");
-            Assert.That(clock.Passed, Is.EqualTo(frameSteps < 1.0 ? 0.9 * Step : before).Within(1e-9));
+                Assert.That(clock.FrameInterval, Is.EqualTo(before), "of the last frame that stepped");
+            Assert.That(clock.FrameInterval, Is.EqualTo(frameSteps < 1.0 ? 0.9 * Step : before).Within(1e-9));
         }
 
         [TestCase(0.4, 3, 0.2, 0.0)]
@@ -88,8 +88,8 @@ namespace Rill.Tests
             var clock = new FixedStepClock();
             for (int frame = 0; frame < frames; frame++)
                 clock.Advance(frameSteps * Step, Step, 4);
-            Assert.That(clock.Behind, Is.EqualTo(behindSteps * Step).Within(1e-9), "after the last frame that stepped");
-            Assert.That(clock.LastBehind, Is.EqualTo(lastSteps * Step).Within(1e-9), "after the one before");
+            Assert.That(clock.FrameLag, Is.EqualTo(behindSteps * Step).Within(1e-9), "after the last frame that stepped");
+            Assert.That(clock.LastFrameLag, Is.EqualTo(lastSteps * Step).Within(1e-9), "after the one before");
         }
 
         [Test]

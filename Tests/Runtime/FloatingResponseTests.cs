@@ -55,7 +55,7 @@ namespace Rill.Tests
             {
                 float wet = math.saturate(0.5f - y / Size);
                 float push = displaced * wet * (Gravity - resistance * slip.Follow(v * Up, Step, substeps * Substep).y - Drag * v);
-                var motion = new ObstacleMotion(Vector3.up * y, Quaternion.identity, known.Follow(v * Up, Step, 4f * Substep), Vector3.zero, 4f * Substep);
+                var motion = new RelativeMotion(Vector3.up * y, Quaternion.identity, known.Follow(v * Up, Step, 4f * Substep), Vector3.zero, 4f * Substep);
                 force[i] = new FluidForce(null, Vector3.up * push, Vector3.zero, motion);
                 float next = -Gravity;
                 if (i >= delay && !responds)

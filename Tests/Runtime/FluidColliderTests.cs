@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Obstacles as components: where they are in a simulation's frame, how they move, what is said of bad ones.</summary>
+    /// <summary>Colliders as components: where they are in a simulation's frame, how they move, what is said of bad ones.</summary>
     public class FluidColliderTests
     {
         GameObject water;
@@ -60,7 +60,7 @@ namespace Rill.Tests
             collider.Center = new Vector3(0.1f, 0.2f, -0.1f);
             collider.transform.localScale = new Vector3(-0.5f, 0.5f, 0.5f);
             Assert.That(collider.TryDescribe(out ColliderMotion motion));
-            Assert.That(math.distance(motion.end.position, collider.Middle), Is.LessThan(1e-5f));
+            Assert.That(math.distance(motion.end.position, collider.WorldCenter), Is.LessThan(1e-5f));
         }
 
         [Test]
@@ -138,7 +138,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void What_makes_no_obstacle_is_named_once_and_left_out([Values("radius", "size", "field", "place")] string what)
+        public void What_makes_no_collider_is_named_once_and_left_out([Values("radius", "size", "field", "place")] string what)
         {
             FluidCollider collider = Make(what == "size" ? ColliderShape.Box : what == "field" ? ColliderShape.Mesh : ColliderShape.Sphere, water.transform.position);
             if (what == "radius")
@@ -152,14 +152,14 @@ namespace Rill.Tests
                 collider.transform.localPosition = 10f * Vector3.one;
                 parent.transform.localScale = 3e38f * Vector3.one;
             }
-            LogAssert.Expect(LogType.Error, new Regex("FluidCollider 'Obstacle' is left out: .*(" + (what == "place" ? "transform is not finite" : what == "field" ? "signed distance field" : what) + ")"));
+            LogAssert.Expect(LogType.Error, new Regex("FluidCollider 'Collider' is left out: .*(" + (what == "place" ? "transform is not finite" : what == "field" ? "signed distance field" : what) + ")"));
             simulation.Advance(simulation.FixedStep);
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.ColliderCount, Is.Zero);
         }
 
         [Test]
-        public void An_obstacle_can_come_go_and_change_while_the_fluid_runs()
+        public void A_collider_can_come_go_and_change_while_the_fluid_runs()
         {
             FluidCollider first = Make(ColliderShape.Sphere, water.transform.position);
             FluidCollider second = Make(ColliderShape.Box, water.transform.position + new Vector3(0.2f, 0f, 0f));
@@ -180,7 +180,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void The_force_on_an_obstacle_in_still_water_points_up()
+        public void The_force_on_a_collider_in_still_water_points_up()
         {
             FluidCollider collider = Make(ColliderShape.Sphere, water.transform.position + new Vector3(0f, -0.25f, 0f));
             collider.Radius = 0.15f;
@@ -196,7 +196,7 @@ namespace Rill.Tests
 
         static FluidCollider Make(ColliderShape shape, Vector3 place)
         {
-            var obstacle = new GameObject("Obstacle");
+            var obstacle = new GameObject("Collider");
             obstacle.transform.position = place;
             var collider = obstacle.AddComponent<FluidCollider>();
             collider.Shape = shape;

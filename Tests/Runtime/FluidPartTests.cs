@@ -26,7 +26,7 @@ namespace Rill.Tests
                 var mover = new GameObject("Mover");
                 mover.SetActive(false);
                 float side = what == "obstacle" ? 0.58f : 0.7f;     // one that is far off is not followed
-                Vector3 way = new Vector3(2f * side, 0f, 0f);
+                Vector3 path = new Vector3(2f * side, 0f, 0f);
                 mover.transform.SetPositionAndRotation(new Vector3(-side, what == "emitter" ? 0f : -0.4f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward));
                 if (what == "obstacle")
                     mover.AddComponent<FluidCollider>().Size = 0.1f * Vector3.one;
@@ -48,13 +48,13 @@ namespace Rill.Tests
                     holder.transform.localScale = 3e38f * Vector3.one;
                     scene.Step();
                     holder.transform.localScale = Vector3.one;
-                    holder.transform.position -= way;
+                    holder.transform.position -= path;
                 }
                 else
                 {
                     scene.Fluid.Paused = still == "paused";
                     scene.Step();
-                    mover.transform.position += way;
+                    mover.transform.position += path;
                     scene.Step(still == "paused" ? 1 : 0);
                     scene.Fluid.Paused = false;
                     if (still == "restarted")
@@ -65,7 +65,7 @@ namespace Rill.Tests
                 float fastest = scene.Read().velocities.Max(v => math.length(v.xyz)) * Spacing;
                 Assert.That(statistics.drained + statistics.emitted, Is.Zero);
                 TestContext.Out.WriteLine($"fastest {fastest:0.00} m/s");
-                Assert.That(fastest, Is.LessThan(4f), "it stands, or falls for two steps; an obstacle that came through throws it");
+                Assert.That(fastest, Is.LessThan(4f), "it stands, or falls for two steps; a collider that came through throws it");
                 Object.DestroyImmediate(mover);
                 scene.Fluid.transform.SetParent(null, true);
                 Object.DestroyImmediate(holder);
@@ -483,7 +483,7 @@ namespace Rill.Tests
                 Assert.That(emitter.Emitted, Is.Zero);
                 scene.Fluid.enabled = true;
                 scene.Step(6);
-                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(16).Within(1), "a fluid that is enabled again begins anew");
+                Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(16).Within(1), "a fluid that is enabled again begins again");
                 Object.DestroyImmediate(scene.Fluid.gameObject);      // with its parts
             }
         }

@@ -149,7 +149,7 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator A_restart_with_other_volumes_decides_anew_whether_the_water_is_deep()
+        public IEnumerator A_restart_with_other_volumes_decides_again_whether_the_water_is_deep()
         {
             FluidSimulation fluid = Tank();
             yield return Frames(2);
@@ -659,7 +659,7 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator A_new_layout_starts_the_fluid_anew()
+        public IEnumerator A_new_layout_starts_the_fluid_again()
         {
             FluidSimulation fluid = Dam();
             yield return Frames(3);

@@ -37,7 +37,7 @@ namespace Rill.Tests
         public void Fields_add_up_and_are_bounded_together()
         {
             ParticleState state = ParticleState.Random(129, 4);
-            float limit = ForceFields.MostAcceleration / Spacing / 60f;
+            float limit = ForceFields.MaxAcceleration / Spacing / 60f;
             FieldRegion strong = Region(ForceFieldKind.Direction, ForceFieldFalloff.None, ForceFieldBounds.None, 0f, 0.7f * limit * 60f);
             float3 once = Accelerate(state, strong)[7].xyz;
             float3 twice = Accelerate(state, strong, strong)[7].xyz;
@@ -56,7 +56,7 @@ namespace Rill.Tests
             FieldRegion field = Region(kind, falloff, ForceFieldBounds.Sphere, 5f, 1e9f);
             float4[] after = Accelerate(state, field);
             for (int i = 0; i < 4; i++)
-                Assert.That(math.length(after[i].xyz), Is.LessThan(1.001f * ForceFields.MostAcceleration / Spacing / 60f));
+                Assert.That(math.length(after[i].xyz), Is.LessThan(1.001f * ForceFields.MaxAcceleration / Spacing / 60f));
             if (kind == ForceFieldKind.Point || kind == ForceFieldKind.Vortex)
                 Assert.That(math.length(after[0].xyz), Is.LessThan(1e-3f), "no direction, no push");
             Assert.That(after[4].x, Is.EqualTo(float.PositiveInfinity), "left to the sort to cull");
@@ -91,14 +91,14 @@ namespace Rill.Tests
             acts = t <= 1.0;
             if (!acts)
                 return 0f;
-            double share = 1.0;
+            double fraction = 1.0;
             if (field.falloff == (uint)ForceFieldFalloff.Linear)
-                share = 1.0 - t;
+                fraction = 1.0 - t;
             else if (field.falloff == (uint)ForceFieldFalloff.InverseSquare)
-                share = t > 0.1 ? 0.01 / (t * t) : 1.0;
+                fraction = t > 0.1 ? 0.01 / (t * t) : 1.0;
             else if (field.falloff == (uint)ForceFieldFalloff.Smooth)
-                share = (1.0 - t * t) * (1.0 - t * t);
-            float strength = (float)(field.strength * share);
+                fraction = (1.0 - t * t) * (1.0 - t * t);
+            float strength = (float)(field.strength * fraction);
             switch ((ForceFieldKind)field.kind)
             {
                 case ForceFieldKind.Direction:

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>The ground as an obstacle. A box of 24 x 20 x 24 d over it, d = 5 cm.</summary>
+    /// <summary>The ground as a collider. A box of 24 x 20 x 24 d over it, d = 5 cm.</summary>
     public class HeightFieldTests
     {
         const float Spacing = 0.05f;
@@ -163,10 +163,10 @@ namespace Rill.Tests
                 size = ground.Extents / Spacing,
                 start = pose,
                 end = pose,
-                carriesDensity = true,
+                contributesDensity = true,
                 field = ground.Texture,
                 fieldUnit = 1f / Spacing,
-                leastShare = ground.LeastShare,
+                minFraction = ground.MinFraction,
             });
             return fluid;
         }

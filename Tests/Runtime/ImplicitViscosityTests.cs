@@ -78,14 +78,14 @@ namespace Rill.Tests
 
             readonly ImplicitViscosity stage;
 
-            public Stage(ParticleState state, double strength, long largestBinding = 0, int capacity = 0)
+            public Stage(ParticleState state, double strength, long maxBinding = 0, int capacity = 0)
             {
                 FluidMaterial material = FluidMaterial.Water;
                 material.velocitySmoothing = 0f;
                 material.wallFriction = 0f;         // so that nothing but the fluid acts
                 StepInput input = SolverStages.Still(SolverStages.Roomy, material);
                 input.material.dynamicViscosity = (float)(strength * material.density * SolverStages.Spacing * SolverStages.Spacing / input.timeStep);
-                Stages = new SolverStages(state, input, capacity, largestBinding);
+                Stages = new SolverStages(state, input, capacity, maxBinding);
                 float3[] velocities = state.velocities.Select(v => v.xyz).ToArray();
                 Stages.Particles.Velocities.SetData(new float4[state.Count], 0, 0, state.Count);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();

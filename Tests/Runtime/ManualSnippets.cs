@@ -91,7 +91,7 @@ namespace Rill.Tests
             #region Read the force on a collider
             gate.MeasuresForce = true;
             if (gate.TryGetForce(out Vector3 force, out Vector3 torque))        // N and N m, a few frames old
-                Debug.DrawRay(gate.Middle, 0.001f * force);
+                Debug.DrawRay(gate.WorldCenter, 0.001f * force);
             #endregion
         }
 

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>Baked meshes as obstacles: the same as the shape that the mesh stands for.</summary>
+    /// <summary>Baked meshes as colliders: the same as the shape that the mesh stands for.</summary>
     public class MeshColliderTests
     {
         const float Spacing = 0.05f;
@@ -111,7 +111,7 @@ namespace Rill.Tests
             FluidSimulation simulation = Simulation(Places());
             FluidCollider collider = Add(box, Vector3.zero);
             collider.transform.localScale = new Vector3(1f, 0.5f, 1f);
-            UnityEngine.TestTools.LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("'Obstacle' is left out: its scale .* is not the same along all axes"));
+            UnityEngine.TestTools.LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("'Collider' is left out: its scale .* is not the same along all axes"));
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.ColliderCount, Is.Zero);
         }
@@ -182,7 +182,7 @@ namespace Rill.Tests
 
         FluidCollider Add(SignedDistanceField field, Vector3 local)
         {
-            var obstacle = new GameObject("Obstacle");
+            var obstacle = new GameObject("Collider");
             obstacle.transform.SetPositionAndRotation(water.transform.TransformPoint(local), Quaternion.Euler(10f, 20f, 30f));
             var collider = obstacle.AddComponent<FluidCollider>();
             collider.Shape = ColliderShape.Mesh;

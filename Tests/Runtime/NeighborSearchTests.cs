@@ -57,9 +57,9 @@ namespace Rill.Tests
                 uint[] ids = stages.SortedIds;
                 float4[] predicted = stages.Predicted;
                 double3 fall = new double3(1.0, -9.81, 3.0) / SolverStages.Spacing * dt * dt;
-                double3 inset = new double3(0.5), far = (double3)state.box - 0.5;
+                double3 contactOffset = new double3(0.5), far = (double3)state.box - 0.5;
                 Compare.Vectors("predicted", count, slot => predicted[slot].xyz,
-                    slot => math.clamp((double3)state.positions[ids[slot]].xyz + (double3)state.velocities[ids[slot]].xyz * dt + fall, inset, far), slot => 1e-5);
+                    slot => math.clamp((double3)state.positions[ids[slot]].xyz + (double3)state.velocities[ids[slot]].xyz * dt + fall, contactOffset, far), slot => 1e-5);
             }
         }
 

@@ -10,7 +10,7 @@ namespace Rill.Tests
     /// <summary>Compares neighbor lists with the reference as sets.</summary>
     static class NeighborSets
     {
-        // Pairs this close to the radius, as a share of it, may fall on either side in single precision.
+        // Pairs this close to the radius, as a fraction of it, may fall on either side in single precision.
         const double Edge = 2e-6;
 
         public static void AssertSame(int[][] lists, double3[] points, double radius)

@@ -31,7 +31,7 @@ namespace Rill.Tests
         [TestCase(0.5f)]
         [TestCase(0.25f)]
         [TestCase(0f)]
-        public void A_particle_that_circles_in_a_cylinder_loses_that_share_of_what_a_first_order_step_takes(float damping)
+        public void A_particle_that_circles_in_a_cylinder_loses_that_fraction_of_what_a_first_order_step_takes(float damping)
         {
             const float radius = 12f, speed = 6f, middle = radius + 1f;
             const int steps = 120;
@@ -122,17 +122,17 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_drop_comes_back_with_the_share_of_its_velocity_that_bounce_says([Values(0f, 0.3f, 1f)] float bounce, [Values(0.5f, 3f)] float speed, [Values(0.5f, 0f)] float damping)
+        public void A_drop_comes_back_with_the_fraction_of_its_velocity_that_bounce_says([Values(0f, 0.3f, 1f)] float bounciness, [Values(0.5f, 3f)] float speed, [Values(0.5f, 0f)] float damping)
         {
             using (TestFluid fluid = Fluid(damping, 24f))
             {
                 fluid.Input.gravity = 0f;
                 ColliderMotion floor = ColliderTests.Still(ColliderShape.Plane, 0f, new float3(9f, 6f, 9f), quaternion.identity);
-                floor.bounce = bounce;
+                floor.bounciness = bounciness;
                 ColliderTests.Use(fluid, floor);
                 fluid.Add(new[] { new float3(9f, 10f, 9f) * Spacing }, new float3(0f, -speed, 0f));
                 fluid.Step((int)(0.25f / speed * 60f) + 5);
-                Assert.That(fluid.Read().velocities[0].y * Spacing, Is.EqualTo(speed * bounce).Within(0.03f * speed));
+                Assert.That(fluid.Read().velocities[0].y * Spacing, Is.EqualTo(speed * bounciness).Within(0.03f * speed));
             }
         }
 
@@ -140,12 +140,12 @@ namespace Rill.Tests
         public void Water_that_hits_the_floor_does_not_bounce([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater, [Values(0.5f, 2f)] float speed)
         {
             float impact = math.sqrt(speed * speed + 2f * Gravity * 2f * Spacing);
-            float first = HighestRise(1f, deepWater, speed), less = HighestRise(0.33f, deepWater, speed);
+            float first = MaxRise(1f, deepWater, speed), less = MaxRise(0.33f, deepWater, speed);
             TestContext.Out.WriteLine($"center of mass rises with {first:0.000} m/s after {impact:0.00} m/s, with less damping with {less:0.000}");
             Assert.That(less, Is.LessThan(first + 0.2f * impact));
         }
 
-        static float HighestRise(float damping, DeepWater deepWater, float speed)
+        static float MaxRise(float damping, DeepWater deepWater, float speed)
         {
             using (TestFluid fluid = Fluid(damping, new float3(12f, 30f, 12f), deepWater))
             {

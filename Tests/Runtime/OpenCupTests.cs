@@ -44,7 +44,7 @@ namespace Rill.Tests
             Assert.That(tracer.Inside, Is.EqualTo(1));
         }
 
-        static void AssertNobodyGoesThrough(OpenCup cup, float voxel, DeepWater deepWater, System.Func<float, RigidPose> motion, float leastOut, float mostOut)
+        static void AssertNobodyGoesThrough(OpenCup cup, float voxel, DeepWater deepWater, System.Func<float, RigidPose> motion, float minOut, float maxOut)
         {
             SignedDistanceField field = cup.Bake(voxel);
             try
@@ -59,15 +59,15 @@ namespace Rill.Tests
                         water[i] *= Spacing;
                     fluid.Add(water);
                     var tracer = new OpenCup.Tracer(cup);
-                    ColliderMotion obstacle = OpenCup.Obstacle(field, motion(0f));
+                    ColliderMotion collider = OpenCup.Obstacle(field, motion(0f));
                     for (int step = 0; step <= Steps; step++)
                     {
                         RigidPose pose = motion(step / 60f);
                         if (step > 0)
                         {
-                            obstacle.start = obstacle.end;
-                            obstacle.end = OpenCup.OfField(field, pose);
-                            ColliderTests.Use(fluid, obstacle);
+                            collider.start = collider.end;
+                            collider.end = OpenCup.OfField(field, pose);
+                            ColliderTests.Use(fluid, collider);
                             fluid.Step();
                         }
                         ParticleState state = fluid.Read();
@@ -76,8 +76,8 @@ namespace Rill.Tests
                     }
                     TestContext.Out.WriteLine($"{tracer.OverTheRim} of {fluid.Added} over the rim, {tracer.Inside} inside");
                     fluid.MeasureWhole();
-                    Assert.That(tracer.OverTheRim, Is.InRange(leastOut * fluid.Added, mostOut * fluid.Added));
-                    if (mostOut == 0f)
+                    Assert.That(tracer.OverTheRim, Is.InRange(minOut * fluid.Added, maxOut * fluid.Added));
+                    if (maxOut == 0f)
                         Assert.That(tracer.Inside, Is.EqualTo(fluid.Added));
                 }
             }

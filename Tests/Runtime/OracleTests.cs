@@ -65,7 +65,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Lattice(30f, 10f, 6, jitter: 0.3f);
             double3[] points = Compare.Points(state.positions);
-            var reference = new Constraint(30.0, points, Neighbors.BruteForce(points, Kernels.H)) { longestCorrection = 1e9 };
+            var reference = new Constraint(30.0, points, Neighbors.BruteForce(points, Kernels.H)) { maxCorrection = 1e9 };
             double[] multipliers = Enumerable.Range(0, points.Length).Select(reference.Multiplier).ToArray();
             double3 sum = Enumerable.Range(0, points.Length).Aggregate(new double3(0.0), (total, i) => total + reference.Correction(i, multipliers, out _));
             Assert.That(math.length(sum), Is.LessThan(1e-12 * points.Length));

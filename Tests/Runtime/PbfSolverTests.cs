@@ -136,7 +136,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Solvers_that_share_the_shaders_do_not_disturb_each_other()
+        public void Solvers_that_fraction_the_shaders_do_not_disturb_each_other()
         {
             using (TestFluid one = OneList(), two = TwoLists(), oneAlone = OneList(), twoAlone = TwoLists())
             {
@@ -158,7 +158,7 @@ namespace Rill.Tests
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = 2;
                 settings.relaxation = 0.8f;
-                var fluid = new TestFluid(new float3(0.8f, 0.8f, 0.8f), 0.04f, 1000, settings, largestBinding: 640 * 64 * 4);
+                var fluid = new TestFluid(new float3(0.8f, 0.8f, 0.8f), 0.04f, 1000, settings, maxBinding: 640 * 64 * 4);
                 fluid.Input.material.vorticity = 0.3f;
                 fluid.Input.material.shearModulus = 300f;
                 return fluid.AddBlock(0.1f, new float3(0.4f, 0.36f, 0.4f));
@@ -175,9 +175,9 @@ namespace Rill.Tests
                 TestFluid.AssertSame(two.Step(20).Read(), one.Step(20).Read());
             }
 
-            TestFluid Box(long largestBinding)
+            TestFluid Box(long maxBinding)
             {
-                var fluid = new TestFluid(new float3(1f, 0.6f, 0.5f), 0.05f, 1000, SolverSettings.Default, largestBinding);
+                var fluid = new TestFluid(new float3(1f, 0.6f, 0.5f), 0.05f, 1000, SolverSettings.Default, maxBinding);
                 fluid.Input.material.vorticity = 0.3f;
                 fluid.Input.material.shearModulus = 300f;
                 AddDam(fluid);
@@ -341,7 +341,7 @@ namespace Rill.Tests
                 var kernels = fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).ToDictionary(kernel => kernel.kernel, kernel => kernel.perStep);
                 Assert.That(kernels["DensityConstraint.compute: BuildList"], Is.EqualTo(2));
                 Assert.That(kernels["DensityConstraint.compute: SolveLambda"], Is.EqualTo(4));
-                Assert.That(kernels["DensityConstraint.compute: Displace"], Is.EqualTo(6));
+                Assert.That(kernels["DensityConstraint.compute: ApplyDeltaP"], Is.EqualTo(6));
                 Assert.That(kernels["NeighborSearch.compute: Gather"], Is.EqualTo(2));
                 Assert.That(kernels["VelocityUpdate.compute: UpdateVelocity"], Is.EqualTo(2));
                 Assert.That(kernels.Keys.Any(kernel => kernel.Contains("Vorticity")), Is.False);

@@ -55,13 +55,13 @@ namespace Rill.Tests
                 {
                     ColliderTests.Use(fluid, solids);
                     fluid.Step();
-                    double measured = GpuTest.Read<uint>(fluid.Solver.Colliders.SolidVolume, 1)[0] / (double)(1 << 30) * box * box * box;
+                    double measured = GpuTest.Read<uint>(fluid.Solver.Colliders.ColliderVolume, 1)[0] / (double)(1 << 30) * box * box * box;
                     Assert.That(measured, Is.EqualTo(volume).Within(0.03 * volume), $"{solids.Length} x {solids[0].shape}");
                 }
             }
         }
 
-        static TestFluid Press(DeepWater deepWater, float share, int closing, int after)
+        static TestFluid Press(DeepWater deepWater, float fraction, int closing, int after)
         {
             SolverSettings settings = SolverSettings.Default;
             settings.deepWater = deepWater;
@@ -70,7 +70,7 @@ namespace Rill.Tests
             for (int step = 1; step <= closing + after; step++)
             {
                 piston.start = piston.end;
-                float surface = Layers - math.min(step / (float)closing, 1f) * (Layers - Layers / (1f + share));
+                float surface = Layers - math.min(step / (float)closing, 1f) * (Layers - Layers / (1f + fraction));
                 piston.end.position = At(surface);
                 ColliderTests.Use(fluid, piston);
                 fluid.Step();

@@ -79,7 +79,7 @@ namespace Rill.Tests
             using (var readback = new Readback(buffer))
             {
                 readback.Request();
-                readback.Forget();
+                readback.Invalidate();
                 yield return Arrive(readback);
                 Assert.That(readback.HasResult, Is.False);
                 readback.Request();

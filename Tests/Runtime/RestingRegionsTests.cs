@@ -21,14 +21,14 @@ namespace Rill.Tests
         [TestCase(40, 48, 40, 0, 1.5f, 1)]
         [TestCase(60, 20, 9, 7, 1.5f, 1)]
         [TestCase(60, 20, 9, 47, 0.7f, 2)]
-        public void What_moves_keeps_the_regions_around_it_awake_and_those_beyond_at_hand(int x, int y, int z, int mover, float meanWays, int fastParticles)
+        public void What_moves_keeps_the_regions_around_it_awake_and_those_beyond_at_hand(int x, int y, int z, int mover, float meanDisplacement, int fastParticles)
         {
             int3 counts = (new int3(x, y, z) + 7) / 8;
             int total = counts.x * counts.y * counts.z;
             ParticleState state = Jittering(new float3(x, y, z), counts, 20);
             for (int i = mover * 20; i < mover * 20 + 20; i++)
-                state.velocities[i].xyz += new float3(0f, meanWays * Way / TimeStep, 0f);
-            bool moves = meanWays > 1f;
+                state.velocities[i].xyz += new float3(0f, meanDisplacement * Way / TimeStep, 0f);
+            bool moves = meanDisplacement > 1f;
             using (var stage = new Stage(state))
             {
                 Assert.That(stage.Run(1), Is.All.EqualTo(Awake), "it begins awake");
@@ -83,7 +83,7 @@ namespace Rill.Tests
                     underIt.Add(states[0]);
                     asleep.Add(states.Count(s => s != Awake) / (float)states.Length);
                 }
-                TestContext.Out.WriteLine("asleep " + string.Join(" ", asleep.Select(share => share.ToString("0.00"))) + "; under it " + string.Join(" ", underIt));
+                TestContext.Out.WriteLine("asleep " + string.Join(" ", asleep.Select(fraction => fraction.ToString("0.00"))) + "; under it " + string.Join(" ", underIt));
                 fluid.MeasureWhole();
                 int slept = underIt.FindIndex(state => state != Awake);
                 Assert.That(slept, Is.GreaterThan(0), "the pool slept while the block fell");

@@ -76,18 +76,18 @@ namespace Rill.Tests
         public void More_than_two_list_buffers_are_refused_with_what_would_fit()
         {
             // A buffer of 3,584 bytes holds the lists of 32 particles with 25 entries in whole blocks: 28.
-            AssertRefused(() => new SolverLayout(Box, 0.05f, 65, 25, 1f, largestBinding: 3584), "Capacity 65", "3,584 bytes", "Lower the capacity to 64");
+            AssertRefused(() => new SolverLayout(Box, 0.05f, 65, 25, 1f, maxBinding: 3584), "Capacity 65", "3,584 bytes", "Lower the capacity to 64");
         }
 
         [TestCase(1, 32, false)]
         [TestCase(32, 32, false)]
         [TestCase(33, 32, true)]
         [TestCase(64, 32, true)]
-        public void Particles_beyond_one_list_buffer_go_to_a_second(int capacity, int mostInFirst, bool twoLists)
+        public void Particles_beyond_one_list_buffer_go_to_a_second(int capacity, int maxInFirst, bool twoLists)
         {
-            var layout = new SolverLayout(Box, 0.05f, capacity, 25, 1f, largestBinding: 3584);
+            var layout = new SolverLayout(Box, 0.05f, capacity, 25, 1f, maxBinding: 3584);
             Assert.That(layout.TwoLists, Is.EqualTo(twoLists));
-            Assert.That(layout.FirstListParticles, Is.EqualTo(Math.Min(capacity, mostInFirst)));
+            Assert.That(layout.FirstListParticles, Is.EqualTo(Math.Min(capacity, maxInFirst)));
             Assert.That(layout.FirstListEntries * sizeof(uint), Is.LessThanOrEqualTo(3584));
             Assert.That(layout.SecondListEntries * sizeof(uint), Is.LessThanOrEqualTo(3584));
             Assert.That(layout.SecondListEntries > 0, Is.EqualTo(twoLists));

@@ -20,13 +20,13 @@ namespace Rill.Tests
         public readonly StepInput Input;
 
         /// <param name="capacity">0: as many as there are, and some.</param>
-        /// <param name="largestBinding">Bytes of the largest buffer; 0: the device's.</param>
-        public SolverStages(ParticleState state, StepInput input, int capacity = 0, long largestBinding = 0)
+        /// <param name="maxBinding">Bytes of the largest buffer; 0: the device's.</param>
+        public SolverStages(ParticleState state, StepInput input, int capacity = 0, long maxBinding = 0)
         {
             Input = input;
             capacity = capacity > 0 ? capacity : state.Count + 5;
             Layout = new SolverLayout(state.box * Spacing, Spacing, capacity, input.settings.neighborCapacity, input.settings.listMargin,
-                largestBinding > 0 ? largestBinding : GpuBuffer.LargestBinding);
+                maxBinding > 0 ? maxBinding : GpuBuffer.MaxBinding);
             Particles = new ParticleBuffers(capacity);
             Search = new NeighborSearch(Layout);
             Constraint = new DensityConstraint(Layout);

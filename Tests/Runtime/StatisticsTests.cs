@@ -130,11 +130,11 @@ namespace Rill.Tests
             settings.neighborCapacity = 16;
             using (var fluid = new TestFluid(1f, 0.05f, 4000, settings).AddBlock(0.2f, 0.5f).Step())
             {
-                uint overflow = fluid.Counter(ParticleCounter.Overflow), most = fluid.Counter(ParticleCounter.MostNeighbors);
+                uint overflow = fluid.Counter(ParticleCounter.Overflow), most = fluid.Counter(ParticleCounter.MaxNeighbors);
                 Assert.That(overflow, Is.GreaterThan(100u));
                 FluidStatistics statistics = fluid.Measure();
                 Assert.That(statistics.neighborOverflow, Is.EqualTo(overflow));
-                Assert.That(statistics.mostNeighbors, Is.EqualTo(most).And.GreaterThan(16));
+                Assert.That(statistics.maxNeighbors, Is.EqualTo(most).And.GreaterThan(16));
             }
         }
 
@@ -241,7 +241,7 @@ namespace Rill.Tests
             {
                 // What only a step writes, as it is after one that overflowed nothing.
                 uint[] counters = GpuTest.Read<uint>(stages.Particles.Counters, ParticleBuffers.CounterCount);
-                counters[(int)ParticleCounter.Overflow] = counters[(int)ParticleCounter.MostNeighbors] = 0;
+                counters[(int)ParticleCounter.Overflow] = counters[(int)ParticleCounter.MaxNeighbors] = 0;
                 stages.Particles.Counters.SetData(counters);
                 GpuTest.Run(cmd => pass.Record(cmd, stages.Constants, stages.Particles, stages.Search));
                 pass.Request();
@@ -250,9 +250,9 @@ namespace Rill.Tests
             }
         }
 
-        static void AssertNear(string what, double actual, double expected, double share)
+        static void AssertNear(string what, double actual, double expected, double fraction)
         {
-            Assert.That(actual, Is.EqualTo(expected).Within(share * Math.Abs(expected) + 1e-7), what);
+            Assert.That(actual, Is.EqualTo(expected).Within(fraction * Math.Abs(expected) + 1e-7), what);
         }
     }
 }

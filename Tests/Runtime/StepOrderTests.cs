@@ -15,11 +15,11 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(2f, 1f, 1f), 0.05f, 2000).Fill(0.2f))
             {
-                var obstacle = new GameObject("Obstacle");
-                obstacle.AddComponent<FluidCollider>();
-                var mover = obstacle.AddComponent<LateMover>();
+                var collider = new GameObject("Collider");
+                collider.AddComponent<FluidCollider>();
+                var mover = collider.AddComponent<LateMover>();
                 int steps = scene.Fluid.StepCount, compared = 0;
-                obstacle.AddComponent<LateWitness>().Look = () =>
+                collider.AddComponent<LateWitness>().Look = () =>
                 {
                     bool stepped = scene.Fluid.StepCount > steps;
                     steps = scene.Fluid.StepCount;
@@ -32,7 +32,7 @@ namespace Rill.Tests
                 for (int frame = 0; frame < 60 && compared < 5; frame++)
                     yield return null;
                 Assert.That(compared, Is.GreaterThanOrEqualTo(5), "frames with steps");
-                Object.DestroyImmediate(obstacle);
+                Object.DestroyImmediate(collider);
             }
         }
 

@@ -58,7 +58,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 5);
             using (var one = new Found(state))
-            using (var two = new Found(state, largestBinding: 96 * 4 * 512))
+            using (var two = new Found(state, maxBinding: 96 * 4 * 512))
             {
                 Assert.That(two.Stages.Layout.TwoLists);
                 Assert.That(two.Bits, Is.EqualTo(one.Bits));
@@ -275,10 +275,10 @@ namespace Rill.Tests
             public readonly double3[] Points;
             readonly SurfaceParticles stage;
 
-            public Found(ParticleState state, long largestBinding = 0, float squeeze = 1f)
+            public Found(ParticleState state, long maxBinding = 0, float squeeze = 1f)
             {
                 state.positions = state.positions.Select(p => new float4(0.5f + (p.xyz - 0.5f) * squeeze, 0f)).ToArray();
-                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, FluidMaterial.Water), 0, largestBinding);
+                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, FluidMaterial.Water), 0, maxBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 Stages.Particles.Advance();
                 Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Current, Stages.Sorted));

@@ -13,13 +13,13 @@ namespace Rill.Tests
         public readonly PbfSolver Solver;
         public StepInput Input;
 
-        /// <param name="largestBinding">Bytes of the largest buffer; 0: the device's.</param>
-        public TestFluid(float3 box, float spacing, int capacity, SolverSettings settings, long largestBinding = 0)
+        /// <param name="maxBinding">Bytes of the largest buffer; 0: the device's.</param>
+        public TestFluid(float3 box, float spacing, int capacity, SolverSettings settings, long maxBinding = 0)
         {
             Input = SolverStages.Still(settings, FluidMaterial.Water);
             Input.gravity = new float3(0f, -9.81f, 0f);
             Solver = new PbfSolver(new SolverLayout(box, spacing, capacity, settings.neighborCapacity, settings.listMargin,
-                largestBinding > 0 ? largestBinding : GpuBuffer.LargestBinding));
+                maxBinding > 0 ? maxBinding : GpuBuffer.MaxBinding));
         }
 
         public TestFluid(float3 box, float spacing, int capacity) : this(box, spacing, capacity, SolverSettings.Default) { }

@@ -48,7 +48,7 @@ namespace Rill.Tests
                 float4[] start = stages.Start, corrected = stages.Predicted;
                 double3[] ways = corrected.Select((to, i) => (double3)(to.xyz - start[i].xyz)).ToArray();
                 Compare.Vectors("packed ways", ways.Length, i => (float3)Unpacked(corrected[i].w), i => ways[i], i => math.sqrt(3.0) / 256.0 * math.cmax(math.abs(ways[i])) + 1e-8);
-                Assert.That(ways.Count(way => math.length(way) > 0.0), Is.GreaterThan(100));
+                Assert.That(ways.Count(path => math.length(path) > 0.0), Is.GreaterThan(100));
             }
         }
 
@@ -156,7 +156,7 @@ namespace Rill.Tests
             material.velocitySmoothing = 0.5f;
             StepInput input = SolverStages.Still(SolverStages.Roomy, material);
             using (var one = new SolverStages(state, input).Sort().Constrain(2).UpdateVelocities())
-            using (var two = new SolverStages(state, input, largestBinding: 96 * 4 * 512).Sort().Constrain(2).UpdateVelocities())
+            using (var two = new SolverStages(state, input, maxBinding: 96 * 4 * 512).Sort().Constrain(2).UpdateVelocities())
             {
                 Assert.That(two.Layout.TwoLists);
                 Compare.Same("velocities", two.Velocities, one.Velocities);

@@ -143,7 +143,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 5, speed: 3f);
             using (var one = new Stage(state, Modulus))
-            using (var two = new Stage(state, Modulus, largestBinding: 96 * 4 * 512))
+            using (var two = new Stage(state, Modulus, maxBinding: 96 * 4 * 512))
             {
                 Assert.That(two.Stages.Layout.TwoLists);
                 Compare.Same("velocities", two.Run().After, one.Run().After);
@@ -182,13 +182,13 @@ namespace Rill.Tests
             readonly Viscoelasticity stage;
             readonly float4[] places;
 
-            public Stage(ParticleState state, float modulus, float relaxationTime = RelaxationTime, long largestBinding = 0, int capacity = 0)
+            public Stage(ParticleState state, float modulus, float relaxationTime = RelaxationTime, long maxBinding = 0, int capacity = 0)
             {
                 FluidMaterial material = FluidMaterial.Water;
                 material.shearModulus = modulus;
                 material.relaxationTime = relaxationTime;
                 material.velocitySmoothing = 0f;
-                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, largestBinding);
+                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, maxBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 places = Stages.Predicted;
                 Places = Compare.Points(places);
@@ -196,7 +196,7 @@ namespace Rill.Tests
                 Before = Stages.Velocities;
                 stage = new Viscoelasticity(Stages.Layout.Capacity);
                 // What is in one place before and after the sort.
-                stage.Origins.SetData(Enumerable.Range(0, Stages.Layout.Capacity).Select(i => (uint)i).ToArray());
+                stage.PreviousIndices.SetData(Enumerable.Range(0, Stages.Layout.Capacity).Select(i => (uint)i).ToArray());
             }
 
             public float4[] Before { get; private set; }

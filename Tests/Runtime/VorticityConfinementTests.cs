@@ -78,7 +78,7 @@ namespace Rill.Tests
         [Test]
         public void Places_past_the_particles_are_left_alone()
         {
-            using (var swirl = new Swirl(ParticleState.Random(200, seed: 3, speed: 5f), Vorticity, largestBinding: 0, capacity: 300))
+            using (var swirl = new Swirl(ParticleState.Random(200, seed: 3, speed: 5f), Vorticity, maxBinding: 0, capacity: 300))
                 Assert.That(GpuTest.Read<float4>(swirl.CurlBuffer, 300).Skip(200).All(GpuTest.IsGarbage));
         }
 
@@ -94,7 +94,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 5, speed: 10f);
             using (var one = new Swirl(state, Vorticity))
-            using (var two = new Swirl(state, Vorticity, largestBinding: 96 * 4 * 512))
+            using (var two = new Swirl(state, Vorticity, maxBinding: 96 * 4 * 512))
             {
                 Assert.That(two.Stages.Layout.TwoLists);
                 Compare.Same("velocities", two.Confined, one.Confined);
@@ -112,12 +112,12 @@ namespace Rill.Tests
 
             readonly VorticityConfinement stage;
 
-            public Swirl(ParticleState state, float vorticity, long largestBinding = 0, int capacity = 0)
+            public Swirl(ParticleState state, float vorticity, long maxBinding = 0, int capacity = 0)
             {
                 FluidMaterial material = FluidMaterial.Water;
                 material.vorticity = vorticity;
                 material.velocitySmoothing = Viscosity;
-                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, largestBinding);
+                Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, maxBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 Points = Compare.Points(Stages.Predicted);
                 Neighbors = Rill.Tests.Reference.Neighbors.ByCells(Points, Kernels.H);

@@ -5,7 +5,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Terrains as obstacles.</summary>
+    /// <summary>Terrains as colliders.</summary>
     public class FluidTerrainTests
     {
         GameObject thing;
@@ -43,7 +43,7 @@ namespace Rill.Tests
             Assert.That(collider.TryDescribe(out ColliderMotion motion), Is.True);
             Assert.That((Vector3)motion.end.position, Is.EqualTo(new Vector3(69f, 11f, 29f)));
             Assert.That((Vector3)motion.size, Is.EqualTo(new Vector3(64f, 10f, 32f)));
-            Assert.That(motion.leastShare, Is.EqualTo(1f / Mathf.Sqrt(1f + 20f / 128f * (20f / 128f))).Within(1e-3f));
+            Assert.That(motion.minFraction, Is.EqualTo(1f / Mathf.Sqrt(1f + 20f / 128f * (20f / 128f))).Within(1e-3f));
 
             terrain.Part = Rect.MinMaxRect(0.5f, 0f, 1f, 0.25f);
             terrain.Refresh();
@@ -72,7 +72,7 @@ namespace Rill.Tests
         public void What_is_no_ground_is_said_by_name()
         {
             thing.GetComponent<Terrain>().terrainData = null;
-            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is no obstacle: its Terrain has no terrain data"));
+            LogAssert.Expect(LogType.Error, new Regex("FluidTerrain 'Hill' is no collider: its Terrain has no terrain data"));
             FluidTerrain terrain = Add();
             LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': part .* does not lie within 0 to 1"));
             terrain.Part = new Rect(0f, 0f, 2f, 1f);

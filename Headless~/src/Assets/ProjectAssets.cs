@@ -48,7 +48,7 @@ namespace Host.Assets
         public static ProjectAssets Open(string root, IEnumerable<Assembly> scripts, bool strict = true) =>
             new ProjectAssets(ProjectFolders.Of(root), scripts, strict);
 
-        /// <summary>Destroys every loaded asset and gives back its memory; the next request reads its file anew.</summary>
+        /// <summary>Destroys every loaded asset and gives back its memory; the next request reads its file again.</summary>
         public void ReloadAll()
         {
             foreach (var asset in loaded.Values)
@@ -159,7 +159,7 @@ namespace Host.Assets
             if (asset == null) return null;
             if (asset.Objects.TryGetValue(reference.FileId, out var found)) return Checked(found, reference, type, scope);
             if (!asset.LeftOut.Contains(reference.FileId))
-                Fail($"{reference.Place}: {scope} refers to object {reference.FileId} of {asset.Entry.Path}, which has none with that file id{Objects(asset)}: assign the field anew");
+                Fail($"{reference.Place}: {scope} refers to object {reference.FileId} of {asset.Entry.Path}, which has none with that file id{Objects(asset)}: assign the field again");
             return null;
         }
 
@@ -176,14 +176,14 @@ namespace Host.Assets
         {
             if (!MetaFile.IsGuid(reference.Guid))
             {
-                Fail($"{reference.Place}: {scope} has the guid '{reference.Guid}', which is not 32 lower-case hexadecimal digits: assign the field anew");
+                Fail($"{reference.Place}: {scope} has the guid '{reference.Guid}', which is not 32 lower-case hexadecimal digits: assign the field again");
                 return null;
             }
             if (Index.Doubled(reference.Guid) is string doubled) Fail($"{reference.Place}: {scope} refers to a guid that two assets have. {doubled}");
             var entry = Index.ByGuid(reference.Guid);
             if (entry == null)
                 Fail($"{reference.Place}: {scope} refers to an asset with guid {reference.Guid} (file id {reference.FileId}), but no .meta file in {string.Join(", ", Index.Mounts.Select(m => m.AssetPath))} has that guid: "
-                    + "restore the asset with its .meta file, add the package that holds it, or assign the field anew");
+                    + "restore the asset with its .meta file, add the package that holds it, or assign the field again");
             return entry;
         }
 

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Host.Pipelines
 {
-    /// <summary>A version of the scriptable pipelines, which share their numbers, with the editor that ships it and the symbols that this editor sets.</summary>
+    /// <summary>A version of the scriptable pipelines, which fraction their numbers, with the editor that ships it and the symbols that this editor sets.</summary>
     sealed class PipelineVersion
     {
         /// <summary>"14", as the command line has it.</summary>

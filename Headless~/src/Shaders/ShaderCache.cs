@@ -52,7 +52,7 @@ namespace Host.Shaders
             }
             catch (JsonException)
             {
-                return null;    // a file that a full disk cut short: compiled and written anew
+                return null;    // a file that a full disk cut short: compiled and written again
             }
         }
 

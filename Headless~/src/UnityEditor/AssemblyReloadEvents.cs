@@ -1,6 +1,6 @@
 namespace UnityEditor
 {
-    /// <summary>This host loads scripts once; tests say when they would be loaded anew.</summary>
+    /// <summary>This host loads scripts once; tests say when they would be loaded again.</summary>
     public static class AssemblyReloadEvents
     {
         public delegate void AssemblyReloadCallback();

@@ -14,7 +14,7 @@ namespace UnityEngine
         public Vector3 GetPosition() => transform.position;
     }
 
-    /// <summary>Heights of a terrain as shares of its height, kept in steps of 1/32766 as in Unity's heightmap.</summary>
+    /// <summary>Heights of a terrain as fractions of its height, kept in steps of 1/32766 as in Unity's heightmap.</summary>
     public sealed class TerrainData : Object
     {
         const int Steps = 32766, LeastResolution = 33, MostResolution = 4097;
@@ -35,14 +35,14 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>m; y that of a share of 1.</summary>
+        /// <summary>m; y that of a fraction of 1.</summary>
         public Vector3 size
         {
             get => new Vector3(scale.x * (heightmapResolution - 1), scale.y, scale.z * (heightmapResolution - 1));
             set => scale = new Vector3(value.x / (heightmapResolution - 1), value.y, value.z / (heightmapResolution - 1));
         }
 
-        /// <summary>[z, x] shares of the height, from a place on.</summary>
+        /// <summary>[z, x] fractions of the height, from a place on.</summary>
         public float[,] GetHeights(int xBase, int yBase, int width, int height)
         {
             Check(xBase, yBase, width, height);
@@ -53,7 +53,7 @@ namespace UnityEngine
             return part;
         }
 
-        /// <param name="heights">[z, x] shares of the height, 0 to 1.</param>
+        /// <param name="heights">[z, x] fractions of the height, 0 to 1.</param>
         public void SetHeights(int xBase, int yBase, float[,] heights)
         {
             if (heights == null)

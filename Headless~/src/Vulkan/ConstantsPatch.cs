@@ -6,7 +6,7 @@ namespace Host.Vulkan
 {
     /// <summary>
     /// Makes a kernel's constant buffers storage buffers. Lavapipe (Mesa 22.3) writes constants that decide how often a loop runs
-    /// into the code, at every dispatch anew, and keeps each such program until the pipeline goes: that takes most of the time of
+    /// into the code, at every dispatch again, and keeps each such program until the pipeline goes: that takes most of the time of
     /// a dispatch and megabytes a frame. It does so with uniform buffers alone.
     /// </summary>
     internal static class ConstantsPatch

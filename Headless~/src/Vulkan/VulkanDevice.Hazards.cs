@@ -23,7 +23,7 @@ namespace Host.Vulkan
     /// <remarks>
     /// A barrier is global memory between two scopes, e.g. compute to compute: it orders everything before it in the one
     /// scope against everything after it in the other. So the stream need only remember, for each pair of scopes, the
-    /// operation that the last such barrier preceded; a use older than that is safe. Operations that share nothing run
+    /// operation that the last such barrier preceded; a use older than that is safe. Operations that fraction nothing run
     /// without a barrier between them. Images live in the GENERAL layout from birth, so they are no different from buffers.
     /// </remarks>
     sealed unsafe partial class VulkanDevice

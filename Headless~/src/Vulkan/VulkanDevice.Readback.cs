@@ -83,7 +83,7 @@ namespace Host.Vulkan
 
         internal void GiveBack(VulkanBuffer buffer)
         {
-            // What was read once at hundreds of megabytes is unlikely to be wanted again. Below that, getting such memory anew
+            // What was read once at hundreds of megabytes is unlikely to be wanted again. Below that, getting such memory again
             // takes longer than the read-back.
             if (buffer.Bytes > KeptReadbackBytes) buffer.Dispose();
             else (readbackBuffers[SizeClass(buffer.Bytes)] ??= new Stack<VulkanBuffer>()).Push(buffer);

@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Makes spray, foam and bubbles where the water of the <see cref="FluidSimulation"/> on this object breaks, and draws them.</summary>
     /// <remarks>
     /// Potentials of trapped air, wave crests and kinetic energy (Ihmsen et al. 2012) are summed over the solver's neighbor lists,
-    /// once a step. Limits are fixed shares of the scene's own speed √(g H), so that calm water makes none and the amount does not
+    /// once a step. Limits are fixed fractions of the scene's own speed √(g H), so that calm water makes none and the amount does not
     /// depend on the particle spacing. Without this component none of it costs anything. Foam takes no part in the motion of the fluid.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Foam")]

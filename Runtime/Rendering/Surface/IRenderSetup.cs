@@ -5,7 +5,7 @@ namespace Rill
     /// <summary>What a project's render settings lack for fluid surfaces: each adapter of a render pipeline has one, the inspector shows them.</summary>
     interface IRenderSetup
     {
-        /// <summary>Found anew at each call; none where the pipeline is not in use.</summary>
+        /// <summary>Found again at each call; none where the pipeline is not in use.</summary>
         IEnumerable<SetupProblem> Problems { get; }
 
         /// <summary>The last surface has ended: cameras are to be as they were.</summary>

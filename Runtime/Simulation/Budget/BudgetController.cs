@@ -19,15 +19,15 @@ namespace Rill
         const float LostSeconds = 1f;
         /// <summary>An up that is undone this soon was a mistake.</summary>
         const float TrialSeconds = 3f;
-        const float FirstBlockSeconds = 30f, LongestBlockSeconds = 300f;
-        /// <summary>Steps this much cheaper than at the mistake make it worth another try; this much dearer afterwards excuse it.</summary>
+        const float FirstBlockSeconds = 30f, MaxBlockSeconds = 300f;
+        /// <summary>Steps this much cheaper than at the mistake make it worth another try; this much more expensive afterwards excuse it.</summary>
         const float Cheaper = 0.9f, Dearer = 1.2f;
         /// <summary>The model is wrong by less than this; what is more is another load.</summary>
         const float ModelError = 1.5f;
         const float BackSeconds = 0.5f;
-        /// <summary>Down for the sake of the error only when this share of its target is expected.</summary>
+        /// <summary>Down for the sake of the error only when this fraction of its target is expected.</summary>
         const float ErrorMargin = 0.8f;
-        const float FirstSaveSeconds = 2f, LongestSaveSeconds = 60f;
+        const float FirstSaveSeconds = 2f, MaxSaveSeconds = 60f;
         const float ErrorGain = 0.3f;
         /// <summary>What a change does to the error shows only after a while.</summary>
         const float ErrorSeconds = 1f, SavedSeconds = 2f;
@@ -61,7 +61,7 @@ namespace Rill
         /// <summary>Forgets everything.</summary>
         public void Restart(int rung)
         {
-            factor.Forget();
+            factor.Reset();
             Changes = 0;
             error = lastError = float.NaN;
             saveSeconds = FirstSaveSeconds;
@@ -154,7 +154,7 @@ namespace Rill
         void Block()
         {
             bool again = blockSeconds > 0f && blockedFor < blockSeconds + 2f * TrialSeconds;
-            blockSeconds = again ? Math.Min(blockSeconds * 2f, LongestBlockSeconds) : FirstBlockSeconds;
+            blockSeconds = again ? Math.Min(blockSeconds * 2f, MaxBlockSeconds) : FirstBlockSeconds;
             blockedRung = Rung;
             blockedFor = 0f;
             isBlockJudged = false;
@@ -182,7 +182,7 @@ namespace Rill
                 return false;
             // What was saved was needed: the next saving waits longer.
             if (lastStep == Step.Save)
-                saveSeconds = Math.Min(saveSeconds * 2f, LongestSaveSeconds);
+                saveSeconds = Math.Min(saveSeconds * 2f, MaxSaveSeconds);
             factorBeforeUp = factor.Value;
             rungBeforeUp = Rung;
             Change(ladder, higher, Step.Up);
@@ -202,7 +202,7 @@ namespace Rill
         BudgetReason Explain(BudgetLadder ladder, float target, float targetError)
         {
             if (Rung == 0 && overFor >= OverSeconds)
-                return BudgetReason.LeastStable;
+                return BudgetReason.MinStable;
             if (targetError > 0f && error <= targetError)
                 return BudgetReason.ErrorIsReached;
             return Rung == ladder.Count - 1 && Milliseconds <= target * Over ? BudgetReason.BestFits : BudgetReason.TimeIsSpent;

@@ -50,7 +50,7 @@ namespace Rill
         /// <returns>Whether they are others than before.</returns>
         public bool Build(bool deepWater, float gravityStep, in SolverBudget budget)
         {
-            int substeps = SolverSettings.LeastSubsteps(gravityStep);
+            int substeps = SolverSettings.MinSubsteps(gravityStep);
             if (Count > 0 && deepWater == isDeep && substeps == neededSubsteps && HasBounds(budget))
                 return false;
             isDeep = deepWater;
@@ -58,14 +58,14 @@ namespace Rill
             bounds = budget;
             Count = 0;
             BudgetRung[] all = deepWater ? deep : plain;
-            int least = Math.Max(substeps, budget.leastSubsteps), most = Math.Max(substeps, budget.mostSubsteps);
+            int least = Math.Max(substeps, budget.minSubsteps), most = Math.Max(substeps, budget.maxSubsteps);
             foreach (BudgetRung rung in all)
             {
                 BudgetRung raised = rung.Substeps < least ? rung.WithSubsteps(least) : rung;
-                if (raised.Substeps <= most && raised.Iterations >= budget.leastIterations && raised.Iterations <= budget.mostIterations)
+                if (raised.Substeps <= most && raised.Iterations >= budget.minIterations && raised.Iterations <= budget.maxIterations)
                     rungs[Count++] = raised;
             }
-            BoundsGaveWay = Count == 0 || substeps > budget.mostSubsteps;
+            BoundsGaveWay = Count == 0 || substeps > budget.maxSubsteps;
             if (Count == 0)
                 rungs[Count++] = all[0].WithSubsteps(Math.Max(substeps, all[0].Substeps));
             return true;
@@ -86,7 +86,7 @@ namespace Rill
         }
 
         bool HasBounds(in SolverBudget budget) =>
-            budget.leastIterations == bounds.leastIterations && budget.mostIterations == bounds.mostIterations
-            && budget.leastSubsteps == bounds.leastSubsteps && budget.mostSubsteps == bounds.mostSubsteps;
+            budget.minIterations == bounds.minIterations && budget.maxIterations == bounds.maxIterations
+            && budget.minSubsteps == bounds.minSubsteps && budget.maxSubsteps == bounds.maxSubsteps;
     }
 }

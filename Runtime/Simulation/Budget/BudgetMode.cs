@@ -7,7 +7,7 @@ namespace Rill
         Off,
         /// <summary>Milliseconds of GPU time in a frame.</summary>
         Milliseconds,
-        /// <summary>A share of the frame that the game aims for.</summary>
-        ShareOfFrame,
+        /// <summary>A fraction of the frame that the game aims for.</summary>
+        FrameFraction,
     }
 }

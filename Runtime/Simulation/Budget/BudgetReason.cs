@@ -14,6 +14,6 @@ namespace Rill
         /// <summary>The best settings within the bounds fit.</summary>
         BestFits,
         /// <summary>The least settings that keep the scene stable, within the bounds, take longer than the budget; they stand.</summary>
-        LeastStable,
+        MinStable,
     }
 }

@@ -45,7 +45,7 @@ namespace Rill
                 case BudgetReason.TimeIsSpent: return nextMilliseconds > 0f ? Format($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
                 case BudgetReason.ErrorIsReached: return "the density error is within its target";
                 case BudgetReason.BestFits: return "the best settings within the bounds fit";
-                case BudgetReason.LeastStable: return "the least settings that are stable and within the bounds take longer than the budget";
+                case BudgetReason.MinStable: return "the least settings that are stable and within the bounds take longer than the budget";
                 default: throw new ArgumentOutOfRangeException(nameof(reason), reason, "No such reason.");
             }
         }

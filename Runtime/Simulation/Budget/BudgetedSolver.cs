@@ -46,8 +46,8 @@ namespace Rill
         {
             SolverSettings asked = scene.asked;
             SolverBudget bounds = budget;
-            if (scene.elastic)      // with fewer substeps than it was given it would be softer, see FluidMaterial.LargestShearModulus
-                bounds.leastSubsteps = Math.Max(budget.leastSubsteps, Math.Min(asked.substeps, budget.mostSubsteps));
+            if (scene.elastic)      // with fewer substeps than it was given it would be softer, see FluidMaterial.MaxShearModulus
+                bounds.minSubsteps = Math.Max(budget.minSubsteps, Math.Min(asked.substeps, budget.maxSubsteps));
             ladder.IsElastic = scene.elastic;
             if (ladder.Build(scene.deepWater, scene.gravityStep, bounds))
                 TakeUp(isStarted ? state.substeps : asked.substeps, isStarted ? state.iterations : asked.iterations, scene.particles);

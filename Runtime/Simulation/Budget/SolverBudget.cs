@@ -22,10 +22,10 @@ namespace Rill
 
         /// <summary>Share of the frame that the steps may take. 0.01 to 1.</summary>
         [Tooltip("Share of the frame that the steps may take. 0.01 to 1.")]
-        [Range(0.01f, 1f)] public float share;
+        [Range(0.01f, 1f)] public float fraction;
 
-        /// <summary>Frames a second that the game aims for, which the share is of. 10 to 500.</summary>
-        [Tooltip("Frames a second that the game aims for, which the share is of. 10 to 500.")]
+        /// <summary>Frames a second that the game aims for, which the fraction is of. 10 to 500.</summary>
+        [Tooltip("Frames a second that the game aims for, which the fraction is of. 10 to 500.")]
         [Range(10f, 500f)] public float frameRate;
 
         /// <summary>Mean density error C+ that is good enough. 0 (none is) to 0.1. Below it no more is spent. Needs statistics.</summary>
@@ -34,19 +34,19 @@ namespace Rill
 
         /// <summary>Fewest iterations of a substep. 1 to 50.</summary>
         [Tooltip("Fewest iterations of a substep. 1 to 50.")]
-        [Range(1, 50)] public int leastIterations;
+        [Range(1, 50)] public int minIterations;
 
         /// <summary>Most iterations of a substep, at least the fewest. 1 to 50.</summary>
         [Tooltip("Most iterations of a substep, at least the fewest. 1 to 50.")]
-        [Range(1, 50)] public int mostIterations;
+        [Range(1, 50)] public int maxIterations;
 
         /// <summary>Fewest substeps. 1 to 16.</summary>
         [Tooltip("Fewest substeps. 1 to 16.")]
-        [Range(1, 16)] public int leastSubsteps;
+        [Range(1, 16)] public int minSubsteps;
 
         /// <summary>Most substeps, at least the fewest. 1 to 16.</summary>
         [Tooltip("Most substeps, at least the fewest. 1 to 16.")]
-        [Range(1, 16)] public int mostSubsteps;
+        [Range(1, 16)] public int maxSubsteps;
 
         /// <summary>Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.</summary>
         [Tooltip("Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.")]
@@ -56,17 +56,17 @@ namespace Rill
         {
             mode = BudgetMode.Off,
             milliseconds = 2f,
-            share = 0.15f,
+            fraction = 0.15f,
             frameRate = 60f,
             targetError = 0.005f,
-            leastIterations = 1,
-            mostIterations = 16,
-            leastSubsteps = 1,
-            mostSubsteps = 4,
+            minIterations = 1,
+            maxIterations = 16,
+            minSubsteps = 1,
+            maxSubsteps = 4,
         };
 
         /// <summary>Time in a frame, ms.</summary>
-        public float FrameMilliseconds => mode == BudgetMode.ShareOfFrame ? share * MillisecondsOfSecond / frameRate : milliseconds;
+        public float FrameMilliseconds => mode == BudgetMode.FrameFraction ? fraction * MillisecondsOfSecond / frameRate : milliseconds;
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>
@@ -75,13 +75,13 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("budget milliseconds", ref milliseconds, 0.01f, 1000f, Default.milliseconds, ref problem);
-            Limit.Clamp("budget share", ref share, 0.01f, 1f, Default.share, ref problem);
+            Limit.Clamp("budget share", ref fraction, 0.01f, 1f, Default.fraction, ref problem);
             Limit.Clamp("budget frame rate", ref frameRate, 10f, 500f, Default.frameRate, ref problem);
             Limit.Clamp("budget target error", ref targetError, 0f, 0.1f, Default.targetError, ref problem);
-            Limit.Clamp("budget least iterations", ref leastIterations, 1, 50, ref problem);
-            Limit.Clamp("budget most iterations", ref mostIterations, leastIterations, 50, ref problem);
-            Limit.Clamp("budget least substeps", ref leastSubsteps, 1, 16, ref problem);
-            Limit.Clamp("budget most substeps", ref mostSubsteps, leastSubsteps, 16, ref problem);
+            Limit.Clamp("budget least iterations", ref minIterations, 1, 50, ref problem);
+            Limit.Clamp("budget most iterations", ref maxIterations, minIterations, 50, ref problem);
+            Limit.Clamp("budget least substeps", ref minSubsteps, 1, 16, ref problem);
+            Limit.Clamp("budget most substeps", ref maxSubsteps, minSubsteps, 16, ref problem);
             Limit.Clamp("budget device factor", ref deviceFactor, 0f, 10000f, 0f, ref problem);
             return problem == null;
         }

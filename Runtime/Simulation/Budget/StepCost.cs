@@ -15,7 +15,7 @@ namespace Rill
         public static float Milliseconds(int substeps, int iterations, float particles, bool deepWater, bool elastic)
         {
             float millions = particles / Million;
-            // Sort, list with the first multiplier, velocity: a latency that no count saves, and a share by particle.
+            // Sort, list with the first multiplier, velocity: a latency that no count saves, and a fraction by particle.
             float substep = 0.044f + 0.507f * millions;
             if (deepWater)
                 substep += 0.09f + 0.097f * millions;

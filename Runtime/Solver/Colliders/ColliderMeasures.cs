@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>Sizes of an obstacle, in the unit of its lengths.</summary>
+    /// <summary>Sizes of a collider, in the unit of its lengths.</summary>
     static class ColliderMeasures
     {
         /// <summary>Of a sphere, box or capsule; 0 for the other kinds.</summary>

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>A solid obstacle over the time of a frame's steps. Lengths in d, in the domain's frame.</summary>
+    /// <summary>A solid collider over the time of a frame's steps. Lengths in d, in the domain's frame.</summary>
     struct ColliderMotion
     {
         public ColliderShape shape;
@@ -16,8 +16,8 @@ namespace Rill
         /// <summary>Share of the velocity along the surface that what touches loses in 1/60 s.</summary>
         public float friction;
         /// <summary>Share of the velocity into the surface that is given back.</summary>
-        public float bounce;
-        public bool insideOut, carriesDensity;
+        public float bounciness;
+        public bool insideOut, contributesDensity;
         /// <summary>Whether what the fluid does to it is summed.</summary>
         public bool reacts;
         /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for other kinds.</summary>
@@ -27,7 +27,7 @@ namespace Rill
         /// <summary>Side of a voxel of the field, and one stored unit of distance; d.</summary>
         public float voxel, fieldUnit;
         /// <summary>Of the height over a height field, what is free on all sides even beside its steepest place.</summary>
-        public float leastShare;
+        public float minFraction;
 
         /// <summary>Of a ball around its place that holds all of it; of a plane, which has no end, 1.</summary>
         public float Radius

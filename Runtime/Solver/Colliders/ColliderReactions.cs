@@ -43,12 +43,12 @@ namespace Rill
         /// <summary>Tells of a step that added to the sums.</summary>
         public void Passed(float stepTime) => time += stepTime;
 
-        /// <summary>Records that sums begin anew, as the colliders have other numbers now; what is on its way is dropped.</summary>
-        public void Forget(CommandBuffer cmd)
+        /// <summary>Records that sums begin again, as the colliders have other numbers now; what is on its way is dropped.</summary>
+        public void Invalidate(CommandBuffer cmd)
         {
             cmd.SetBufferData(sums, zeros);
             time = 0f;
-            readback.Forget();
+            readback.Invalidate();
         }
 
         /// <summary>Records the handing over of the sums; call <see cref="Request"/> after the commands ran.</summary>

@@ -1,15 +1,15 @@
 namespace Rill
 {
-    /// <summary>The obstacles of a frame, in an order that stays while they do.</summary>
+    /// <summary>The colliders of a frame, in an order that stays while they do.</summary>
     sealed class ColliderSet
     {
-        /// <summary>Most obstacles of one simulation.</summary>
+        /// <summary>Most colliders of one simulation.</summary>
         public const int Most = 256;
 
         public readonly ColliderMotion[] Items = new ColliderMotion[Most];
         public int Count;
 
-        /// <summary>Grows when an obstacle came, went or changed: what rests has to wake.</summary>
+        /// <summary>Grows when a collider came, went or changed: what rests has to wake.</summary>
         public int Version;
 
         /// <summary>Grows when they got other numbers.</summary>

@@ -21,11 +21,11 @@ namespace Rill
         public float3 fieldCenter;
         public float voxel;
         public float friction;
-        public float bounce;
+        public float bounciness;
         public float momentArm;
-        public float leastShare;
+        public float minFraction;
 
-        const uint InsideOut = 1, CarriesDensity = 2, Reacts = 4, HoldsByViscosity = 8;       // as in Colliders.hlsl
+        const uint InsideOut = 1, ContributesDensity = 2, Reacts = 4, HoldsByViscosity = 8;       // as in Colliders.hlsl
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
         /// <summary>Whether all bits are the same.</summary>
@@ -35,10 +35,10 @@ namespace Rill
         /// <param name="from">Share of the frame at which the substep starts.</param>
         /// <param name="to">And ends.</param>
         /// <param name="timeStep">Length of the substep, s.</param>
-        /// <param name="accelerationShare">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>: friction does.</param>
+        /// <param name="accelerationFraction">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>: friction does.</param>
         /// <param name="viscous">Whether its friction is by the fluid's viscosity, see ViscosityWalls.hlsl.</param>
         /// <param name="brick">Where the atlas holds the field of a mesh.</param>
-        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationShare, bool viscous, in FieldBrick brick)
+        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationFraction, bool viscous, in FieldBrick brick)
         {
             RigidPose last = RigidPose.Between(motion.start, motion.end, from);
             RigidPose pose = RigidPose.Between(motion.start, motion.end, to);
@@ -49,11 +49,11 @@ namespace Rill
                 position = pose.position,
                 shape = (uint)motion.shape,
                 lastPosition = last.position,
-                flags = (motion.insideOut ? InsideOut : 0u) | (motion.carriesDensity ? CarriesDensity : 0u) | (motion.reacts ? Reacts : 0u) | (viscous ? HoldsByViscosity : 0u),
+                flags = (motion.insideOut ? InsideOut : 0u) | (motion.contributesDensity ? ContributesDensity : 0u) | (motion.reacts ? Reacts : 0u) | (viscous ? HoldsByViscosity : 0u),
                 size = motion.size,
                 sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * math.max(motion.Radius, 1f),
-                friction = viscous ? motion.friction : 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationShare),
-                bounce = motion.bounce,
+                friction = viscous ? motion.friction : 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationFraction),
+                bounciness = motion.bounciness,
                 momentArm = motion.MomentArm,
             };
             if (motion.shape == ColliderShape.Mesh)
@@ -61,7 +61,7 @@ namespace Rill
                 state.size = motion.size - 0.5f * motion.voxel;       // to the centres of the outermost voxels
                 state.voxel = motion.voxel;
                 state.fieldUnit = motion.fieldUnit;
-                state.fieldScale = math.select(brick.VoxelShare, -brick.VoxelShare, motion.mirrored) / motion.voxel;
+                state.fieldScale = math.select(brick.VoxelFraction, -brick.VoxelFraction, motion.mirrored) / motion.voxel;
                 state.fieldCenter = brick.Center;
             }
             if (motion.shape == ColliderShape.HeightField)
@@ -69,9 +69,9 @@ namespace Rill
                 float3 spacing = 2f * motion.size / math.max(new float3(motion.field.width, 2f, motion.field.depth) - 1f, 1f);
                 state.voxel = 0.5f * math.min(spacing.x, spacing.z);
                 state.fieldUnit = motion.fieldUnit;
-                state.fieldScale = brick.VoxelShare / spacing;
+                state.fieldScale = brick.VoxelFraction / spacing;
                 state.fieldCenter = brick.Center;
-                state.leastShare = motion.leastShare;
+                state.minFraction = motion.minFraction;
             }
             return state;
         }

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Follows an obstacle through the steps in which the force on it is summed.</summary>
+    /// <summary>Follows a collider through the steps in which the force on it is summed.</summary>
     struct ColliderTrack
     {
         const float MemorySteps = 4f;       // substeps in which pushed water comes to move along: measured, see floating.md of the documentation
@@ -34,12 +34,12 @@ namespace Rill
         }
 
         /// <summary>Ends the window and begins the next.</summary>
-        public ObstacleMotion Take()
+        public RelativeMotion Take()
         {
-            float share = time > 0f ? 1f / time : 0f;
-            float3 position = time > 0f ? positions * share : pose.position;
+            float fraction = time > 0f ? 1f / time : 0f;
+            float3 position = time > 0f ? positions * fraction : pose.position;
             float4 rotation = time > 0f ? math.normalize(rotations) : pose.rotation.value;
-            var motion = new ObstacleMotion(position, new quaternion(rotation), slips * share, angularSlips * share, memory);
+            var motion = new RelativeMotion(position, new quaternion(rotation), slips * fraction, angularSlips * fraction, memory);
             positions = slips = angularSlips = 0f;
             rotations = 0f;
             time = 0f;

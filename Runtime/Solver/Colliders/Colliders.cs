@@ -6,24 +6,24 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Solid obstacles: ends ways at surfaces, keeps the particles outside, and adds what lies behind a surface to the density. Made when first needed.</summary>
+    /// <summary>Solid colliders: ends ways at surfaces, keeps the particles outside, and adds what lies behind a surface to the density. Made when first needed.</summary>
     sealed class Colliders : IDisposable
     {
         const float SmallestCell = 4f;          // d
-        const int MostCells = 1 << 17;
+        const int MaxCells = 1 << 17;
         const int WordBits = 32;
-        const float WallInset = 0.5f;           // d, kWallInset in Solver.hlsl
+        const float ContactOffset = 0.5f;           // d, kContactOffset in Solver.hlsl
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
-        readonly int binColliders, measureSolid, findBoundary;
+        readonly int binColliders, measureColliderVolume, findBoundary;
         readonly int[] collidePaths, collide, collideLast;        // without and with reactions
         readonly FieldAtlas meshes, heights;
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
         readonly float cellSize;
-        GraphicsBuffer constants, states, masks, solidVolume, boundary, insets, pathBoundary, pathInsets;
+        GraphicsBuffer constants, states, masks, colliderVolume, boundary, contactOffsets, pathBoundary, pathContactOffsets;
         readonly ColliderConstants[] constantsUpload = new ColliderConstants[1];
         readonly ColliderState[] statesUpload = new ColliderState[ColliderSet.Most];
         int words, recordedCount;
@@ -34,53 +34,53 @@ namespace Rill
         public Colliders(SolverLayout layout)
         {
             binColliders = shader.FindKernel("BinColliders");
-            measureSolid = shader.FindKernel("MeasureSolid");
+            measureColliderVolume = shader.FindKernel("MeasureColliderVolume");
             collidePaths = Kernels("CollidePaths");
             findBoundary = shader.FindKernel("FindBoundary");
             collide = Kernels("Collide");
             collideLast = Kernels("CollideLast");
 
             cellSize = SmallestCell;
-            while (Cells(layout.DomainSize, cellSize) > MostCells)
+            while (Cells(layout.DomainSize, cellSize) > MaxCells)
                 cellSize *= 1.25f;
             cells = (int3)math.ceil(layout.DomainSize / cellSize);
             meshes = new FieldAtlas(shader, ColliderShape.Mesh, "Rill.Colliders.Fields", "signed distance fields");
             heights = new FieldAtlas(shader, ColliderShape.HeightField, "Rill.Colliders.Heights", "height fields");
             constants = GpuBuffer.Constants<ColliderConstants>("Rill.Colliders.Constants");
             states = GpuBuffer.Structured<ColliderState>("Rill.Colliders.States", ColliderSet.Most);
-            solidVolume = GpuBuffer.Structured<uint>("Rill.Colliders.SolidVolume", 1);
+            colliderVolume = GpuBuffer.Structured<uint>("Rill.Colliders.ColliderVolume", 1);
             boundary = GpuBuffer.Structured<float4>("Rill.Colliders.Boundary", layout.Capacity);
-            insets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
+            contactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.Insets", layout.Capacity);
             pathBoundary = GpuBuffer.Structured<float4>("Rill.Colliders.PathBoundary", layout.Capacity);
-            pathInsets = GpuBuffer.Structured<float>("Rill.Colliders.PathInsets", layout.Capacity);
+            pathContactOffsets = GpuBuffer.Structured<float>("Rill.Colliders.PathContactOffsets", layout.Capacity);
         }
 
         public static bool IsNeeded(in StepInput input) => input.colliders != null && input.colliders.Count > 0;
 
-        /// <summary>Grows with each substep whose obstacles are not those of the one before, at rest in the same places: what was made of them does not hold any more.</summary>
+        /// <summary>Grows with each substep whose colliders are not those of the one before, at rest in the same places: what was made of them does not hold any more.</summary>
         public int Changes { get; private set; }
 
         /// <summary>float4 [capacity], after <see cref="RecordBoundaryAtRest"/> what the colliders add to the density of a particle: xyz its gradient, 1/d; w relative to rest.</summary>
         public GraphicsBuffer Boundary => boundary;
 
         /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
-        public GraphicsBuffer Distances => insets;
+        public GraphicsBuffer Distances => contactOffsets;
 
         /// <summary>uint [1], what they take of the domain's volume; see OpenFraction.hlsl.</summary>
-        public GraphicsBuffer SolidVolume => solidVolume;
+        public GraphicsBuffer ColliderVolume => colliderVolume;
 
         /// <summary>What the fluid does to them; null where none wants to know.</summary>
         public ColliderReactions Reactions => reactions;
 
-        /// <summary>Whether an obstacle came, went, changed or moves: what rests has to wake.</summary>
-        public bool Disturb(ColliderSet set)
+        /// <summary>Whether a collider came, went, changed or moves: what rests has to wake.</summary>
+        public bool ConsumeChanges(ColliderSet set)
         {
             bool changed = set.Version != seenVersion;
             seenVersion = set.Version;
             return changed || set.Moves;
         }
 
-        /// <summary>Records where the obstacles are in a substep; little where all rest as they did.</summary>
+        /// <summary>Records where the colliders are in a substep; little where all rest as they did.</summary>
         /// <param name="deep">Whether a coarse correction runs.</param>
         /// <exception cref="ArgumentException">The fields of the meshes, or the heights, do not fit a texture.</exception>
         public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, bool deep, RestingRegions resting)
@@ -121,11 +121,11 @@ namespace Rill
                 cmd.SetBufferData(states, statesUpload, 0, 0, set.Count);
                 int total = cells.x * cells.y * cells.z;
                 BindShapes(cmd, shader, binColliders);
-                cmd.SetComputeBufferParam(shader, binColliders, Ids.SolidVolume, solidVolume);
+                cmd.SetComputeBufferParam(shader, binColliders, Ids.ColliderVolume, colliderVolume);
                 CoarseGrid.Dispatch(cmd, shader, binColliders, total * words);
-                BindShapes(cmd, shader, measureSolid);
-                cmd.SetComputeBufferParam(shader, measureSolid, Ids.SolidVolume, solidVolume);
-                CoarseGrid.Dispatch(cmd, shader, measureSolid, total);
+                BindShapes(cmd, shader, measureColliderVolume);
+                cmd.SetComputeBufferParam(shader, measureColliderVolume, Ids.ColliderVolume, colliderVolume);
+                CoarseGrid.Dispatch(cmd, shader, measureColliderVolume, total);
             }
             cmd.EndSample(Marker);
         }
@@ -141,7 +141,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.PathBoundary, pathBoundary);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.PathInsets, pathInsets);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.PathContactOffsets, pathContactOffsets);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellHistogram, cellHistogram);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
             cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
@@ -159,7 +159,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Insets, insets);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.ContactOffsets, contactOffsets);
             cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -172,7 +172,7 @@ namespace Rill
             Bind(cmd, findBoundary, particles, null);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Distances, insets);       // free between steps
+            cmd.SetComputeBufferParam(shader, findBoundary, Ids.Distances, contactOffsets);       // free between steps
             cmd.DispatchCompute(shader, findBoundary, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -186,11 +186,11 @@ namespace Rill
             GpuBuffer.Release(ref constants);
             GpuBuffer.Release(ref states);
             GpuBuffer.Release(ref masks);
-            GpuBuffer.Release(ref solidVolume);
+            GpuBuffer.Release(ref colliderVolume);
             GpuBuffer.Release(ref boundary);
-            GpuBuffer.Release(ref insets);
+            GpuBuffer.Release(ref contactOffsets);
             GpuBuffer.Release(ref pathBoundary);
-            GpuBuffer.Release(ref pathInsets);
+            GpuBuffer.Release(ref pathContactOffsets);
         }
 
         /// <param name="colliders">The stage, or null where none was made.</param>
@@ -205,7 +205,7 @@ namespace Rill
             if (colliders.binned)
             {
                 description.Kernel("Colliders", "BinColliders", substeps);
-                description.Kernel("Colliders", "MeasureSolid", substeps);
+                description.Kernel("Colliders", "MeasureColliderVolume", substeps);
             }
             description.Kernel("Colliders", "CollidePaths" + variant, substeps);
             if (input.settings.iterations > 1)
@@ -215,11 +215,11 @@ namespace Rill
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
             description.Buffer("Rill.Colliders.Masks", colliders.masks);
-            description.Buffer("Rill.Colliders.SolidVolume", colliders.solidVolume);
+            description.Buffer("Rill.Colliders.ColliderVolume", colliders.colliderVolume);
             description.Buffer("Rill.Colliders.Boundary", colliders.boundary);
-            description.Buffer("Rill.Colliders.Insets", colliders.insets);
+            description.Buffer("Rill.Colliders.Insets", colliders.contactOffsets);
             description.Buffer("Rill.Colliders.PathBoundary", colliders.pathBoundary);
-            description.Buffer("Rill.Colliders.PathInsets", colliders.pathInsets);
+            description.Buffer("Rill.Colliders.PathContactOffsets", colliders.pathContactOffsets);
             description.Buffers.Add(("Rill.Colliders.NoField", FieldAtlas.BytesOfVoxel));
             colliders.meshes.Describe(description);
             colliders.heights.Describe(description);
@@ -237,7 +237,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
-        /// <summary>Records the obstacles of the substep as what a kernel reads.</summary>
+        /// <summary>Records the colliders of the substep as what a kernel reads.</summary>
         public void BindShapes(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
             cmd.SetComputeConstantBufferParam(reader, Ids.Constants, constants, 0, constants.stride);
@@ -252,31 +252,31 @@ namespace Rill
         {
             cmd.SetComputeConstantBufferParam(sort, Ids.Constants, constants, 0, constants.stride);
             cmd.SetComputeBufferParam(sort, kernel, Ids.ColliderMasks, masks);
-            cmd.SetComputeBufferParam(sort, kernel, Ids.PathInsets, pathInsets);
+            cmd.SetComputeBufferParam(sort, kernel, Ids.PathContactOffsets, pathContactOffsets);
         }
 
         /// <summary>Records what the sort moves with the particles.</summary>
         public void BindSort(CommandBuffer cmd, ComputeShader sort, int kernel)
         {
             cmd.SetComputeBufferParam(sort, kernel, Ids.PathBoundary, pathBoundary);
-            cmd.SetComputeBufferParam(sort, kernel, Ids.PathInsets, pathInsets);
+            cmd.SetComputeBufferParam(sort, kernel, Ids.PathContactOffsets, pathContactOffsets);
             BindDensity(cmd, sort, kernel);
         }
 
-        /// <summary>Records what the obstacles add to the density, as a kernel reads it; see ColliderDensity.hlsl.</summary>
+        /// <summary>Records what the colliders add to the density, as a kernel reads it; see ColliderDensity.hlsl.</summary>
         public void BindDensity(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
             cmd.SetComputeBufferParam(reader, kernel, Ids.Boundary, boundary);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.Insets, insets);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.ContactOffsets, contactOffsets);
         }
 
-        /// <summary>Records how much of the domain the obstacles leave, as a kernel reads it; see OpenFraction.hlsl.</summary>
-        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.SolidVolume, solidVolume);
+        /// <summary>Records how much of the domain the colliders leave, as a kernel reads it; see OpenFraction.hlsl.</summary>
+        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderVolume, colliderVolume);
 
         void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
             cmd.SetComputeTextureParam(reader, kernel, id, atlas.Texture != null ? (Texture)atlas.Texture : noField);
 
-        // Sums are there while a collider wants them, and begin anew when the colliders get other numbers.
+        // Sums are there while a collider wants them, and begin again when the colliders get other numbers.
         void RecordReactions(CommandBuffer cmd, ColliderSet set, float timeStep)
         {
             if (!set.Reacts)
@@ -287,7 +287,7 @@ namespace Rill
             }
             reactions ??= new ColliderReactions(shader);
             if (seenOrder != set.Order)
-                reactions.Forget(cmd);
+                reactions.Invalidate(cmd);
             seenOrder = set.Order;
             reactions.Passed(timeStep);
         }
@@ -307,7 +307,7 @@ namespace Rill
         // How far from a sorted particle a collider can matter in the rest of the substep, d: as far as it reaches, or what the passes
         // can move the particle until it touches.
         static float Reach(int iterations, bool deep) =>
-            math.max((float)LatticeKernels.Support, WallInset + iterations * SolverConstants.MaxCorrection + (deep ? CoarseConstants.MaxPush : 0f));
+            math.max((float)LatticeKernels.Support, ContactOffset + iterations * SolverConstants.MaxCorrection + (deep ? CoarseConstants.MaxPush : 0f));
 
         static float Cells(float3 domainSize, float size)
         {
@@ -320,7 +320,7 @@ namespace Rill
             public static readonly int Constants = Shader.PropertyToID("RillColliders");
             public static readonly int Colliders = Shader.PropertyToID("_Colliders");
             public static readonly int ColliderMasks = Shader.PropertyToID("_ColliderMasks");
-            public static readonly int SolidVolume = Shader.PropertyToID("_SolidVolume");
+            public static readonly int ColliderVolume = Shader.PropertyToID("_ColliderVolume");
             public static readonly int Fields = Shader.PropertyToID("_Fields");
             public static readonly int Heights = Shader.PropertyToID("_Heights");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
@@ -330,9 +330,9 @@ namespace Rill
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Boundary = Shader.PropertyToID("_Boundary");
             public static readonly int Distances = Shader.PropertyToID("_Distances");
-            public static readonly int Insets = Shader.PropertyToID("_Insets");
+            public static readonly int ContactOffsets = Shader.PropertyToID("_ContactOffsets");
             public static readonly int PathBoundary = Shader.PropertyToID("_PathBoundary");
-            public static readonly int PathInsets = Shader.PropertyToID("_PathInsets");
+            public static readonly int PathContactOffsets = Shader.PropertyToID("_PathContactOffsets");
             public static readonly int CellHistogram = Shader.PropertyToID("_CellHistogram");
             public static readonly int CellRanks = Shader.PropertyToID("_CellRanks");
             public static readonly int RegionStates = Shader.PropertyToID("_RegionStates");

@@ -7,13 +7,13 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Where a field lies in the atlas, in shares of it.</summary>
+    /// <summary>Where a field lies in the atlas, in fractions of it.</summary>
     struct FieldBrick
     {
         /// <summary>Of the middle of the field.</summary>
         public float3 Center;
         /// <summary>Of a voxel.</summary>
-        public float3 VoxelShare;
+        public float3 VoxelFraction;
     }
 
     /// <summary>
@@ -89,7 +89,7 @@ namespace Rill
             return new FieldBrick
             {
                 Center = (0.5f * own + new float3(0f, 0f, firsts[fields.IndexOf(collider.field)])) / size,
-                VoxelShare = 1f / (float3)size,
+                VoxelFraction = 1f / (float3)size,
             };
         }
 

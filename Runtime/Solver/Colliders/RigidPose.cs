@@ -16,12 +16,12 @@ namespace Rill
 
         public bool Equals(in RigidPose other) => position.Equals(other.position) && rotation.Equals(other.rotation);
 
-        /// <summary>At a share of the way from one to another; at 1, and where they are the same, that one to the bit.</summary>
-        public static RigidPose Between(in RigidPose from, in RigidPose to, float share)
+        /// <summary>At a fraction of the way from one to another; at 1, and where they are the same, that one to the bit.</summary>
+        public static RigidPose Between(in RigidPose from, in RigidPose to, float fraction)
         {
-            if (share == 1f || from.Equals(to))
+            if (fraction == 1f || from.Equals(to))
                 return to;
-            return new RigidPose(math.lerp(from.position, to.position, share), math.slerp(from.rotation, to.rotation, share));
+            return new RigidPose(math.lerp(from.position, to.position, fraction), math.slerp(from.rotation, to.rotation, fraction));
         }
     }
 }

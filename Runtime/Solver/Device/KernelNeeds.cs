@@ -28,13 +28,13 @@ namespace Rill
             {
                 case "Clear":
                 case "DensityConstraint":
-                case "Emission":
+                case "ParticleUpload":
                 case "NeighborSearch":
                 case "PrefixSum":
                 case "VelocityUpdate": return DeviceFeature.None;
                 case "CoarseGrid":
                 case "CoarseSolver": return DeviceFeature.DeepWater;
-                case "CoarseSolids": return DeviceFeature.DeepWater | DeviceFeature.Colliders;
+                case "CoarseColliders": return DeviceFeature.DeepWater | DeviceFeature.Colliders;
                 case "Colliders": return DeviceFeature.Colliders;
                 case "Drains": return DeviceFeature.Drains;
                 case "Emitters": return DeviceFeature.Emitters;
@@ -99,9 +99,8 @@ namespace Rill
                 case "SPAWN":
                 case "STORE_DRAWN":
                 case "VOLUME": return DeviceFeature.None;
-                case "BESIDE":
                 case "CARRIES":
-                case "SOLIDS": return DeviceFeature.Colliders;
+                case "WITH_COLLIDERS": return DeviceFeature.Colliders;
                 case "DEEP": return DeviceFeature.DeepWater;
                 case "REACT":
                 case "TAKE": return DeviceFeature.Reactions;

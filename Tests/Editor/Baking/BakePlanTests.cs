@@ -47,7 +47,7 @@ namespace Rill.Editor.Tests
             return mesh;
         }
 
-        static bool GoOn(float share, string what) => true;
+        static bool GoOn(float fraction, string what) => true;
 
         static BakePlan Plan(params Object[] selection) => BakePlan.Of(selection, Folder, new MeshAnalyses());
 
@@ -83,9 +83,9 @@ namespace Rill.Editor.Tests
             BakePlan plan = Plan(one, two, three);
             Assert.That(plan.Items.Select(item => item.Path), Is.EqualTo(new[] { Folder + "/Pot Distances.asset", Folder + "/Pot Distances 2.asset", Folder + "/Cup Distances.asset" }));
             var told = new List<float>();
-            Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, (share, what) =>
+            Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, (fraction, what) =>
             {
-                told.Add(share);
+                told.Add(fraction);
                 return what.Contains("of 3)");
             }));
             Assert.That(told, Is.Ordered);
@@ -207,7 +207,7 @@ namespace Rill.Editor.Tests
         {
             Mesh one = MeshAsset("One"), two = MeshAsset("Two"), three = MeshAsset("Three");
             BakePlan plan = Plan(one, two, three);
-            Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, (share, what) => share < 0.5f), Is.False);
+            Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, (fraction, what) => fraction < 0.5f), Is.False);
             Assert.That(plan.Items[0].Field, Is.Not.Null);
             Assert.That(plan.Items[1].Outcome, Does.StartWith("Cancelled"));
             Assert.That(plan.Items[2].Outcome, Is.Null);

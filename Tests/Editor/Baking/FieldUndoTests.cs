@@ -43,7 +43,7 @@ namespace Rill.Editor.Tests
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = resolution;
             BakePlan plan = BakePlan.Of(new Object[] { mesh }, Root, new MeshAnalyses());
-            plan.Bake(settings, BakeAssign.Nothing, (share, what) => true);
+            plan.Bake(settings, BakeAssign.Nothing, (fraction, what) => true);
             Assert.That(plan.Items[0].Failed, Is.False, plan.Items[0].Outcome);
             return plan.Items[0].Field;
         }
@@ -127,7 +127,7 @@ namespace Rill.Editor.Tests
             Assert.That(File.Exists(file), file);
             Undo.PerformRedo();
             File.Delete(file);
-            LogAssert.Expect(LogType.Error, new Regex("'Pot Distances' has its settings of before back, but not its distances: bake it anew"));
+            LogAssert.Expect(LogType.Error, new Regex("'Pot Distances' has its settings of before back, but not its distances: bake it again"));
             Undo.PerformUndo();
             Assert.That(field.Settings.resolution, Is.EqualTo(12));
             Assert.That(field.Validate(out string problem), Is.False);

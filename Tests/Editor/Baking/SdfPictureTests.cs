@@ -34,10 +34,10 @@ namespace Rill.Editor.Tests
             Assert.That(IsBlue(DistanceColors.At(-1e-6f)) && IsOrange(DistanceColors.At(0f)));
             Assert.That(DistanceColors.At(-5f), Is.EqualTo(DistanceColors.At(-1f)));
             for (int sign = -1; sign <= 1; sign += 2)
-                for (float share = 0.05f; share < 1f; share += 0.05f)
-                    Assert.That(Brightness(DistanceColors.At(sign * (share + 0.05f))), Is.LessThan(Brightness(DistanceColors.At(sign * share))), $"{sign * share}");
-            foreach ((float share, Color32 color) in DistanceColors.Stops.Where(stop => stop.Share != 0f))
-                Assert.That(DistanceColors.At(share), Is.EqualTo(color));
+                for (float fraction = 0.05f; fraction < 1f; fraction += 0.05f)
+                    Assert.That(Brightness(DistanceColors.At(sign * (fraction + 0.05f))), Is.LessThan(Brightness(DistanceColors.At(sign * fraction))), $"{sign * fraction}");
+            foreach ((float fraction, Color32 color) in DistanceColors.Stops.Where(stop => stop.Fraction != 0f))
+                Assert.That(DistanceColors.At(fraction), Is.EqualTo(color));
         }
 
         static int Brightness(Color32 c) => c.r + c.g + c.b;
@@ -57,7 +57,7 @@ namespace Rill.Editor.Tests
 
             int black = 0;
             Vector3 at = default;
-            at[axis] = view.PlaceOf(volume, layer);
+            at[axis] = view.PositionOf(volume, layer);
             for (int i = 0; i < pixels.Length; i++)
             {
                 at[view.Right] = volume.Bounds.min[view.Right] + (i % size.x + 0.5f) / size.x * volume.Bounds.size[view.Right];

@@ -52,13 +52,13 @@ namespace Rill.Tests
             TriangleMesh box = TestMeshes.Box(Vector3.one);
             MeshReport one = MeshCheck.Run(box.Without(t => t == 3));
             Assert.That((one.Holes, one.BoundaryEdges), Is.EqualTo((1, 3)));
-            Assert.That(one.HoleShare, Is.EqualTo(0.5 / 6).Within(1e-6));
+            Assert.That(one.HoleFraction, Is.EqualTo(0.5 / 6).Within(1e-6));
             Assert.That(one.Sign, Is.EqualTo(MeshSdfSign.WindingNumber));
             Assert.That(All(one), Does.Contain("1 holes with 3 edges, 8.3 % of the surface: closed smoothly"));
 
             MeshReport lid = MeshCheck.Run(box.Without(t => t == 6 || t == 7));
             Assert.That((lid.Holes, lid.BoundaryEdges), Is.EqualTo((1, 4)));
-            Assert.That(lid.HoleShare, Is.EqualTo(1.0 / 6).Within(1e-6));
+            Assert.That(lid.HoleFraction, Is.EqualTo(1.0 / 6).Within(1e-6));
             Assert.That(lid.Sign, Is.EqualTo(MeshSdfSign.OpenShell));
             Assert.That(All(lid), Does.Contain("baked as an open shell"));
 
@@ -164,7 +164,7 @@ namespace Rill.Tests
         [Test]
         public void A_mesh_too_large_for_all_its_crossings_says_how_much_was_seen()
         {
-            MeshReport report = MeshCheck.Run(TestMeshes.Torus(1f, 0.4f, 20), mostCrossingTests: 500);
+            MeshReport report = MeshCheck.Run(TestMeshes.Torus(1f, 0.4f, 20), maxCrossingTests: 500);
             Assert.That(report.SelfIntersectionsChecked, Is.InRange(0f, 0.9f));
             Assert.That(All(report), Does.Contain("The mesh is large"));
         }
@@ -212,7 +212,7 @@ namespace Rill.Tests
         {
             TriangleMesh mesh = TestMeshes.Torus(1f, 0.4f, 60);
             var told = new List<(float fraction, string stage)>();
-            MeshReport report = MeshCheck.Run(mesh, MeshCheck.MostCrossingTests, (fraction, stage) =>
+            MeshReport report = MeshCheck.Run(mesh, MeshCheck.MaxCrossingTests, (fraction, stage) =>
             {
                 told.Add((fraction, stage));
                 return true;
@@ -221,7 +221,7 @@ namespace Rill.Tests
             Assert.That(told.Select(one => one.fraction), Is.Ordered.And.All.InRange(0f, 1f));
             Assert.That(told.Select(one => one.stage).Distinct().Count(), Is.EqualTo(2));
             foreach (string stage in told.Select(one => one.stage).Distinct())
-                Assert.That(MeshCheck.Run(mesh, MeshCheck.MostCrossingTests, (fraction, now) => now != stage), Is.Null, stage);
+                Assert.That(MeshCheck.Run(mesh, MeshCheck.MaxCrossingTests, (fraction, now) => now != stage), Is.Null, stage);
         }
 
         [Test]

@@ -557,18 +557,18 @@ namespace Rill.Tests
         [Test]
         public void Progress_rises_to_one_and_the_stages_have_names()
         {
-            var shares = new List<float>();
+            var fractions = new List<float>();
             var stages = new HashSet<string>();
-            SdfBake bake = MeshSdfBaker.Bake(TestMeshes.Sphere(1f, 12), Settings(24), (share, stage) =>
+            SdfBake bake = MeshSdfBaker.Bake(TestMeshes.Sphere(1f, 12), Settings(24), (fraction, stage) =>
             {
-                shares.Add(share);
+                fractions.Add(fraction);
                 stages.Add(stage);
                 return true;
             });
             Assert.That(bake, Is.Not.Null);
-            Assert.That(shares, Is.Ordered);
-            Assert.That(shares.First(), Is.GreaterThan(0f));
-            Assert.That(shares.Last(), Is.EqualTo(1f).Within(1e-6f), "all steps were foreseen");
+            Assert.That(fractions, Is.Ordered);
+            Assert.That(fractions.First(), Is.GreaterThan(0f));
+            Assert.That(fractions.Last(), Is.EqualTo(1f).Within(1e-6f), "all steps were foreseen");
             Assert.That(stages, Is.EquivalentTo(new[] { "Distances near the surface", "Distances beyond", "Inside and outside", "Reading back" }));
         }
 
@@ -576,7 +576,7 @@ namespace Rill.Tests
         public void A_bake_that_is_cancelled_ends_at_once()
         {
             int asked = 0;
-            Assert.That(MeshSdfBaker.Bake(TestMeshes.Sphere(1f, 12), Settings(24), (share, stage) => ++asked < 3), Is.Null);
+            Assert.That(MeshSdfBaker.Bake(TestMeshes.Sphere(1f, 12), Settings(24), (fraction, stage) => ++asked < 3), Is.Null);
             Assert.That(asked, Is.EqualTo(3));
 
             var baker = new MeshSdfBaker(TestMeshes.Sphere(1f, 12), Settings(24));

@@ -143,7 +143,7 @@ namespace Rill.Tests
         {
             JsonUtility.FromJsonOverwrite("{\"voxelSize\": 0.5}", field);
             Assert.That(field.Validate(out string problem), Is.False);
-            Assert.That(problem, Does.Contain("do not fill").And.Contain("bake it anew"));
+            Assert.That(problem, Does.Contain("do not fill").And.Contain("bake it again"));
         }
 
         static void DestroyReplaced(Texture3D texture)

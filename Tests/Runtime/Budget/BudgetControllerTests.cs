@@ -16,7 +16,7 @@ namespace Rill.Tests
         {
             BudgetPlant plant = Naive();
             plant.Run(10f);
-            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.GreaterThan(10));
+            Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.GreaterThan(10));
         }
 
         [TestCase(1.2f)]
@@ -37,7 +37,7 @@ namespace Rill.Tests
         {
             BudgetPlant plant = new BudgetPlant { Target = target, Told = BudgetPlant.Noise(0.2f, (uint)seed * 977) }.Run(60f);
             Assert.That(plant.Worst(SettledAfter, 60f), Is.LessThanOrEqualTo(1.1f));
-            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
             Assert.That(plant.Changes(SettledAfter, 60f), Is.LessThanOrEqualTo(6), "in a minute");
         }
 
@@ -54,7 +54,7 @@ namespace Rill.Tests
             Assert.That(plant.Worst(6f, 10f), Is.LessThanOrEqualTo(1.1f), "more than twice the load");
             Assert.That(plant.Rungs[(int)(9.9f / BudgetPlant.Frame)], Is.EqualTo(plant.BestFit(9f)));
             Assert.That(plant.Rungs[(int)(11f / BudgetPlant.Frame)], Is.EqualTo(plant.Rungs[(int)(4.9f / BudgetPlant.Frame)]), "the first load again");
-            Assert.That(plant.MostChangesInASecond(6f), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.MaxChangesInASecond(6f), Is.LessThanOrEqualTo(1));
         }
 
         [Test]
@@ -64,7 +64,7 @@ namespace Rill.Tests
             var plant = new BudgetPlant { Target = 1.64f, ModelError = rung => rung >= 3 ? wrong : 1f, Told = BudgetPlant.Noise(0.1f, 5) };
             plant.Run(60f);
             Assert.That(plant.Worst(1.5f, 28f), Is.LessThanOrEqualTo(1.1f));
-            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(2), "one try is two changes");
+            Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(2), "one try is two changes");
             Assert.That(plant.Changes(SettledAfter, 60f), Is.LessThanOrEqualTo(4));
         }
 
@@ -74,7 +74,7 @@ namespace Rill.Tests
             var random = new Random(3);
             BudgetPlant plant = new BudgetPlant { Target = 1.5f, Told = (frame, ms) => random.NextFloat() < 0.9f ? 0f : ms }.Run(30f);
             Assert.That(plant.Worst(4f, 30f), Is.LessThanOrEqualTo(1.1f));
-            Assert.That(plant.MostChangesInASecond(4f), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.MaxChangesInASecond(4f), Is.LessThanOrEqualTo(1));
             Assert.That(plant.Last, Is.EqualTo(plant.BestFit(0f) - 1).Or.EqualTo(plant.BestFit(0f)));
         }
 
@@ -115,7 +115,7 @@ namespace Rill.Tests
             BudgetPlant plant = new BudgetPlant { Target = 0.5f }.Run(5f);
             Assert.That(plant.Last, Is.Zero);
             Assert.That(plant.Changes(SettledAfter, 5f), Is.Zero);
-            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.LeastStable));
+            Assert.That(plant.Controller.Reason, Is.EqualTo(BudgetReason.MinStable));
             Assert.That(plant.Controller.Milliseconds, Is.EqualTo(plant.TrueTime(0, 5f)).Within(2).Percent);
         }
 
@@ -148,7 +148,7 @@ namespace Rill.Tests
             plant.Run(20f);
             Assert.That(plant.Last, Is.GreaterThan(calm));
             Assert.That(plant.Ladder[plant.Last].Error * 4f, Is.LessThanOrEqualTo(0.005f));
-            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
         }
 
         [Test]
@@ -158,7 +158,7 @@ namespace Rill.Tests
             var plant = new BudgetPlant { Target = 4f, TargetError = 0.005f, Told = BudgetPlant.Noise(0.2f, (uint)seed) };
             plant.Error = (rung, time) => random.NextFloat(0.003f, 0.0065f);
             plant.Run(120f);
-            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
+            Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(1));
             Assert.That(plant.Changes(SettledAfter, 120f), Is.LessThanOrEqualTo(24), "in two minutes");
         }
 
@@ -172,7 +172,7 @@ namespace Rill.Tests
             var plant = new BudgetPlant { Target = random.NextFloat(1f, 4f), Told = BudgetPlant.Noise(0.2f, (uint)seed), FramesLate = random.NextInt(1, 6) };
             plant.Load = time => loads[(int)(time / 3f) % loads.Length];
             plant.Run(120f);
-            Assert.That(plant.MostChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(3));
+            Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(3));
             for (int window = 0; window < 40; window++)
             {
                 float begin = window * 3f;

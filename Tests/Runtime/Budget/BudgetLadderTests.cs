@@ -14,7 +14,7 @@ namespace Rill.Tests
             {
                 Assert.That(ladder[i].Relaxation, Is.LessThanOrEqualTo(SolverSettings.MaxRelaxation(ladder[i].Iterations, deepWater)));
                 Assert.That(ladder[i].Iterations, Is.GreaterThanOrEqualTo(deepWater ? 1 : 2));
-                Assert.That(ladder[i].Substeps, Is.GreaterThanOrEqualTo(SolverSettings.LeastSubsteps(fall)));
+                Assert.That(ladder[i].Substeps, Is.GreaterThanOrEqualTo(SolverSettings.MinSubsteps(fall)));
                 if (i == 0)
                     continue;
                 Assert.That(ladder.Cost(i, particles), Is.GreaterThan(ladder.Cost(i - 1, particles)));
@@ -26,9 +26,9 @@ namespace Rill.Tests
         public void Bounds_leave_the_rungs_within_them()
         {
             SolverBudget budget = SolverBudget.Default;
-            budget.leastIterations = 3;
-            budget.mostIterations = 8;
-            budget.leastSubsteps = 2;
+            budget.minIterations = 3;
+            budget.maxIterations = 8;
+            budget.minSubsteps = 2;
             var ladder = new BudgetLadder();
             ladder.Build(false, 0.1f, budget);
             for (int i = 0; i < ladder.Count; i++)
@@ -42,7 +42,7 @@ namespace Rill.Tests
         public void Bounds_below_what_is_stable_give_way_to_it_and_say_so()
         {
             SolverBudget budget = SolverBudget.Default;
-            budget.mostIterations = 1;
+            budget.maxIterations = 1;
             var ladder = new BudgetLadder();
             ladder.Build(false, 0.1f, budget);
             Assert.That(ladder.BoundsGaveWay);
@@ -50,7 +50,7 @@ namespace Rill.Tests
             Assert.That(ladder[0].Iterations, Is.EqualTo(2));
 
             budget = SolverBudget.Default;
-            budget.mostSubsteps = 1;
+            budget.maxSubsteps = 1;
             ladder.Build(true, 5f, budget);
             Assert.That(ladder.BoundsGaveWay);
             Assert.That(ladder[0].Substeps, Is.EqualTo(new SolverSettings { substeps = 1 }.StableSubsteps(5f)).And.GreaterThan(1));
@@ -66,7 +66,7 @@ namespace Rill.Tests
             Assert.That(ladder.Build(true, 0.31f, budget), Is.False);
             Assert.That(ladder.Build(true, 0.7f, budget));
             Assert.That(ladder.Build(false, 0.7f, budget));
-            budget.mostIterations = 4;
+            budget.maxIterations = 4;
             Assert.That(ladder.Build(false, 0.7f, budget));
             budget.milliseconds = 9f;
             Assert.That(ladder.Build(false, 0.7f, budget), Is.False);

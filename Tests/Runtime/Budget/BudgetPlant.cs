@@ -70,7 +70,7 @@ namespace Rill.Tests
         public int Changes(float from, float to) => changes.Count(time => time > from && time <= to);
 
         /// <summary>The detector of oscillation: most changes in any one second after a time.</summary>
-        public int MostChangesInASecond(float from)
+        public int MaxChangesInASecond(float from)
         {
             int most = 0;
             foreach (float change in changes)
@@ -82,11 +82,11 @@ namespace Rill.Tests
         /// <summary>Largest true time over the target in a window.</summary>
         public float Worst(float from, float to) => Times.Where((_, i) => i * Frame >= from && i * Frame < to).Max() / Target;
 
-        /// <summary>Uniform noise of a share on every reading.</summary>
-        public static Func<int, float, float> Noise(float share, uint seed)
+        /// <summary>Uniform noise of a fraction on every reading.</summary>
+        public static Func<int, float, float> Noise(float fraction, uint seed)
         {
             var random = new Random(seed);
-            return (frame, milliseconds) => milliseconds * random.NextFloat(1f - share, 1f + share);
+            return (frame, milliseconds) => milliseconds * random.NextFloat(1f - fraction, 1f + fraction);
         }
 
         void Advance()

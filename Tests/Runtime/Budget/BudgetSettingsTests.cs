@@ -18,7 +18,7 @@ namespace Rill.Tests
         [TestCase(-1f)]
         public void Values_out_of_range_become_valid_and_are_named(float bad)
         {
-            var budget = new SolverBudget { milliseconds = bad, share = bad, frameRate = bad, targetError = bad, deviceFactor = bad, mostIterations = 99, mostSubsteps = 99 };
+            var budget = new SolverBudget { milliseconds = bad, fraction = bad, frameRate = bad, targetError = bad, deviceFactor = bad, maxIterations = 99, maxSubsteps = 99 };
             Assert.That(budget.Validate(out string problem), Is.False);
             foreach (string name in new[] { "milliseconds", "share", "frame rate", "target error", "device factor" })
                 Assert.That(problem, Does.Contain($"budget {name} {bad} is outside"));
@@ -30,7 +30,7 @@ namespace Rill.Tests
         public void Most_is_never_less_than_least()
         {
             SolverBudget budget = SolverBudget.Default;
-            budget.leastIterations = 20;
+            budget.minIterations = 20;
             Assert.That(budget.Validate(out string problem), Is.False);
             Assert.That(problem, Is.EqualTo("budget most iterations 16 is outside 20 to 50; using 20."));
         }
@@ -40,11 +40,11 @@ namespace Rill.Tests
         {
             SolverBudget budget = SolverBudget.Default;
             budget.milliseconds = 3f;
-            budget.share = 0.1f;
+            budget.fraction = 0.1f;
             budget.frameRate = 50f;
             budget.mode = BudgetMode.Milliseconds;
             Assert.That(budget.FrameMilliseconds, Is.EqualTo(3f));
-            budget.mode = BudgetMode.ShareOfFrame;
+            budget.mode = BudgetMode.FrameFraction;
             Assert.That(budget.FrameMilliseconds, Is.EqualTo(2f).Within(1e-5f));
         }
 

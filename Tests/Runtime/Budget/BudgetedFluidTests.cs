@@ -83,7 +83,7 @@ namespace Rill.Tests
         public IEnumerator An_elastic_fluid_keeps_its_substeps_as_far_as_the_bounds_let_it()
         {
             SolverBudget budget = Milliseconds(1.7f), bounded = budget;
-            bounded.mostSubsteps = 2;
+            bounded.maxSubsteps = 2;
             FluidSimulation free = Dam(new HeldTime { Factor = 20f }, budget, Elastic), bound = Dam(new HeldTime { Factor = 20f }, bounded, Elastic);
             yield return Frames(Second);
             Assert.That(Used(free), Is.EqualTo("3 x 2"));
@@ -115,7 +115,7 @@ namespace Rill.Tests
             FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, Milliseconds(0.5f));
             yield return Frames(2 * Second);
             Assert.That(Used(fluid), Is.EqualTo("1 x 2"));
-            Assert.That(fluid.BudgetState.reason, Is.EqualTo(BudgetReason.LeastStable));
+            Assert.That(fluid.BudgetState.reason, Is.EqualTo(BudgetReason.MinStable));
             Assert.That(warnings, Has.Count.EqualTo(1));
             Assert.That(warnings[0], Does.Contain("FluidSimulation 'Budgeted'").And.Contain("budget of 0.5 ms").And.Contain("1 substeps x 2 iterations"));
         }
@@ -124,7 +124,7 @@ namespace Rill.Tests
         public IEnumerator Bounds_that_leave_nothing_stable_give_way_and_say_so_once()
         {
             SolverBudget budget = Milliseconds(5f);
-            budget.mostIterations = 1;
+            budget.maxIterations = 1;
             FluidSimulation fluid = Dam(new HeldTime { Factor = 20f }, budget);
             yield return Frames(Second);
             Assert.That(Used(fluid), Is.EqualTo("1 x 2"));

@@ -126,7 +126,7 @@ namespace Rill.Tests
                 return TestShaders.Load(stage);
             });
             Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
-            Assert.That(loaded, Is.EquivalentTo(new[] { "Clear", "DensityConstraint", "Emission", "NeighborSearch", "PrefixSum", "VelocityUpdate" }));
+            Assert.That(loaded, Is.EquivalentTo(new[] { "Clear", "DensityConstraint", "ParticleUpload", "NeighborSearch", "PrefixSum", "VelocityUpdate" }));
             gate.Decide(DeviceFeature.Drains);
             Assert.That(loaded, Has.Member("Drains").And.No.Member("Emitters"));
         }

@@ -16,7 +16,7 @@ namespace Rill.Tests
         }
 
         [TestCase("Unknown", "")]
-        [TestCase("Emission", "RILL_UNKNOWN")]
+        [TestCase("ParticleUpload", "RILL_UNKNOWN")]
         public void A_file_or_define_that_no_feature_has_is_named(string file, string defines)
         {
             var need = new KernelNeed(file, "Kernel", defines, 64, 0, 1, 1, 0);

@@ -71,7 +71,7 @@ namespace Rill.Tests
         {
             ParticleState state = ParticleState.Random(997, seed: 5, speed: 12f);
             using (var one = new FoamStage(state, FoamStage.Settings(2f)))
-            using (var two = new FoamStage(state, FoamStage.Settings(2f), largestBinding: 96 * 4 * 512))
+            using (var two = new FoamStage(state, FoamStage.Settings(2f), maxBinding: 96 * 4 * 512))
             {
                 Assert.That(two.Stages.Layout.TwoLists);
                 FoamParticle[] expected = one.Step().Read();

@@ -18,14 +18,14 @@ namespace Rill.Tests
 
         /// <param name="gravity">d/s².</param>
         /// <param name="fluidStep">s, in which the fluid came to where it is; the foam's is 1/60.</param>
-        public FoamStage(ParticleState state, FoamSettings settings, float3 gravity = default, int seed = 1, float fluidStep = 1f / 60f, long largestBinding = 0, int capacity = 0)
+        public FoamStage(ParticleState state, FoamSettings settings, float3 gravity = default, int seed = 1, float fluidStep = 1f / 60f, long maxBinding = 0, int capacity = 0)
         {
             Input = SolverStages.Still();
             Input.timeStep = fluidStep;
             Input.material.velocitySmoothing = 0f;
             Input.foam = settings;
             Input.foamSeed = seed;
-            Stages = new SolverStages(state, Input, capacity, largestBinding);
+            Stages = new SolverStages(state, Input, capacity, maxBinding);
             Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
             Points = Compare.Points(Stages.Predicted);
             Velocities = Compare.Points(Stages.Velocities);

@@ -18,8 +18,8 @@ namespace Rill.Tests.Reference
             coupling = 1.0 / (cells.size * cells.size);
         }
 
-        /// <summary>Projected Gauss-Seidel, over-relaxed, until nothing changes by more than a share of the largest value.</summary>
-        public double[] Solve(double relaxation, double share = 1e-9)
+        /// <summary>Projected Gauss-Seidel, over-relaxed, until nothing changes by more than a fraction of the largest value.</summary>
+        public double[] Solve(double relaxation, double fraction = 1e-9)
         {
             var potential = new double[cells.Total];
             for (int sweep = 0; sweep < 20000; sweep++)
@@ -35,7 +35,7 @@ namespace Rill.Tests.Reference
                     changed = Math.Max(changed, Math.Abs(potential[cell] - before));
                     largest = Math.Max(largest, potential[cell]);
                 }
-                if (changed <= share * largest)
+                if (changed <= fraction * largest)
                     return potential;
             }
             throw new InvalidOperationException("The reference did not converge.");

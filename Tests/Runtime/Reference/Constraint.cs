@@ -7,15 +7,15 @@ namespace Rill.Tests.Reference
     /// <summary>One Jacobi pass of the density constraint (Macklin and Müller 2013, eq. 1-14), particle by particle in double precision.</summary>
     sealed class Constraint
     {
-        /// <summary>ε as a share of Σ|∇C|² at rest.</summary>
+        /// <summary>ε as a fraction of Σ|∇C|² at rest.</summary>
         public double softness = 1e-3;
         public double allowedTension;
         public double relaxation = 1.0;
         /// <summary>k of s_corr as a density error, and |Δq| / h.</summary>
         public double artificialPressure, artificialPressureDistance = 0.2;
-        public double longestCorrection = 0.5;
+        public double maxCorrection = 0.5;
 
-        /// <summary>Distance, d, within which a pair is pushed apart, and the share of what it lacks to it that a pass adds.</summary>
+        /// <summary>Distance, d, within which a pair is pushed apart, and the fraction of what it lacks to it that a pass adds.</summary>
         const double Close = 0.25, Separation = 0.1;
 
         readonly double3 box;
@@ -50,10 +50,10 @@ namespace Rill.Tests.Reference
         public double Multiplier(int i) => -Math.Max(Density(i) - 1.0, -allowedTension) / Denominator(i);
 
         /// <summary>What single precision may make of the multiplier: an error of the density, and of the rest.</summary>
-        public double MultiplierTolerance(int i, double share)
+        public double MultiplierTolerance(int i, double fraction)
         {
             double density = Density(i);
-            return share * (density + Math.Abs(density - 1.0)) / Denominator(i);
+            return fraction * (density + Math.Abs(density - 1.0)) / Denominator(i);
         }
 
         /// <summary>Eq. 12-14, relaxed and clamped, from multipliers as given.</summary>
@@ -74,7 +74,7 @@ namespace Rill.Tests.Reference
             size = relaxation * sum.size;
             double3 correction = relaxation * sum.value;
             double length = math.length(correction);
-            return length > longestCorrection ? correction * (longestCorrection / length) : correction;
+            return length > maxCorrection ? correction * (maxCorrection / length) : correction;
         }
 
         /// <summary>The particle's place after the pass: no closer to a wall than d/2.</summary>

@@ -97,7 +97,7 @@ namespace Rill.Tests.Reference
         }
 
         /// <summary>The largest stiffness at which that of particle i is not limited.</summary>
-        public double MostStiffness(int i, Tensor after)
+        public double MaxStiffness(int i, Tensor after)
         {
             double weights = 0.0;
             foreach (int j in neighbors[i])
@@ -109,7 +109,7 @@ namespace Rill.Tests.Reference
         public Tensor Stress(int i, Tensor after, double stiffness)
         {
             Tensor f = (Tensor.Identity - Gradient(i)).Inverse;
-            return Math.Min(stiffness, MostStiffness(i, after)) * (after + f * f.Transposed - Tensor.Identity) * inverseMoments[i];
+            return Math.Min(stiffness, MaxStiffness(i, after)) * (after + f * f.Transposed - Tensor.Identity) * inverseMoments[i];
         }
 
         /// <summary>Change of the way of a substep, d.</summary>

@@ -42,12 +42,12 @@ namespace Rill.Tests.Reference
             return SignedDistanceField.Create(MeshSdfBaker.Bake(Mesh, settings));
         }
 
-        /// <summary>The obstacle at rest at a pose. The field's volume need not be about the cup's origin.</summary>
+        /// <summary>The collider at rest at a pose. The field's volume need not be about the cup's origin.</summary>
         public static ColliderMotion Obstacle(SignedDistanceField field, RigidPose cup)
         {
             Bounds bounds = field.Bounds;
             RigidPose pose = OfField(field, cup);
-            return new ColliderMotion { shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose, carriesDensity = true, field = field.Texture, voxel = field.VoxelSize, fieldUnit = 1f };
+            return new ColliderMotion { shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose, contributesDensity = true, field = field.Texture, voxel = field.VoxelSize, fieldUnit = 1f };
         }
 
         public static RigidPose OfField(SignedDistanceField field, RigidPose cup) => new RigidPose(cup.position + math.mul(cup.rotation, field.Bounds.center), cup.rotation);
@@ -66,7 +66,7 @@ namespace Rill.Tests.Reference
             return Pose(ease * new float3(6f * math.sin(11f * time), 3f * math.sin(17f * time), 4f * math.sin(7f * time)), ease * new float3(0.5f * math.sin(2f * time), 0.7f * time, 0.8f * math.sin(3f * time)));
         }
 
-        static RigidPose Pose(float3 way, float3 turn) => new RigidPose(new float3(0.5f, 0.3f, 0.5f) * Box + way, quaternion.Euler(turn));
+        static RigidPose Pose(float3 path, float3 turn) => new RigidPose(new float3(0.5f, 0.3f, 0.5f) * Box + path, quaternion.Euler(turn));
 
         /// <summary>Places of water at rest in the cup at a pose, on a lattice.</summary>
         public static float3[] Water(RigidPose cup)

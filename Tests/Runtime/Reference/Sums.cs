@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests.Reference
 {
-    /// <summary>A sum, and the sum of its terms' sizes: what single precision may lose is a share of the latter.</summary>
+    /// <summary>A sum, and the sum of its terms' sizes: what single precision may lose is a fraction of the latter.</summary>
     struct Sum
     {
         public double value, size;

@@ -26,7 +26,7 @@ namespace Rill.Tests.Reference
 
         const int Passes = 3;
         const double Reach = 3.5;       // from a wall, of particles whose image can be a neighbor of a neighbor
-        const double PlaneShare = 0.95, Disc = 1.5, DiscHeight = 0.1, WallDisc = 1.3, DropRadius = 0.62, MinSemiAxis = 0.1;
+        const double PlaneFraction = 0.95, Disc = 1.5, DiscHeight = 0.1, WallDisc = 1.3, DropRadius = 0.62, MinSemiAxis = 0.1;
 
         readonly double3 box;
         readonly double3[] points;          // the particles, then the images
@@ -156,7 +156,7 @@ namespace Rill.Tests.Reference
                 double w = weightOf(math.distance(points[i], points[j])) * other.trust * Math.Min(Math.Max((cosine - 0.3) / 0.3, 0.0), 1.0);
                 double3 piece = points[j] + other.normal * other.depth - points[i];
                 normal += w * other.normal;
-                depth += w * math.dot(PlaneShare * other.normal + own.normal, piece) / (1.0 + PlaneShare * cosine);
+                depth += w * math.dot(PlaneFraction * other.normal + own.normal, piece) / (1.0 + PlaneFraction * cosine);
                 weight += w;
                 double3 along = piece - own.normal * own.depth;
                 bend += w * math.dot(other.normal - own.normal, along);

@@ -219,7 +219,7 @@ namespace Host.Assets
             if (!reference.IsLocal) return project.Resolve(reference, type, scope);
             if (result.Objects.TryGetValue(reference.FileId, out var found)) return project.Checked(found, reference, type, scope);
             if (!result.LeftOut.Contains(reference.FileId))
-                project.Fail($"{reference.Place}: {scope} refers to object {reference.FileId}, which is not in this file: assign the field anew");
+                project.Fail($"{reference.Place}: {scope} refers to object {reference.FileId}, which is not in this file: assign the field again");
             return null;
         }
 

@@ -37,7 +37,7 @@ namespace Host.Assets
 
         public static MeshFile Read(string name, byte[] file, string shownAs)
         {
-            AssetException Damaged(string what) => new($"{shownAs} is damaged: {what}: export it anew");
+            AssetException Damaged(string what) => new($"{shownAs} is damaged: {what}: export it again");
             if (file.Length < 20 || BinaryPrimitives.ReadUInt32LittleEndian(file) != Magic) throw new AssetException($"{shownAs} is no GLB file: it does not start with \"glTF\"");
             var version = BinaryPrimitives.ReadUInt32LittleEndian(file.AsSpan(4));
             if (version != 2) throw new AssetException($"{shownAs} is of glTF {version}: export it as glTF 2.0");

@@ -192,6 +192,6 @@ namespace Host.Assets
 
         static string Shown(ReadOnlySpan<byte> word) => Encoding.UTF8.GetString(word.Length > 40 ? word.Slice(0, 40) : word);
 
-        AssetException Bad(string what) => new($"{shownAs}({line}): {what}: repair the file or export it anew");
+        AssetException Bad(string what) => new($"{shownAs}({line}): {what}: repair the file or export it again");
     }
 }

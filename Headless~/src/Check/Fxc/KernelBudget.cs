@@ -8,7 +8,7 @@ namespace Host.Check
     sealed class KernelBudget
     {
         // Direct3D 11.0, cs_5_0 (D3D11_PS_CS_UAV_REGISTER_COUNT, D3D11_CS_TGSM_REGISTER_COUNT words, D3D11_CS_THREAD_GROUP_MAX_THREADS_PER_GROUP).
-        const int MostUavs = 8, MostGroupsharedBytes = 32768, MostThreads = 1024;
+        const int MaxUavs = 8, MaxGroupsharedBytes = 32768, MaxThreads = 1024;
 
         public static readonly string[] Columns = { "file", "kernel or stage", "keywords", "group", "instructions", "registers", "groupshared B", "UAVs", "buffers", "textures" };
 
@@ -29,12 +29,12 @@ namespace Host.Check
         /// <summary>FXC checks some of it itself, and says so as errors.</summary>
         public IEnumerable<string> Faults()
         {
-            if (declarations.Uavs > MostUavs)
-                yield return $"{variant}: {declarations.Uavs} UAVs, but Direct3D 11.0 has {MostUavs}; pack buffers together or split the kernel";
-            if (declarations.GroupsharedBytes > MostGroupsharedBytes)
-                yield return $"{variant}: {declarations.GroupsharedBytes} bytes of groupshared memory, but Direct3D 11 has {MostGroupsharedBytes}; use smaller groups or types";
-            if (Threads > MostThreads)
-                yield return $"{variant}: groups of {Threads} threads, but Direct3D 11 has {MostThreads}";
+            if (declarations.Uavs > MaxUavs)
+                yield return $"{variant}: {declarations.Uavs} UAVs, but Direct3D 11.0 has {MaxUavs}; pack buffers together or split the kernel";
+            if (declarations.GroupsharedBytes > MaxGroupsharedBytes)
+                yield return $"{variant}: {declarations.GroupsharedBytes} bytes of groupshared memory, but Direct3D 11 has {MaxGroupsharedBytes}; use smaller groups or types";
+            if (Threads > MaxThreads)
+                yield return $"{variant}: groups of {Threads} threads, but Direct3D 11 has {MaxThreads}";
         }
 
         public string[] Row() => new[]

@@ -8,9 +8,9 @@ namespace Host.Check
     /// <summary>A checkout on Windows or macOS must come out whole.</summary>
     sealed class FileNamesRule : Rule
     {
-        const long MostBytes = 5 * 1000 * 1000;
+        const long MaxBytes = 5 * 1000 * 1000;
         // Windows ends paths at 260; a project's own folder and Library/PackageCache/<name>@<hash>/ come before ours.
-        const int LongestPath = 140;
+        const int MaxPath = 140;
         static readonly char[] Forbidden = "<>:\"|?*\\".ToCharArray();
         static readonly HashSet<string> Reserved = new(new[] { "CON", "PRN", "AUX", "NUL" }.Concat(Enumerable.Range(1, 9).SelectMany(i => new[] { "COM" + i, "LPT" + i })), StringComparer.OrdinalIgnoreCase);
 
@@ -24,11 +24,11 @@ namespace Host.Check
                 foreach (string part in file.Split('/'))
                     if (part.IndexOfAny(Forbidden) >= 0 || part.Any(char.IsControl) || part.EndsWith('.') || part.EndsWith(' ') || Reserved.Contains(part.Split('.')[0]))
                         findings.Fault($"{file}: \"{part}\" is no file name on Windows: rename it");
-                if (file.Length > LongestPath)
-                    findings.Fault($"{file}: the path has {file.Length} characters, more than {LongestPath}: shorten it, Windows ends at 260 in all");
+                if (file.Length > MaxPath)
+                    findings.Fault($"{file}: the path has {file.Length} characters, more than {MaxPath}: shorten it, Windows ends at 260 in all");
                 long bytes = new FileInfo(package.FullPath(file)).Length;
-                if (bytes > MostBytes)
-                    findings.Fault($"{file} has {bytes:N0} bytes, more than {MostBytes:N0}: everybody who installs by git URL downloads it");
+                if (bytes > MaxBytes)
+                    findings.Fault($"{file} has {bytes:N0} bytes, more than {MaxBytes:N0}: everybody who installs by git URL downloads it");
             }
             foreach (IGrouping<string, string> same in package.Files.SelectMany(Parents).Distinct().GroupBy(f => f, StringComparer.OrdinalIgnoreCase).Where(g => g.Count() > 1))
                 findings.Fault($"{string.Join(" and ", same)} differ in case alone, and are one file on Windows and macOS");

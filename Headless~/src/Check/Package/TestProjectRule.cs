@@ -11,7 +11,7 @@ namespace Host.Check
         const string Folder = "TestProject~/", Manifest = Folder + "Packages/manifest.json", EditorVersion = Folder + "ProjectSettings/ProjectVersion.txt";
         // 2022.3 carries 1.1; the tests are written for 1.4.
         const string Framework = "com.unity.test-framework";
-        static readonly Version LeastFramework = new(1, 4);
+        static readonly Version MinFramework = new(1, 4);
 
         public override string Name => "package: the test project opens and runs the tests";
 
@@ -52,8 +52,8 @@ namespace Host.Check
             if (!root.TryGetProperty("testables", out JsonElement testables) || testables.EnumerateArray().All(t => t.GetString() != manifest.Name))
                 findings.Fault($"{Manifest}: \"testables\" does not name {manifest.Name}, so the Test Runner shows none of its tests");
             string framework = Dependency(Framework);
-            if (framework == null || !Version.TryParse(framework, out Version has) || has < LeastFramework)
-                findings.Fault($"{Manifest}: {Framework} is \"{framework}\"; the tests need {LeastFramework} or newer");
+            if (framework == null || !Version.TryParse(framework, out Version has) || has < MinFramework)
+                findings.Fault($"{Manifest}: {Framework} is \"{framework}\"; the tests need {MinFramework} or newer");
         }
     }
 }

@@ -16,7 +16,7 @@ namespace Host.Baking
         {
             var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file; without one, bumpy spheres of 10,000, 100,000 and 1,000,000 triangles.", Arity = ArgumentArity.ZeroOrOne };
             var triangles = new Option<int?>("--triangles") { Description = "One bumpy sphere of about so many." };
-            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.LeastResolution} to {MeshSdfSettings.MostResolution}." };
+            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.MinResolution} to {MeshSdfSettings.MaxResolution}." };
             var sign = new Option<string>("--sign") { Description = "How inside is told from outside: automatic, winding-number or open-shell.", DefaultValueFactory = _ => "automatic" };
             var repeats = new Option<int>("--repeats") { Description = "Bakes of each mesh, after one that warms up.", DefaultValueFactory = _ => 5 };
             var stages = new Option<bool>("--stages") { Description = "Also the parts of a bake: what the CPU prepares, and each kind of dispatch on the GPU." };

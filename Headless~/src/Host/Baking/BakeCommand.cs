@@ -18,8 +18,8 @@ namespace Host.Baking
             var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file; or a scene, a .unity file or its name, whose mesh colliders without a usable field are baked." };
             var target = new Option<string>("--out") { Description = $"Folder for <name>.asset and <name>-slices.png; {ResultsFolder.Root}/<name> by default. Of a scene only for the pictures: new fields lie beside it." };
             var voxel = new Option<float?>("--voxel") { Description = "Edge of a voxel, m, instead of --resolution." };
-            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.LeastResolution} to {MeshSdfSettings.MostResolution}; {normal.resolution} by default." };
-            var padding = new Option<int>("--padding") { Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MostPadding}.", DefaultValueFactory = _ => normal.padding };
+            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.MinResolution} to {MeshSdfSettings.MaxResolution}; {normal.resolution} by default." };
+            var padding = new Option<int>("--padding") { Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MaxPadding}.", DefaultValueFactory = _ => normal.padding };
             var sign = new Option<string>("--sign") { Description = "How inside is told from outside: " + Choices<MeshSdfSign>() + ".", DefaultValueFactory = _ => "automatic" };
             var shell = new Option<float>("--shell") { Description = "Thickness of the shell that an open surface becomes, m; 0 for two voxels." };
             var format = new Option<string>("--format") { Description = "Bits of a voxel: " + Choices<SdfFormat>() + " (16 or 32).", DefaultValueFactory = _ => "automatic" };

@@ -23,7 +23,7 @@ namespace Host.Baking
         readonly bool again;
         readonly string pictures;
         readonly TextWriter output;
-        // The field of each mesh that was baked in this run, for the colliders that share it.
+        // The field of each mesh that was baked in this run, for the colliders that fraction it.
         readonly Dictionary<Mesh, string> made = new();
         // By file, what was baked into it.
         readonly Dictionary<string, Mesh> meshOf = new();
@@ -85,7 +85,7 @@ namespace Host.Baking
             if (isValid && !again && !wasReplaced)
             {
                 if (field.SourceHash == 0)
-                    return $"kept: '{field.name}' does not know what it was baked from; --again bakes it anew";
+                    return $"kept: '{field.name}' does not know what it was baked from; --again bakes it again";
                 if (!field.IsStale(triangles))
                     return "up to date";
             }

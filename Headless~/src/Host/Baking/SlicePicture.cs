@@ -29,7 +29,7 @@ namespace Host.Baking
             Line($"set output {Quote(file)}");
             for (int i = 0; i < Views.Length; i++)
                 Data(script, i, Views[i].Values(volume, Middle(volume, Views[i])), Lowest(volume, Views[i].Right), Lowest(volume, Views[i].Up), volume.VoxelSize);
-            Line($"set palette defined ({string.Join(", ", DistanceColors.Stops.Select(stop => string.Create(CultureInfo.InvariantCulture, $"{stop.Share} '#{stop.Color.r:x2}{stop.Color.g:x2}{stop.Color.b:x2}'")))})");
+            Line($"set palette defined ({string.Join(", ", DistanceColors.Stops.Select(stop => string.Create(CultureInfo.InvariantCulture, $"{stop.Fraction} '#{stop.Color.r:x2}{stop.Color.g:x2}{stop.Color.b:x2}'")))})");
             Line($"set cbrange [{-most:R}:{most:R}]");
             Line($"set colorbox horizontal user origin screen 0.3,0.1 size screen 0.4,0.03");
             Line($"set cblabel 'distance to the surface (m), negative inside; black: 0'");
@@ -41,7 +41,7 @@ namespace Host.Baking
                 (int right, int up, int normal) = (Views[i].Right, Views[i].Up, Views[i].Normal);
                 if (i > 0)
                     Line($"unset colorbox");
-                Line($"set title '{Axes[normal]} = {Views[i].PlaceOf(volume, Middle(volume, Views[i])):G4} m'");
+                Line($"set title '{Axes[normal]} = {Views[i].PositionOf(volume, Middle(volume, Views[i])):G4} m'");
                 Line($"set xlabel '{Axes[right]} (m)'");
                 Line($"set ylabel '{Axes[up]} (m)'");
                 Line($"set xrange [{volume.Bounds.min[right]:R}:{volume.Bounds.max[right]:R}]");

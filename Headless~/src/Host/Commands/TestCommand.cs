@@ -14,7 +14,7 @@ namespace Host.Commands
     static class TestCommand
     {
         // A suite that shrinks, or that no longer reaches the device, must not look well.
-        const int LeastMethods = 800, LeastDispatchingMethods = 250;
+        const int MinMethods = 800, MinDispatchingMethods = 250;
 
         public static Command Create()
         {
@@ -60,10 +60,10 @@ namespace Host.Commands
             complaints.AddRange(run.NameLeft(session.End()));
             complaints.AddRange(session.ValidationMessages.Select(message => "validation: " + message));
             bool whole = texts.Length == 0 && !packageOnly && !hostOnly;
-            if (whole && run.Methods < LeastMethods)
-                complaints.Add($"only {run.Methods} test methods ran; the floor is {LeastMethods}");
-            if (whole && run.DispatchingMethods < LeastDispatchingMethods)
-                complaints.Add($"only {run.DispatchingMethods} test methods dispatched on the device; the floor is {LeastDispatchingMethods}");
+            if (whole && run.Methods < MinMethods)
+                complaints.Add($"only {run.Methods} test methods ran; the floor is {MinMethods}");
+            if (whole && run.DispatchingMethods < MinDispatchingMethods)
+                complaints.Add($"only {run.DispatchingMethods} test methods dispatched on the device; the floor is {MinDispatchingMethods}");
             if (run.Passed + run.Failed == 0)
                 complaints.Add("no test ran");
 

@@ -31,7 +31,7 @@ namespace Host.Fluids
             var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.", DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
             Option<string> shaders = ShadersOption.Create();
@@ -54,8 +54,8 @@ namespace Host.Fluids
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
                 if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
                     throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
-                if (parsed.GetValue(steps) < StepTimes.LeastSteps)
-                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.LeastSteps}.");
+                if (parsed.GetValue(steps) < StepTimes.MinSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 var windows = StepTimes.Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
                 if (windows.Count == 0)
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", StepTimes.Windows.Select(w => w.Name))} or all.");

@@ -15,11 +15,11 @@ using Object = UnityEngine.Object;
 
 namespace Host.Fluids
 {
-    /// <summary><c>bench colliders</c>: what obstacles add to the GPU time of the solver's step, by stage and number of them, without and with their forces.</summary>
+    /// <summary><c>bench colliders</c>: what colliders add to the GPU time of the solver's step, by stage and number of them, without and with their forces.</summary>
     static class CollidersBench
     {
-        const float ShareOfWater = 0.03f;       // of the block's volume that the most colliders take
-        const float LeastRadius = 1.5f;         // d
+        const float WaterFraction = 0.03f;       // of the block's volume that the most colliders take
+        const float MinRadius = 1.5f;         // d
         const float Voxel = 0.5f;               // d
         const string With = "in pairs: step", Without = "the same water without";
         static readonly (string Name, int First, int Last)[] Windows = StepTimes.Windows.Append(StepTimes.Settled).ToArray();
@@ -34,11 +34,11 @@ namespace Host.Fluids
             var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = $"{string.Join(" or ", Windows.Select(w => w.Name))}.", DefaultValueFactory = _ => Windows[0].Name };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("colliders", "Measures GPU milliseconds of the step among obstacles, by stage.") { particles, counts, shape, iterations, substeps, deepWater, window, steps, kernels, csv, shaders };
+            var command = new Command("colliders", "Measures GPU milliseconds of the step among colliders, by stage.") { particles, counts, shape, iterations, substeps, deepWater, window, steps, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -56,8 +56,8 @@ namespace Host.Fluids
                     throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
                 if (parsed.GetValue(counts).Any(count => count < 0 || count > ColliderSet.Most))
                     throw new HostException($"--counts {string.Join(" ", parsed.GetValue(counts))}: give 0 to {ColliderSet.Most}.");
-                if (parsed.GetValue(steps) < StepTimes.LeastSteps)
-                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.LeastSteps}.");
+                if (parsed.GetValue(steps) < StepTimes.MinSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 (string Name, int First, int Last) played = Windows.FirstOrDefault(w => w.Name == parsed.GetValue(window));
                 if (played.Name == null)
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(" or ", Windows.Select(w => w.Name))}.");
@@ -72,7 +72,7 @@ namespace Host.Fluids
             using var session = new Session(Session.Root());
             ExperimentScene scene = ExperimentScene.Dam(particles);
             int3 lattice = scene.Blocks[0].counts;
-            float radius = math.max(math.pow(ShareOfWater * scene.Particles / (ColliderSet.Most * 4f / 3f * math.PI), 1f / 3f), LeastRadius);
+            float radius = math.max(math.pow(WaterFraction * scene.Particles / (ColliderSet.Most * 4f / 3f * math.PI), 1f / 3f), MinRadius);
             string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles (a dam of {lattice.x} x {lattice.y} x {lattice.z} and as many layers more as colliders take room; d = {scene.Spacing:0.#####} m), {settings.substeps} substeps x {settings.iterations} iterations, deep water {settings.deepWater}, steps {window.First} to {window.Last}; colliders at rest in the water, {string.Join(", ", shapes)} of radius {radius:0.0} d");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
@@ -140,7 +140,7 @@ namespace Host.Fluids
                     size = shape == ColliderShape.Box ? 0.8f * radius : shape == ColliderShape.Capsule ? new float3(0.8f * radius, 0.64f * radius, 0f) : shape == ColliderShape.Mesh ? 0.5f * Voxel * FieldSide(radius) : radius,
                     start = pose,
                     end = pose,
-                    carriesDensity = true,
+                    contributesDensity = true,
                     reacts = forces,
                     field = shape == ColliderShape.Mesh ? ball : null,
                     voxel = Voxel,

@@ -22,7 +22,7 @@ namespace Host.Fluids
         {
             var particles = new Option<int>("--particles") { Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
             var budgets = new Option<int[]>("--budgets") { Description = $"Foam particles, 1 to {FoamSettings.MaxBudget:N0}: as many as can be and are.", DefaultValueFactory = _ => new[] { 100_000, 500_000 }, AllowMultipleArgumentsPerToken = true };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
@@ -35,8 +35,8 @@ namespace Host.Fluids
                     throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
                 if (parsed.GetValue(budgets).Any(budget => budget < 1 || budget > FoamSettings.MaxBudget))
                     throw new HostException($"--budgets {string.Join(" ", parsed.GetValue(budgets))}: give 1 to {FoamSettings.MaxBudget}.");
-                if (parsed.GetValue(steps) < StepTimes.LeastSteps)
-                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.LeastSteps}.");
+                if (parsed.GetValue(steps) < StepTimes.MinSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 Execute(parsed.GetValue(particles), parsed.GetValue(budgets), parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
                 return 0;
             });

@@ -11,8 +11,8 @@ using UnityEngine.Rendering;
 namespace Host.Fluids
 {
     /// <summary>
-    /// Times the step that a fluid would take from the same state without its obstacles: what these cost is the difference. Water that never met
-    /// obstacles moves otherwise, and takes another time by itself.
+    /// Times the step that a fluid would take from the same state without its colliders: what these cost is the difference. Water that never met
+    /// colliders moves otherwise, and takes another time by itself.
     /// </summary>
     sealed class SameWater : IDisposable
     {
@@ -23,7 +23,7 @@ namespace Host.Fluids
         readonly uint[] ids;
         readonly List<double> milliseconds = new List<double>();
 
-        /// <param name="input">Of the step; its obstacles are left out.</param>
+        /// <param name="input">Of the step; its colliders are left out.</param>
         /// <param name="positions">m, as many as the fluid has particles, at any place.</param>
         /// <param name="velocities">m/s.</param>
         public SameWater(SolverLayout layout, StepInput input, NativeArray<float4> positions, NativeArray<float4> velocities)

@@ -14,14 +14,14 @@ namespace Host.Fluids
     {
         /// <summary>The whole step among the stages.</summary>
         public const string Step = "step";
-        public const int LeastSteps = 100;
+        public const int MinSteps = 100;
 
         const int WarmUpMilliseconds = 2000;
 
         // Steps 3-10 of the fresh block and 20-60 of the moving one.
         public static readonly (string Name, int First, int Last)[] Windows = { ("initial", 3, 10), ("moving", 20, 60) };
 
-        // Long after: the lattice that the block began as, which is quicker to search than water, is gone with and without obstacles.
+        // Long after: the lattice that the block began as, which is quicker to search than water, is gone with and without colliders.
         public static readonly (string Name, int First, int Last) Settled = ("settled", 600, 700);
 
         /// <param name="fill">Fills the solver, which was just cleared.</param>

@@ -23,7 +23,7 @@ namespace Host.Fluids
         {
             var particles = new Option<int[]>("--particles") { Description = "Numbers of particles; the block's lattice comes as near as it can.", DefaultValueFactory = _ => new[] { 100_000, 1_000_000 }, AllowMultipleArgumentsPerToken = true };
             var window = new Option<string>("--window") { Description = $"{string.Join(", ", Windows.Select(w => w.Name))} or all.", DefaultValueFactory = _ => "moving" };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.LeastSteps}.", DefaultValueFactory = _ => StepTimes.LeastSteps };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             var screens = new Option<string[]>("--screen") { Description = "Pixels of cameras that also draw it, 1920x1080 for one eye, 2x2064x2208 for two.", DefaultValueFactory = _ => Array.Empty<string>(), AllowMultipleArgumentsPerToken = true };
@@ -37,8 +37,8 @@ namespace Host.Fluids
                 int refused = parsed.GetValue(particles).FirstOrDefault(count => count < 1 || count > SolverLayout.MaxCapacity, -1);
                 if (refused != -1)
                     throw new HostException($"--particles {refused:N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
-                if (parsed.GetValue(steps) < StepTimes.LeastSteps)
-                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.LeastSteps}.");
+                if (parsed.GetValue(steps) < StepTimes.MinSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 var windows = Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
                 if (windows.Count == 0)
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", Windows.Select(w => w.Name))} or all.");

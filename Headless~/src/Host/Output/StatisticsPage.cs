@@ -93,7 +93,7 @@ namespace Host.Output
             }
         }
 
-        /// <summary>The smallest value that at least this share of the values does not exceed (nearest rank).</summary>
+        /// <summary>The smallest value that at least this fraction of the values does not exceed (nearest rank).</summary>
         public static double Percentile(double[] values, double share)
         {
             double[] sorted = values.OrderBy(value => value).ToArray();

@@ -44,7 +44,7 @@ namespace Host.Report
             page.Line("Every table lies beside the page as CSV; its first line says what it was measured on.");
         }
 
-        // With the records, so that the page can be written anew from what lies beside it when one section is measured again.
+        // With the records, so that the page can be written again from what lies beside it when one section is measured again.
         static void CopyTables(IEnumerable<string> tables, ReportFolders folders)
         {
             if (Path.GetFullPath(folders.Data) == Path.GetFullPath(folders.LinkedData))

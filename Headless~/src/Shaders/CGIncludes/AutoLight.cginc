@@ -1,5 +1,5 @@
 // Attenuation and shadows of a light: one directional light here, whose shadow is a mask on the screen (SHADOWS_SCREEN).
-// Written anew for the headless host.
+// Written again for the headless host.
 #ifndef AUTOLIGHT_INCLUDED
 #define AUTOLIGHT_INCLUDED
 

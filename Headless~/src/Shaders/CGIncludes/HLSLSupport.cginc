@@ -1,4 +1,4 @@
-// The names of Unity's file of this name, as its manual lists them, for Direct3D 11. Written anew for the headless host.
+// The names of Unity's file of this name, as its manual lists them, for Direct3D 11. Written again for the headless host.
 #ifndef HLSL_SUPPORT_INCLUDED
 #define HLSL_SUPPORT_INCLUDED
 

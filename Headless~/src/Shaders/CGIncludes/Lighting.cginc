@@ -1,4 +1,4 @@
-// The lighting models Lambert and BlinnPhong. Written anew for the headless host: one directional light, ambient light from
+// The lighting models Lambert and BlinnPhong. Written again for the headless host: one directional light, ambient light from
 // harmonics, no lightmaps.
 #ifndef LIGHTING_INCLUDED
 #define LIGHTING_INCLUDED

@@ -1,5 +1,5 @@
 // Helper functions and structures (manual, "Built-in shader helper functions", "Provide vertex data to vertex programs").
-// Written anew for the headless host.
+// Written again for the headless host.
 #ifndef UNITY_CG_INCLUDED
 #define UNITY_CG_INCLUDED
 

@@ -1,4 +1,4 @@
-// Light that does not come from a lamp: ambient light and the reflection of the sky. Written anew for the headless host.
+// Light that does not come from a lamp: ambient light and the reflection of the sky. Written again for the headless host.
 #ifndef UNITY_GLOBAL_ILLUMINATION_INCLUDED
 #define UNITY_GLOBAL_ILLUMINATION_INCLUDED
 

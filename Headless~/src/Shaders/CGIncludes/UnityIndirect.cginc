@@ -1,6 +1,6 @@
 // For vertex programs of Graphics.RenderMeshIndirect and RenderPrimitivesIndirect (Scripting API, "Graphics.RenderMeshIndirect").
 // Direct3D 11 counts SV_VertexID and SV_InstanceID from 0, and the engine draws the commands one by one.
-// Written anew for the headless host.
+// Written again for the headless host.
 #ifndef UNITY_INDIRECT_INCLUDED
 #define UNITY_INDIRECT_INCLUDED
 

@@ -1,4 +1,4 @@
-// GPU instancing (manual, "Creating shaders that support GPU instancing"). Written anew for the headless host.
+// GPU instancing (manual, "Creating shaders that support GPU instancing"). Written again for the headless host.
 // INSTANCING_ON: matrices and properties of each instance lie in arrays. PROCEDURAL_INSTANCING_ON: the shader's own function
 // makes them. Properties are one array each, which is what the engine fills by name.
 #ifndef UNITY_INSTANCING_INCLUDED

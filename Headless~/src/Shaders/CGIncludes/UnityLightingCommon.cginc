@@ -1,4 +1,4 @@
-// What every kind of lighting shares. Written anew for the headless host.
+// What every kind of lighting shares. Written again for the headless host.
 #ifndef UNITY_LIGHTING_COMMON_INCLUDED
 #define UNITY_LIGHTING_COMMON_INCLUDED
 

@@ -1,5 +1,5 @@
 // The lighting models Standard and StandardSpecular: Lambert and one GGX highlight with Schlick's Fresnel term.
-// Written anew for the headless host; what is reflected is the sky, since there are no probes.
+// Written again for the headless host; what is reflected is the sky, since there are no probes.
 #ifndef UNITY_PBS_LIGHTING_INCLUDED
 #define UNITY_PBS_LIGHTING_INCLUDED
 

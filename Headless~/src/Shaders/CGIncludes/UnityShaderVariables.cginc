@@ -1,4 +1,4 @@
-// Variables that the engine sets by itself (manual, "Built-in shader variables reference"). Written anew for the headless host.
+// Variables that the engine sets by itself (manual, "Built-in shader variables reference"). Written again for the headless host.
 #ifndef UNITY_SHADER_VARIABLES_INCLUDED
 #define UNITY_SHADER_VARIABLES_INCLUDED
 

@@ -28,7 +28,7 @@ namespace Host.Shaders
             }
             catch (EndOfStreamException)
             {
-                return null;    // a file that a full disk cut short: compiled and written anew
+                return null;    // a file that a full disk cut short: compiled and written again
             }
         }
 

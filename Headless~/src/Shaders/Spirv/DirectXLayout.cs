@@ -73,7 +73,7 @@ namespace Host.Shaders
             }
         }
 
-        // glslang makes a type anew for each layout; one that both packings reach could not be decorated for both.
+        // glslang makes a type again for each layout; one that both packings reach could not be decorated for both.
         void Claim(Instruction type, Packing packing)
         {
             if (assigned.TryGetValue(type[0], out Packing other) && other != packing)

@@ -56,7 +56,7 @@ namespace Host.Shaders
             foreach (Instruction i in Reachable(module.Instructions))
                 switch (i.Op)
                 {
-                    // Bound anew.
+                    // Bound again.
                     case Op.Decorate when (Decoration)i[1] is Decoration.DescriptorSet or Decoration.Binding:
                     // Defined among the added types.
                     case Op.Variable when storageBuffers.ContainsKey(i[1]):

@@ -32,7 +32,7 @@ namespace UnityEngine.Headless
         /// <summary>Of the sky: nine coefficients of what a white surface reflects of it, a colour each; null without a sky.</summary>
         public static Vector3[] Harmonics { get; private set; }
 
-        /// <summary>It is made anew before the next camera draws.</summary>
+        /// <summary>It is made again before the next camera draws.</summary>
         public static void Invalidate() => isCurrent = false;
 
         /// <summary>Leaves the target and the matrices to be set again; the sun's variables are set.</summary>

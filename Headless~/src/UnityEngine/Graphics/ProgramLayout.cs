@@ -25,7 +25,7 @@ namespace UnityEngine.Headless
             public Field[] Fields;
             /// <summary>A buffer of UNITY_INSTANCING_BUFFER_START: an array has an element for each instance.</summary>
             public bool Instanced;
-            /// <summary>Filled anew for every dispatch or draw; the device copies it.</summary>
+            /// <summary>Filled again for every dispatch or draw; the device copies it.</summary>
             public byte[] Constants;
         }
 

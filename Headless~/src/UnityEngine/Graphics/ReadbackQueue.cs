@@ -169,7 +169,7 @@ namespace UnityEngine.Headless
         }
     }
 
-    /// <summary>A read-back in a command buffer: requested anew whenever that executes.</summary>
+    /// <summary>A read-back in a command buffer: requested again whenever that executes.</summary>
     internal sealed class RecordedReadback
     {
         readonly BufferStorage buffer;

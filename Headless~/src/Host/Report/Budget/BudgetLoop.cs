@@ -67,7 +67,7 @@ namespace Host.Report.Budget
             SolverBudget budget = SolverBudget.Default;
             budget.mode = BudgetMode.Milliseconds;
             budget.milliseconds = 1000f;
-            budget.leastIterations = budget.mostIterations = 2;
+            budget.minIterations = budget.maxIterations = 2;
             fluid.Budget = budget;
             var times = new List<double>();
             for (int frame = 0; frame < 120; frame++)

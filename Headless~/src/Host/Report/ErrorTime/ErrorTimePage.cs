@@ -25,7 +25,7 @@ namespace Host.Report.ErrorTime
                 $"C+ is the mean of max(0, ρ/ρ0 − 1) over 0.2 to 2 s (*moving*) and over the last 2 s (*settled*); time is the median of steps 20 to 60 (*moving*) and of the last 100 (*settled*). Plots and fronts take the worse window of both. " +
                 "Noise is the rms speed of water that should stand still; where it still sloshes, jitter stands for it: the rms of velocity minus the neighbors' mean.");
             page.Line();
-            page.Line(FormattableString.Invariant($"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.LowestVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.HighestEnergy} of the start's (*gains energy*) and, in runs of {SweepResult.SettledAfter} s or more, the volume ends below {SweepResult.HighestVolume} (*boils*). The front is of those that hold: none is both cheaper and nearer to rest density."));
+            page.Line(FormattableString.Invariant($"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.MinVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.MaxEnergy} of the start's (*gains energy*) and, in runs of {SweepResult.SettledAfter} s or more, the volume ends below {SweepResult.MaxVolume} (*boils*). The front is of those that hold: none is both cheaper and nearer to rest density."));
             page.Line();
             if (table.InSoftware)
             {

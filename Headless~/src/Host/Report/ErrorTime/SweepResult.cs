@@ -8,7 +8,7 @@ namespace Host.Report.ErrorTime
     sealed class SweepResult
     {
         // Water that lies flat cannot lie lower than at rest density; a mean height of less was compressed at some time.
-        public const double LowestVolume = 0.95, HighestVolume = 1.05, HighestEnergy = 1.01;
+        public const double MinVolume = 0.95, MaxVolume = 1.05, MaxEnergy = 1.01;
         /// <summary>s; before, water is still on its way and its mean height says nothing of its volume.</summary>
         public const double SettledAfter = 6;
 
@@ -30,7 +30,7 @@ namespace Host.Report.ErrorTime
         public SweepSetting Setting => new(row["deep"] == "on", (int)row.Number("substeps"), (int)row.Number("iterations"), (float)row.Number("relaxation"));
         public double MillisecondsMoving => row.Number("ms_moving");
         public double MillisecondsSettled => row.Number("ms_settled");
-        /// <summary>Of the dearer window: what a frame must have room for.</summary>
+        /// <summary>Of the more expensive window: what a frame must have room for.</summary>
         public double Milliseconds => Math.Max(MillisecondsMoving, MillisecondsSettled);
         public double ErrorMoving => row.Number("error_moving");
         public double ErrorSettled => row.Number("error_settled");
@@ -40,7 +40,7 @@ namespace Host.Report.ErrorTime
         public double Noise => row.Number("noise");
         public double Jitter => row.Number("jitter");
         public double Volume => row.Number("volume");
-        public double LowestVolumeSeen => row.Number("volume_lowest");
+        public double MinVolumeSeen => row.Number("volume_lowest");
         public double Energy => row.Number("energy");
         public double Coincident => row.Number("coincident");
         public double Escaped => row.Number("escaped");
@@ -57,9 +57,9 @@ namespace Host.Report.ErrorTime
         /// <summary>Why the setting does not hold the scene; null if it does.</summary>
         public string Fault =>
             !(NonFinite == 0 && Escaped == 0) ? "loses particles" :
-            !(LowestVolumeSeen >= LowestVolume) ? "collapses" :
-            !(Energy <= HighestEnergy) ? "gains energy" :
-            Seconds >= SettledAfter && !(Volume <= HighestVolume) ? "boils" :
+            !(MinVolumeSeen >= MinVolume) ? "collapses" :
+            !(Energy <= MaxEnergy) ? "gains energy" :
+            Seconds >= SettledAfter && !(Volume <= MaxVolume) ? "boils" :
             null;
     }
 }

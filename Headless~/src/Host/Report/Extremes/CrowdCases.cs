@@ -118,7 +118,7 @@ namespace Host.Report.Extremes
             fluid.Seconds(6);
             check.AtMost("C+ from 0.2 to 6 s", fluid.Settled(s => s.densityError, 5.8), 0.01, "%");
             check.Between("volume settled", fluid.Settled(s => s.volumeRatio), 0.95, 1.05);
-            check.AtMost("highest energy over the start's", fluid.HighestEnergy, 1.005);
+            check.AtMost("highest energy over the start's", fluid.MaxEnergy, 1.005);
             check.Exactly("closer than 0.05 d", fluid.Last.coincident, 0);
             check.Note("pairs nearer than 0.25 d", ClosePairs.Count(fluid.Read(), 0.25f));
             return fluid.Counts;

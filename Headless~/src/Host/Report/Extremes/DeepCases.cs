@@ -31,7 +31,7 @@ namespace Host.Report.Extremes
             check.AtMost("C+ settled", fluid.Settled(s => s.densityError, settled), 0.005, "%");
             check.Between("volume", fluid.Settled(s => s.volumeRatio, settled), 0.97, 1.03);
             check.AtMost("jitter", fluid.Settled(s => s.jitter, settled), 0.05, "m/s");
-            check.AtMost("highest energy over the start's", fluid.HighestEnergy, 1.005);
+            check.AtMost("highest energy over the start's", fluid.MaxEnergy, 1.005);
             check.Note("pairs nearer than 0.25 d", ClosePairs.Count(fluid.Read(), 0.25f));
             return fluid.Counts;
         });

@@ -15,7 +15,7 @@ namespace Host.Report.Extremes
         public string Broken => string.Join("; ", broken);
         public bool Holds => broken.Count == 0;
 
-        /// <param name="unit">"%" shows a share as percent.</param>
+        /// <param name="unit">"%" shows a fraction as percent.</param>
         public void AtMost(string what, double value, double limit, string unit = "") => Judge(what, value, value <= limit, $"at most {Text(limit, unit)}", unit);
         public void AtLeast(string what, double value, double limit, string unit = "") => Judge(what, value, value >= limit, $"at least {Text(limit, unit)}", unit);
         public void Between(string what, double value, double low, double high, string unit = "") => Judge(what, value, value >= low && value <= high, $"{Text(low, unit)} to {Text(high, unit)}", unit);

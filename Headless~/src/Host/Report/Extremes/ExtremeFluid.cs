@@ -87,8 +87,8 @@ namespace Host.Report.Extremes
             return this;
         }
 
-        /// <summary>Steps in which an obstacle moves from where it was to where it is told.</summary>
-        /// <param name="pose">By the time since the first of these steps, s; the obstacle is there at 0.</param>
+        /// <summary>Steps in which a collider moves from where it was to where it is told.</summary>
+        /// <param name="pose">By the time since the first of these steps, s; the collider is there at 0.</param>
         /// <param name="after">After every step, with the time and the pose; null for none.</param>
         public ExtremeFluid StepAmong(ColliderMotion obstacle, Func<float, RigidPose> pose, int steps, int every, Action<RigidPose> after = null)
         {
@@ -122,10 +122,10 @@ namespace Host.Report.Extremes
         }
 
         /// <summary>Highest energy of all samples over that of the first.</summary>
-        public double HighestEnergy => Samples.Max(s => s.Energy) / Samples[0].Energy;
+        public double MaxEnergy => Samples.Max(s => s.Energy) / Samples[0].Energy;
 
-        /// <summary>Highest energy of a sample less the least before it, as a share of the first.</summary>
-        public double LargestRise
+        /// <summary>Highest energy of a sample less the least before it, as a fraction of the first.</summary>
+        public double MaxRise
         {
             get
             {

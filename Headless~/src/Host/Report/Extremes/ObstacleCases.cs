@@ -60,7 +60,7 @@ namespace Host.Report.Extremes
                 below = Math.Max(below, fluid.Read().Count(p => math.mul(back, p - pose.position).y < 0f));
             });
             check.Exactly("most particles through it", below, 0);
-            check.AtMost("highest energy over the start's", fluid.HighestEnergy, 1.001);
+            check.AtMost("highest energy over the start's", fluid.MaxEnergy, 1.001);
             check.AtMost("speed", fluid.Counts.SpeedMax, 101, "m/s");
             return fluid.Counts;
         });

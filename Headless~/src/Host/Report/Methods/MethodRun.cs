@@ -8,14 +8,14 @@ namespace Host.Report.Methods
     /// <summary>One method in one scene: its figures, and whether it stood.</summary>
     sealed class MethodRun
     {
-        /// <summary>A closed scene whose energy rose by more than this share has diverged.</summary>
-        const double LargestRise = 0.05;
+        /// <summary>A closed scene whose energy rose by more than this fraction has diverged.</summary>
+        const double MaxRise = 0.05;
 
         /// <summary>A run is broken off where it is lost beyond doubt: the energy, or the volume, that says so.</summary>
         const double LostEnergy = 1.2, LostVolume = 0.75;
 
-        /// <summary>Water at less than this share of its volume is collapsed; still water at more than that has boiled.</summary>
-        const double LowestVolume = 0.9, HighestVolume = 1.1;
+        /// <summary>Water at less than this fraction of its volume is collapsed; still water at more than that has boiled.</summary>
+        const double MinVolume = 0.9, MaxVolume = 1.1;
 
         const int SampleEvery = 10;
 
@@ -45,22 +45,22 @@ namespace Host.Report.Methods
             return new MethodRun(study, variant, scene, Experiment.Run(solver, scene.Scene, input, scene.Seconds, SampleEvery, IsLost));
         }
 
-        public string State => StateOf(HighestEnergy, run.Samples.Min(s => s.volumeRatio), run.Settled(s => s.volumeRatio), run.Samples[^1].nonFinite, scene.IsStill);
+        public string State => StateOf(MaxEnergy, run.Samples.Min(s => s.volumeRatio), run.Settled(s => s.volumeRatio), run.Samples[^1].nonFinite, scene.IsStill);
 
-        public static string StateOf(double energy, double lowestVolume, double settledVolume, int nonFinite, bool isStill) =>
-            nonFinite > 0 || !(energy <= 1 + LargestRise) ? "diverged"
-            : !(lowestVolume >= LowestVolume) ? "collapsed"
-            : isStill && !(settledVolume <= HighestVolume) ? "boiled"
+        public static string StateOf(double energy, double minVolume, double settledVolume, int nonFinite, bool isStill) =>
+            nonFinite > 0 || !(energy <= 1 + MaxRise) ? "diverged"
+            : !(minVolume >= MinVolume) ? "collapsed"
+            : isStill && !(settledVolume <= MaxVolume) ? "boiled"
             : "stands";
 
         // Over its start; not a number if it ever was none, which Max would pass over.
-        double HighestEnergy => run.Samples.Aggregate(0.0, (highest, s) => double.IsNaN(s.Energy) ? double.NaN : Math.Max(highest, s.Energy)) / run.Samples[0].Energy;
+        double MaxEnergy => run.Samples.Aggregate(0.0, (highest, s) => double.IsNaN(s.Energy) ? double.NaN : Math.Max(highest, s.Energy)) / run.Samples[0].Energy;
 
         public object[] Row => new object[]
         {
             study.Name, variant.Series.Replace(",", ""), scene.Name, scene.Scene.Particles, variant.Value, variant.Label ?? "", variant.TwoLevel ? 1 : 0, variant.Substeps, variant.Iterations, variant.Relaxation, variant.Passes,
             run.Moving(s => s.densityError), run.Settled(s => s.densityError), run.Settled(s => s.interiorError), run.Settled(s => s.volumeRatio), run.Samples.Min(s => s.volumeRatio),
-            run.Settled(s => s.speed), run.Settled(s => s.jitter), HighestEnergy,
+            run.Settled(s => s.speed), run.Settled(s => s.jitter), MaxEnergy,
             run.Milliseconds("moving"), run.Milliseconds("settled"), run.End, State,
         };
 

@@ -63,7 +63,7 @@ namespace Host.Report.Methods
         }
 
         // The highest eigenvalue: twice the inverse of the largest stable relaxation of many passes, 1.3.
-        const double HighestEigenvalue = 2 / 1.3;
+        const double MaxEigenvalue = 2 / 1.3;
 
         static IEnumerable<MethodVariant> Scheduled(bool quick)
         {
@@ -84,7 +84,7 @@ namespace Host.Report.Methods
             static MethodVariant At(string series, double lowest, int iterations, bool twoLevel) => new()
             {
                 Series = $"{series}, k {iterations}", Value = lowest, Iterations = iterations, TwoLevel = twoLevel,
-                Method = () => new ScheduledJacobi(ScheduledJacobi.Optimal(iterations, lowest, HighestEigenvalue)),
+                Method = () => new ScheduledJacobi(ScheduledJacobi.Optimal(iterations, lowest, MaxEigenvalue)),
             };
         }
 

@@ -8,7 +8,7 @@ namespace Host.Report.Methods
     {
         readonly string kernel;
 
-        /// <param name="restart">Particles that a pass turns around start anew.</param>
+        /// <param name="restart">Particles that a pass turns around start again.</param>
         public NesterovJacobi(bool restart) => kernel = restart ? "NesterovWithRestart" : "Nesterov";
 
         public override bool EndsInPackagePass => true;

@@ -10,7 +10,7 @@ namespace Host.Report.Methods
         /// <summary>Times and errors repeat to about this: less is no difference.</summary>
         public const double Same = 0.02;
 
-        /// <summary>A run leaves the front for one that is better by at least this share in one cost, and nowhere worse.</summary>
+        /// <summary>A run leaves the front for one that is better by at least this fraction in one cost, and nowhere worse.</summary>
         public const double Better = 0.05;
 
         /// <param name="costs">Of a run, each 0 or more; the less the better.</param>

@@ -8,12 +8,12 @@ namespace Host.Report.Methods
     abstract class PassByPass : ConstraintMethod
     {
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
-        readonly int solveLambda, displace;
+        readonly int solveLambda, applyDeltaP;
 
         protected PassByPass()
         {
             solveLambda = shader.FindKernel("SolveLambda");
-            displace = shader.FindKernel("Displace");
+            applyDeltaP = shader.FindKernel("ApplyDeltaP");
         }
 
         public sealed override void Record(CommandBuffer cmd, StudySolver solver, in StepInput input)
@@ -39,8 +39,8 @@ namespace Host.Report.Methods
             ParticleBuffers particles = solver.Particles;
             solver.BindConstants(cmd, shader, relaxation);
             Dispatch(cmd, solver, solveLambda, particles.Predicted, particles.Current);
-            cmd.SetComputeBufferParam(shader, displace, Ids.StartPositions, particles.Start);
-            Dispatch(cmd, solver, displace, particles.Current, particles.Predicted);
+            cmd.SetComputeBufferParam(shader, applyDeltaP, Ids.StartPositions, particles.Start);
+            Dispatch(cmd, solver, applyDeltaP, particles.Current, particles.Predicted);
         }
 
         void Dispatch(CommandBuffer cmd, StudySolver solver, int kernel, GraphicsBuffer from, GraphicsBuffer to)

@@ -9,7 +9,7 @@ namespace Host.Report.Methods
     {
         readonly float[] schedule;
 
-        /// <param name="schedule">ω of pass after pass; begins anew when it ends.</param>
+        /// <param name="schedule">ω of pass after pass; begins again when it ends.</param>
         public ScheduledJacobi(params float[] schedule) => this.schedule = schedule;
 
         /// <summary>Yang and Mittal's scheme of two levels for N = 16: one pass at 32.60, 15 at 0.8630.</summary>

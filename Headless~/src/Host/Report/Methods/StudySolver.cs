@@ -20,7 +20,7 @@ namespace Host.Report.Methods
         readonly CoarseVariation variation;
         readonly DensityConstraint constraint;
         readonly VelocityUpdate velocityUpdate = new();
-        readonly Emission emission = new();
+        readonly ParticleUpload particleUpload = new();
         readonly StatisticsPass statistics;
         readonly ComputeShader ways = StudyShader.Load("Ways");
         readonly GraphicsBuffer constants;
@@ -45,7 +45,7 @@ namespace Host.Report.Methods
             if (input.settings.deepWater == DeepWater.On)
                 Coarse = this.variation.Create(layout, input);
             using var cmd = new CommandBuffer { name = "Study.Clear" };
-            emission.Clear(cmd, Particles);
+            particleUpload.Clear(cmd, Particles);
             Graphics.ExecuteCommandBuffer(cmd);
         }
 
@@ -60,8 +60,8 @@ namespace Host.Report.Methods
         {
             using NativeArray<float4> scaledPositions = InSpacings(positions);
             using NativeArray<float4> scaledVelocities = InSpacings(velocities);
-            emission.Append(Particles, Layout.Capacity, scaledPositions, scaledVelocities);
-            emission.Trim();
+            particleUpload.Append(Particles, Layout.Capacity, scaledPositions, scaledVelocities);
+            particleUpload.Trim();
         }
 
         public void Step(CommandBuffer cmd)
@@ -76,7 +76,7 @@ namespace Host.Report.Methods
                 Search.RecordSort(cmd, constants, Particles, Coarse);
                 method.Record(cmd, this, input);
                 if (!method.EndsInPackagePass)
-                    RecordWays(cmd);
+                    RecordDisplacements(cmd);
                 velocityUpdate.Record(cmd, constants, Particles, Lists, input);
                 Particles.Advance();
             }
@@ -100,9 +100,9 @@ namespace Host.Report.Methods
         }
 
         // What the package's last pass leaves for the viscosity.
-        void RecordWays(CommandBuffer cmd)
+        void RecordDisplacements(CommandBuffer cmd)
         {
-            int kernel = ways.FindKernel("PackWays");
+            int kernel = ways.FindKernel("PackDisplacements");
             BindConstants(cmd, ways);
             cmd.SetComputeBufferParam(ways, kernel, "_StartPositions", Particles.Start);
             cmd.SetComputeBufferParam(ways, kernel, "_Corrected", Particles.Predicted);
@@ -130,7 +130,7 @@ namespace Host.Report.Methods
             Particles.Dispose();
             Search.Dispose();
             constraint.Dispose();
-            emission.Dispose();
+            particleUpload.Dispose();
             statistics.Dispose();
             Coarse?.Dispose();
             constants.Release();

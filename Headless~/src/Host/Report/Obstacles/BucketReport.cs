@@ -21,7 +21,7 @@ namespace Host.Report.Obstacles
                 const int iterations = 2;
                 RotatingBucket bucket = RotatingBucket.Run(across, Speed, flat, FluidRun.Water(substeps, iterations, deep), settle, seconds, friction);
                 string start = flat ? "level" : "parabola";
-                summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, friction, substeps, iterations, bucket.Steepness, bucket.OwnSteepness, bucket.LargestError, bucket.Turning, RotatingBucket.TurningLeft(Speed, 1.0 / 60 / substeps, settle + seconds / 2));
+                summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, friction, substeps, iterations, bucket.Steepness, bucket.OwnSteepness, bucket.MaxError, bucket.Turning, RotatingBucket.TurningLeft(Speed, 1.0 / 60 / substeps, settle + seconds / 2));
                 foreach (var ring in bucket.Profile)
                     profiles.Add(across, ObstaclesSection.Text(deep), start, friction, substeps, iterations, ring.Radius, ring.Height, ring.Turning, ring.Theory, ring.OwnTheory);
                 run.Log($"  bucket of {across} d, deep water {ObstaclesSection.Text(deep)}, from {start}, friction {friction}, {substeps} x {iterations}: steepness {bucket.Steepness:0.000}, for its own turning {bucket.OwnSteepness:0.000}, turning {bucket.Turning:0.000}");

@@ -8,7 +8,7 @@ namespace Host.Report.Obstacles
     static class FloatingReport
     {
         const string Summary = "obstacles-floating", Heights = "obstacles-floating-heave";
-        const double MostDamping = 0.5;     // beyond, a period that is fitted says nothing
+        const double MaxDamping = 0.5;     // beyond, a period that is fitted says nothing
 
         // Experiments of their own on lavapipe, 2026-11-24, that "rill report" does not repeat.
         static readonly string[][] Parts =
@@ -56,13 +56,13 @@ namespace Host.Report.Obstacles
             ReportTable table = page.Load(Summary);
             page.Line("### Floating bodies");
             page.Line();
-            page.Line($"A ball and a cube of half the water's density, carried by FluidBuoyancy and a Rigidbody that only heaves, are let go {100 * FloatingBody.Lift:0} % of their height above rest, swing with *Damping* 0 and come to rest with the default. Draft: how deep the body lies under the level of the water around it in the last second, against Archimedes. Level: of that water, above or below that of water that keeps its volume. Period: of a damped cosine fitted to the first swings, without its damping, against T = 2π √((m + m_a) / (ρ g A)), A the area that the body cuts out of the surface, m_a half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in endless water) and 0.68 of it for the cube (DNV-RP-C205, appendix D). That is the added mass of fast heave. At this period a ball makes waves and has less of it, which shortens the period by about 3 % (Havelock 1955); the floor, a body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the middle (a wave as long as the tank is wide) has 0.98 of the ball's period, 0.75 of the cube's: what is measured there is the two together. New measurements are made in tanks {FloatingBody.WidthsAcross} bodies wide, in which the walls' waves come back after the fit. Damping: what is seen while *Damping* is 0, as a share of the critical; negative where the late force drives the heave. Above {MostDamping} there is no period worth the name.");
+            page.Line($"A ball and a cube of half the water's density, carried by FluidBuoyancy and a Rigidbody that only heaves, are let go {100 * FloatingBody.Lift:0} % of their height above rest, swing with *Damping* 0 and come to rest with the default. Draft: how deep the body lies under the level of the water around it in the last second, against Archimedes. Level: of that water, above or below that of water that keeps its volume. Period: of a damped cosine fitted to the first swings, without its damping, against T = 2π √((m + m_a) / (ρ g A)), A the area that the body cuts out of the surface, m_a half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in endless water) and 0.68 of it for the cube (DNV-RP-C205, appendix D). That is the added mass of fast heave. At this period a ball makes waves and has less of it, which shortens the period by about 3 % (Havelock 1955); the floor, a body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the middle (a wave as long as the tank is wide) has 0.98 of the ball's period, 0.75 of the cube's: what is measured there is the two together. New measurements are made in tanks {FloatingBody.WidthsAcross} bodies wide, in which the walls' waves come back after the fit. Damping: what is seen while *Damping* is 0, as a share of the critical; negative where the late force drives the heave. Above {MaxDamping} there is no period worth the name.");
             page.Line();
             page.Table(new[] { "body", "layers, width of the tank, d", "deep water", "draft, m", "theory, m", "error", "within 5 %", "level, d", "period, s", "theory, s", "error", "within 5 %", "damping", "misfit of the cosine" },
                 table.Rows.Select(row =>
                 {
                     double draft = row.Number("draft_m") / row.Number("theory_draft_m") - 1;
-                    double period = row.Number("damping_ratio") > MostDamping ? double.NaN : row.Number("period_s") / row.Number("theory_period_s") - 1;
+                    double period = row.Number("damping_ratio") > MaxDamping ? double.NaN : row.Number("period_s") / row.Number("theory_period_s") - 1;
                     return new[]
                     {
                         $"{row["shape"]} of {row["across"]} d", $"{row["layers"]}, {row["side"]}", row["deep"], Figures.Fixed(row.Number("draft_m"), 3), Figures.Fixed(row.Number("theory_draft_m"), 3), Figures.Percent(draft), ObstaclesSection.Within(draft),

@@ -30,7 +30,7 @@ namespace Host.Report.Obstacles
         public double Steepness { get; private set; }
         public double OwnSteepness { get; private set; }
         /// <summary>Largest distance of a ring's height from the theory's, over the theory's rise from the middle to the wall.</summary>
-        public double LargestError { get; private set; }
+        public double MaxError { get; private set; }
         public int Particles { get; private set; }
         /// <summary>Depth of as much water at rest, m.</summary>
         public double RestDepth { get; init; }
@@ -109,7 +109,7 @@ namespace Host.Report.Obstacles
                 Profile.Add((rings[i].Radius, rings[i].Height, rings[i].Turning, Surface(RestDepth, speed, rings[i].Radius), own[i] + shift));
             Steepness = Slope(p => p.Height) / Slope(p => p.Theory);
             OwnSteepness = Slope(p => p.Height) / Slope(p => p.OwnTheory);
-            LargestError = Profile.Max(p => Math.Abs(p.Height - p.Theory)) / Rise(speed);
+            MaxError = Profile.Max(p => Math.Abs(p.Height - p.Theory)) / Rise(speed);
         }
 
         // Over r².

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Host.Report.Obstacles
 {
-    /// <summary>Obstacles in a solver's own terms. Lengths in d.</summary>
+    /// <summary>Colliders in a solver's own terms. Lengths in d.</summary>
     static class Solids
     {
         public static ColliderMotion Still(ColliderShape shape, float3 size, float3 position) => Still(shape, size, position, quaternion.identity);
@@ -12,7 +12,7 @@ namespace Host.Report.Obstacles
         public static ColliderMotion Still(ColliderShape shape, float3 size, float3 position, quaternion rotation)
         {
             var pose = new RigidPose(position, rotation);
-            return new ColliderMotion { shape = shape, size = size, start = pose, end = pose, carriesDensity = true };
+            return new ColliderMotion { shape = shape, size = size, start = pose, end = pose, contributesDensity = true };
         }
 
         /// <summary>The inside of an upright round tank, whose floor is the domain's.</summary>

@@ -20,7 +20,7 @@ namespace Host.Report
             foreach ((int layers, int substeps, int iterations) in settings)
             {
                 StillColumn column = StillColumn.Run(layers, width, spacing, FluidRun.Water(substeps, iterations), settle);
-                summary.Add(layers, substeps, iterations, column.BottomError, column.LargestError, column.HeightRatio);
+                summary.Add(layers, substeps, iterations, column.BottomError, column.MaxError, column.HeightRatio);
                 foreach ((double height, double pressure, double theory) in column.Layers)
                     profiles.Add(layers, substeps, iterations, height, pressure, theory);
                 run.Log($"  column of {layers} layers, {substeps} x {iterations}: bottom {100 * column.BottomError:0.0} %, height {column.HeightRatio:0.000}");

@@ -13,7 +13,7 @@ namespace Host.Report
         /// <summary>Of the water, from the wall behind it: a, m.</summary>
         public const double Width = 1;
         /// <summary>Share of the water that the front is ahead of: single particles that fly ahead are no front.</summary>
-        public const double Share = 0.995;
+        public const double Fraction = 0.995;
         public const double End = 2.8;
 
         /// <summary>After every step.</summary>
@@ -50,6 +50,6 @@ namespace Host.Report
             };
         }
 
-        static double Place(FluidRun run, int across) => Percentile.Of(run.ReadPositions().Select(p => p.x).ToArray(), Share) / across;
+        static double Place(FluidRun run, int across) => Percentile.Of(run.ReadPositions().Select(p => p.x).ToArray(), Fraction) / across;
     }
 }

@@ -8,7 +8,7 @@ namespace Host.Report
     sealed class DampedCosine
     {
         const int CoarseSteps = 400;
-        const double MostCycles = 40;
+        const double MaxCycles = 40;
 
         double start, cosine, sine;
 
@@ -33,7 +33,7 @@ namespace Host.Report
             var fit = new DampedCosine();
             double span = samples[^1].Time - samples[0].Time;
             // No guess from theory: every frequency from half a cycle in all to 40 is tried, then the best one is refined.
-            double frequencyStep = 2 * Math.PI * MostCycles / span / CoarseSteps, dampingStep = 0.5 / span;
+            double frequencyStep = 2 * Math.PI * MaxCycles / span / CoarseSteps, dampingStep = 0.5 / span;
             double best = double.MaxValue, frequency = 0, damping = 0;
             for (int i = 5; i <= CoarseSteps; i++)
                 for (int j = 0; j <= 6; j++)

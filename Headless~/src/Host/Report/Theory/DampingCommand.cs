@@ -69,7 +69,7 @@ namespace Host.Report
         static string Vortex(int side, int layers, float speed, in StepInput input, double seconds)
         {
             TaylorGreenVortex vortex = TaylorGreenVortex.Run(side, layers, speed, input, seconds);
-            return Text($"{vortex.Left:0.000} of the amplitude after {vortex.Time:0.0} s, {vortex.LeftAtFirstOrder:0.000} by a first-order step alone: damping {vortex.Damping:0.00} of its; highest energy {vortex.HighestEnergy:0.0000}");
+            return Text($"{vortex.Left:0.000} of the amplitude after {vortex.Time:0.0} s, {vortex.LeftAtFirstOrder:0.000} by a first-order step alone: damping {vortex.Damping:0.00} of its; highest energy {vortex.MaxEnergy:0.0000}");
         }
 
         static string Bucket(int radius, int layers, double speed, in StepInput input, double seconds)

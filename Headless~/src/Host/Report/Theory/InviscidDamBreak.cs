@@ -12,8 +12,8 @@ namespace Host.Report
     sealed class InviscidDamBreak
     {
         const int PerSide = 3;              // particles along a cell's side
-        const double Carried = 0.99;        // share of a particle's own velocity that is kept, the rest is the grid's
-        const double CellsAStep = 0.4, LongestStep = 0.004, Interval = 0.05;
+        const double Carried = 0.99;        // fraction of a particle's own velocity that is kept, the rest is the grid's
+        const double CellsAStep = 0.4, MaxStep = 0.004, Interval = 0.05;
 
         readonly StaggeredFlow flow;
         readonly List<Particle> particles = new();
@@ -46,12 +46,12 @@ namespace Host.Report
                     run.Advance(step);
                     time += step;
                 }
-                points.Add((sample * Interval, Percentile.Of(run.particles.Select(p => (float)p.X).ToArray(), DamBreakFront.Share) / DamBreakFront.Width));
+                points.Add((sample * Interval, Percentile.Of(run.particles.Select(p => (float)p.X).ToArray(), DamBreakFront.Fraction) / DamBreakFront.Width));
             }
             return new FrontSeries("inviscid", points);
         }
 
-        double StableStep() => Math.Min(LongestStep, CellsAStep * cell / Math.Sqrt(Math.Max(0.25, particles.Max(p => p.U * p.U + p.V * p.V))));
+        double StableStep() => Math.Min(MaxStep, CellsAStep * cell / Math.Sqrt(Math.Max(0.25, particles.Max(p => p.U * p.U + p.V * p.V))));
 
         void Advance(double step)
         {

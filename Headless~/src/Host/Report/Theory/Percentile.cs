@@ -4,7 +4,7 @@ namespace Host.Report
 {
     static class Percentile
     {
-        /// <summary>The value that a share of all values does not exceed, linear between the two nearest ranks. Sorts the values.</summary>
+        /// <summary>The value that a fraction of all values does not exceed, linear between the two nearest ranks. Sorts the values.</summary>
         /// <param name="share">0 (the least) to 1 (the largest).</param>
         public static double Of(float[] values, double share)
         {

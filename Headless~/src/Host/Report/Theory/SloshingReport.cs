@@ -8,7 +8,7 @@ namespace Host.Report
     static class SloshingReport
     {
         const string Periods = "experiment-sloshing", Curves = "experiment-sloshing-curves";
-        const double LongestPeriod = 4;     // of the theory's: as long as is played
+        const double MaxPeriod = 4;     // of the theory's: as long as is played
         // Linear theory is for low waves; at a lean of 0.03 and a depth of 0.15 m the next order shortens the period by 0.4 %, elsewhere
         // and at the others by less.
         static readonly (int Along, double Depth, double Lean, int Substeps, int Iterations)[] Quick =
@@ -20,7 +20,7 @@ namespace Host.Report
         {
             var periods = new ReportTable("along", "depth_m", "layers", "lean_rad", "substeps", "iterations", "period_s", "theory_s", "error", "offset_ratio", "damping_per_period", "misfit");
             var curves = new ReportTable("along", "depth_m", "lean_rad", "substeps", "iterations", "time_s", "x_m", "fit_m");
-            double swings = run.Quick ? 1.6 : LongestPeriod;
+            double swings = run.Quick ? 1.6 : MaxPeriod;
             foreach ((int along, double wanted, double lean, int substeps, int iterations) in run.Quick ? Quick : Full())
             {
                 double depth = Sloshing.NearestDepth(along, wanted), theory = Sloshing.Period(depth);
@@ -76,7 +76,7 @@ namespace Host.Report
         }
 
         // A fitted period that is longer than the run is no period.
-        static string IfSwings(ReportTable.Row row, string text) => row.Number("period_s") < LongestPeriod * row.Number("theory_s") ? text : "–";
+        static string IfSwings(ReportTable.Row row, string text) => row.Number("period_s") < MaxPeriod * row.Number("theory_s") ? text : "–";
 
         // The finest of each depth.
         static IEnumerable<ReportTable.Row> Drawn(ReportTable table) => table.Rows.Where(row => row["substeps"] == "1" && row["iterations"] == "2")

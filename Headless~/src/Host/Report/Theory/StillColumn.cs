@@ -29,7 +29,7 @@ namespace Host.Report
         /// <summary>Of the lowest layer of cells, over the pressure on the floor.</summary>
         public double BottomError => (Layers[0].Pressure - Layers[0].Theory) / BottomPressure;
         /// <summary>Largest of all layers but the one at the surface, over the pressure on the floor.</summary>
-        public double LargestError => Layers.Max(layer => Math.Abs(layer.Pressure - layer.Theory)) / BottomPressure;
+        public double MaxError => Layers.Max(layer => Math.Abs(layer.Pressure - layer.Theory)) / BottomPressure;
 
         /// <param name="settle">Fluid time before the second over which is averaged, s.</param>
         public static StillColumn Run(int layers, int width, float spacing, in StepInput input, double settle)

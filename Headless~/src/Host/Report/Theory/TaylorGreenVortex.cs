@@ -26,7 +26,7 @@ namespace Host.Report
         /// <summary>What was lost over what a first-order step takes: c in U = U0 / √(1 + c k² U0² Δt t).</summary>
         public double Damping { get; private set; }
         /// <summary>Over that at the start.</summary>
-        public double HighestEnergy { get; private set; }
+        public double MaxEnergy { get; private set; }
         public double Time { get; private set; }
 
         /// <param name="side">Of the box, d.</param>
@@ -47,7 +47,7 @@ namespace Host.Report
             float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
             double amplitude = Enumerable.Range(0, positions.Length).Sum(i => (double)math.dot(velocities[i].xyz, Flow(positions[i].xyz))) / positions.Sum(p => math.lengthsq(Flow(p.xyz))) * Spacing;
             double left = amplitude / speed, k = wave / Spacing, first = k * k * speed * speed * run.Substep * run.Time;
-            return new TaylorGreenVortex { Left = left, LeftAtFirstOrder = 1 / Math.Sqrt(1 + first), Damping = (1 / (left * left) - 1) / first, HighestEnergy = highest / start, Time = run.Time };
+            return new TaylorGreenVortex { Left = left, LeftAtFirstOrder = 1 / Math.Sqrt(1 + first), Damping = (1 / (left * left) - 1) / first, MaxEnergy = highest / start, Time = run.Time };
         }
 
         static List<float3> Settled(int side, int layers, float3 box, in StepInput input)

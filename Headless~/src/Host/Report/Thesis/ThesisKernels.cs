@@ -6,7 +6,7 @@ using Host.Report.ErrorTime;
 
 namespace Host.Report.Thesis
 {
-    /// <summary>Figure 5.1: the share of each kernel in a step.</summary>
+    /// <summary>Figure 5.1: the fraction of each kernel in a step.</summary>
     sealed class ThesisKernels : ThesisFigure
     {
         const string TableName = "thesis-kernels";
@@ -57,7 +57,7 @@ namespace Host.Report.Thesis
         {
             Dictionary<string, double> ms = stages.ToDictionary(row => row["stage"], row => row.Number("ms"));
             double lambda = ms["Rill.Lambda"] / (Iterations - 1);
-            double[] parts = { lambda * Iterations, ms["Rill.Sort"] + ms["Rill.List"] - lambda, ms["Rill.Displace"], ms["Rill.Velocity"] };
+            double[] parts = { lambda * Iterations, ms["Rill.Sort"] + ms["Rill.List"] - lambda, ms["Rill.ApplyDeltaP"], ms["Rill.Velocity"] };
             return parts.Append(ms["step"] - parts.Sum()).Select(part => part / ms["step"] * 100).ToArray();
         }
     }

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Host.Report.Thesis
 {
-    /// <summary>The figures of Svensson's thesis made anew with plain iterations: a part for each measuring that they rest on.</summary>
+    /// <summary>The figures of Svensson's thesis made again with plain iterations: a part for each measuring that they rest on.</summary>
     sealed class ThesisSection : ReportSection
     {
         readonly IReadOnlyList<ThesisFigure> figures = new ThesisFigure[] { new ThesisKernels(), new ThesisCapacity(), new ThesisDensity(), new ThesisTime() };

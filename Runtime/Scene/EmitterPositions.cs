@@ -8,18 +8,18 @@ namespace Rill
 {
     /// <summary>
     /// Where an emitter puts particles: the places of a cross-section, which the flow fills again and again, or those of a
-    /// volume. Spacings, in the emitter's frame; made anew when its shape changes.
+    /// volume. Spacings, in the emitter's frame; made again when its shape changes.
     /// </summary>
-    sealed class EmitterPlaces
+    sealed class EmitterPositions
     {
         /// <summary>Most places of an emitter: more are more than any step could try.</summary>
-        public const int MostPlaces = 1 << 20;
+        public const int MaxPositions = 1 << 20;
 
         const float SurfaceClearance = 0.85f;       // d, between two places of a surface
         const int DartsPerPlace = 8;
         const uint Seed = 0x6E624EB7u;
 
-        EmitterPlaces(List<float3> places, List<float3> directions)
+        EmitterPositions(List<float3> places, List<float3> directions)
         {
             Data = new float4[2 * places.Count];
             for (int i = 0; i < places.Count; i++)
@@ -38,7 +38,7 @@ namespace Rill
         /// <summary>Whether they fill a volume, not a cross-section.</summary>
         public bool FillsVolume { get; private set; }
         /// <summary>Whether a low rate uses all of the cross-section's places in turn, not only the innermost.</summary>
-        public bool UsesAllPlaces { get; private set; }
+        public bool UsesAllPositions { get; private set; }
 
         /// <param name="size">Of a box, m.</param>
         /// <param name="radius">Of a sphere or disc, m.</param>
@@ -47,7 +47,7 @@ namespace Rill
         /// <param name="spacing">m.</param>
         /// <param name="problem">What is wrong with the shape, and null where nothing is.</param>
         /// <returns>Null where there is a problem.</returns>
-        public static EmitterPlaces Of(EmitterShape shape, EmitterMode mode, float3 size, float radius, Mesh mesh, float3 scale, float spacing, out string problem)
+        public static EmitterPositions Of(EmitterShape shape, EmitterMode mode, float3 size, float radius, Mesh mesh, float3 scale, float spacing, out string problem)
         {
             problem = shape == EmitterShape.MeshSurface ? ProblemOf(mesh, scale) : ProblemOf(shape, size, radius, mode);
             if (problem != null)
@@ -61,18 +61,18 @@ namespace Rill
             float extent = round ? 2f * radius : math.cmax(size);
             float3 across = round ? 2f * radius : size;
             double places = mode == EmitterMode.Fill && shape != EmitterShape.Disc ? (double)across.x * across.y * across.z : (double)across.x * across.y;
-            if (places > MostPlaces || extent > SolverLayout.MaxSpacingsAcross)
+            if (places > MaxPositions || extent > SolverLayout.MaxSpacingsAcross)
             {
-                problem = $"its shape has room for more than {MostPlaces:N0} particles at once. Shrink it or raise the particle spacing.";
+                problem = $"its shape has room for more than {MaxPositions:N0} particles at once. Shrink it or raise the particle spacing.";
                 return null;
             }
             if (mode == EmitterMode.Fill)
-                return new EmitterPlaces(Volume(shape, size, radius), null) { FillsVolume = true };
+                return new EmitterPositions(Volume(shape, size, radius), null) { FillsVolume = true };
 
             List<float3> section = round ? Disc(radius) : Rectangle(size.xy);
             if (mode == EmitterMode.Spray)
                 Shuffle(section, null);
-            return new EmitterPlaces(section, null) { UsesAllPlaces = mode == EmitterMode.Spray };
+            return new EmitterPositions(section, null) { UsesAllPositions = mode == EmitterMode.Spray };
         }
 
         static string ProblemOf(EmitterShape shape, float3 size, float radius, EmitterMode mode)
@@ -121,11 +121,11 @@ namespace Rill
             places.Sort((a, b) => Ring(a).CompareTo(Ring(b)));
             return places;
 
-            // The share of the rectangle's size at which a place lies, and then its direction, so that no two are equal.
+            // The fraction of the rectangle's size at which a place lies, and then its direction, so that no two are equal.
             double Ring(float3 place)
             {
-                float2 share = math.abs(place.xy) / (float2)counts;
-                return math.round(math.max(share.x, share.y) * 1e6) + (math.atan2(place.y, place.x) + math.PI) * 0.1;
+                float2 fraction = math.abs(place.xy) / (float2)counts;
+                return math.round(math.max(fraction.x, fraction.y) * 1e6) + (math.atan2(place.y, place.x) + math.PI) * 0.1;
             }
         }
 
@@ -148,7 +148,7 @@ namespace Rill
         }
 
         // Points anywhere on the triangles, by area, none nearer than a particle to another.
-        static EmitterPlaces OfSurface(Mesh mesh, float3 scale, out string problem)
+        static EmitterPositions OfSurface(Mesh mesh, float3 scale, out string problem)
         {
             Vector3[] vertices = mesh.vertices;
             int[] triangles = mesh.triangles;
@@ -164,9 +164,9 @@ namespace Rill
                 if (!math.isfinite(area))
                     continue;
                 total += area;
-                if (total > MostPlaces / DartsPerPlace)
+                if (total > MaxPositions / DartsPerPlace)
                 {
-                    problem = $"the surface of its mesh '{mesh.name}' has room for more than {MostPlaces / DartsPerPlace:N0} particles at once. Scale it down or raise the particle spacing.";
+                    problem = $"the surface of its mesh '{mesh.name}' has room for more than {MaxPositions / DartsPerPlace:N0} particles at once. Scale it down or raise the particle spacing.";
                     return null;
                 }
                 float wanted = area * DartsPerPlace;
@@ -182,7 +182,7 @@ namespace Rill
             foreach (int t in darts)
                 Throw(t);
             problem = places.Count > 0 ? null : $"the surface of its mesh '{mesh.name}' is too small for a particle. Scale it up or lower the particle spacing.";
-            return places.Count > 0 ? new EmitterPlaces(places, normals) { UsesAllPlaces = true } : null;
+            return places.Count > 0 ? new EmitterPositions(places, normals) { UsesAllPositions = true } : null;
 
             float3 Vertex(int corner) => (float3)vertices[triangles[corner]] * scale;
 

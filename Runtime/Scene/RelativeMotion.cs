@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>How an obstacle moved over the steps in which a force on it was summed: means over their time, world space.</summary>
-    readonly struct ObstacleMotion
+    /// <summary>How a collider moved over the steps in which a force on it was summed: means over their time, world space.</summary>
+    readonly struct RelativeMotion
     {
         /// <summary>Of its middle, m.</summary>
         public readonly Vector3 Position;
@@ -15,7 +15,7 @@ namespace Rill
         /// <summary>Time in which the water comes to move along, s.</summary>
         public readonly float Memory;
 
-        public ObstacleMotion(Vector3 position, Quaternion rotation, Vector3 slip, Vector3 angularSlip, float memory)
+        public RelativeMotion(Vector3 position, Quaternion rotation, Vector3 slip, Vector3 angularSlip, float memory)
         {
             Position = position;
             Rotation = rotation;

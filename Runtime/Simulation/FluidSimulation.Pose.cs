@@ -7,14 +7,14 @@ namespace Rill
     {
         Vector3 lastPlace;
         Quaternion lastTurn = Quaternion.identity;
-        bool placeIsLost;
+        bool poseIsLost;
 
         /// <summary>Position and rotation of this object; the last finite ones while a component of them is not finite.</summary>
-        void GetPlace(out Vector3 position, out Quaternion rotation)
+        void GetPose(out Vector3 position, out Quaternion rotation)
         {
             position = transform.position;
             rotation = transform.rotation;
-            if (Limit.IsPlace(position, rotation))
+            if (Limit.IsPose(position, rotation))
                 return;
             position = lastPlace;
             rotation = lastTurn;
@@ -24,20 +24,20 @@ namespace Rill
         /// <returns>Whether the box moved from where it was before, and did not come from nowhere.</returns>
         bool FollowTransform()
         {
-            bool wasLost = placeIsLost;
+            bool wasLost = poseIsLost;
             Vector3 position = transform.position;
             Quaternion rotation = transform.rotation;
-            placeIsLost = !Limit.IsPlace(position, rotation);
-            if (!placeIsLost)
+            poseIsLost = !Limit.IsPose(position, rotation);
+            if (!poseIsLost)
             {
                 lastPlace = position;
                 lastTurn = rotation;
             }
             else if (!wasLost)
             {
-                Debug.LogError($"Rill: FluidSimulation '{name}': {LostPlaceProblem}", this);
+                Debug.LogError($"Rill: FluidSimulation '{name}': {LostPoseProblem}", this);
             }
-            return !placeIsLost && !wasLost;
+            return !poseIsLost && !wasLost;
         }
     }
 }

@@ -7,16 +7,16 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>Puts batches of particles into a solver. What does not fit the capacity is refused and counted on the GPU.</summary>
-    sealed class Emission : IDisposable
+    sealed class ParticleUpload : IDisposable
     {
-        const int LargestBatch = 1 << 20;
+        const int MaxBatch = 1 << 20;
 
-        readonly ComputeShader shader = StageShader.LoadCompute("Emission");
+        readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
         readonly int append, commit, clear;
         readonly LocalKeyword withTags;
         GraphicsBuffer batchPositions, batchVelocities;
 
-        public Emission()
+        public ParticleUpload()
         {
             append = shader.FindKernel("Append");
             commit = shader.FindKernel("CommitAppend");
@@ -46,11 +46,11 @@ namespace Rill
             if (positions.Length != velocities.Length && !isShared)
                 throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both, or one velocity to all.");
 
-            using (var cmd = new CommandBuffer { name = "Rill.Emission" })
+            using (var cmd = new CommandBuffer { name = "Rill.ParticleUpload" })
             {
-                for (int first = 0; first < positions.Length; first += LargestBatch)
+                for (int first = 0; first < positions.Length; first += MaxBatch)
                 {
-                    int count = Math.Min(LargestBatch, positions.Length - first);
+                    int count = Math.Min(MaxBatch, positions.Length - first);
                     int velocityCount = isShared ? 1 : count;
                     Reserve(ref batchPositions, "Rill.BatchPositions", count);
                     Reserve(ref batchVelocities, "Rill.BatchVelocities", velocityCount);

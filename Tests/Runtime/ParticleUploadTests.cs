@@ -7,19 +7,19 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    public class EmissionTests
+    public class ParticleUploadTests
     {
         const int Capacity = 1000;
 
         ParticleBuffers particles;
-        Emission emission;
+        ParticleUpload emission;
 
         [SetUp]
         public void Empty()
         {
             particles = new ParticleBuffers(Capacity);
             ParticleState.Random(0, seed: 1).WriteTo(particles);
-            emission = new Emission();
+            emission = new ParticleUpload();
             GpuTest.Run(cmd => emission.Clear(cmd, particles));
         }
 

@@ -6,12 +6,12 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What solid obstacles leave open of the coarse grid, for its solves: made when deep water and colliders meet.</summary>
-    sealed class CoarseSolids : IDisposable
+    /// <summary>What solid colliders leave open of the coarse grid, for its solves: made when deep water and colliders meet.</summary>
+    sealed class CoarseColliders : IDisposable
     {
-        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.CoarseSolids");
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.CoarseColliders");
 
-        readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolids");
+        readonly ComputeShader shader = StageShader.LoadCompute("CoarseColliders");
         readonly CoarseGrid grid;
         readonly int openCells, linkCells;
         int seen = -1;
@@ -19,24 +19,24 @@ namespace Rill
         Colliders volume;
         GraphicsBuffer raw, open, centers, flow;
 
-        public CoarseSolids(CoarseGrid grid)
+        public CoarseColliders(CoarseGrid grid)
         {
             this.grid = grid;
             openCells = shader.FindKernel("OpenCells");
             linkCells = shader.FindKernel("LinkCells");
-            raw = GpuBuffer.Structured<uint2>("Rill.Coarse.RawShares", grid.Total);
-            open = GpuBuffer.Structured<uint2>("Rill.Coarse.OpenShares", grid.Total);
+            raw = GpuBuffer.Structured<uint2>("Rill.Coarse.RawOpenFractions", grid.Total);
+            open = GpuBuffer.Structured<uint2>("Rill.Coarse.OpenFractions", grid.Total);
             centers = GpuBuffer.Structured<uint4>("Rill.Coarse.OpenCenters", grid.Total);
-            flow = GpuBuffer.Structured<float4>("Rill.Coarse.SolidFlow", grid.Total);
+            flow = GpuBuffer.Structured<float4>("Rill.Coarse.ColliderFlow", grid.Total);
         }
 
-        /// <summary>uint2 [cells], see PackFaces and PackOpen in CoarseSolids.hlsl.</summary>
+        /// <summary>uint2 [cells], see PackFaces and PackOpen in CoarseColliders.hlsl.</summary>
         public GraphicsBuffer Open => open;
 
         /// <summary>float4 [cells], xyz displacement of the solid at the low faces in the substep, d.</summary>
         public GraphicsBuffer Flow => flow;
 
-        /// <summary>Records what is open in this substep: nothing where all obstacles rest as they did.</summary>
+        /// <summary>Records what is open in this substep: nothing where all colliders rest as they did.</summary>
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, GraphicsBuffer coarseConstants, Colliders colliders)
         {
             volume = colliders;
@@ -62,12 +62,12 @@ namespace Rill
         /// <summary>Records what a kernel of the coarse grid reads.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel)
         {
-            cmd.SetComputeBufferParam(reader, kernel, Ids.OpenShares, open);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.OpenFractions, open);
             cmd.SetComputeBufferParam(reader, kernel, Ids.OpenCenters, centers);
-            cmd.SetComputeBufferParam(reader, kernel, Ids.SolidFlow, flow);
+            cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderFlow, flow);
         }
 
-        /// <summary>Records how much of the domain the obstacles leave, as a kernel reads it.</summary>
+        /// <summary>Records how much of the domain the colliders leave, as a kernel reads it.</summary>
         public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => volume.BindVolume(cmd, reader, kernel);
 
         /// <summary>Sums the pressure on the solids; null where none wants to know.</summary>
@@ -77,13 +77,13 @@ namespace Rill
         {
             if (recorded)
             {
-                description.Kernel("CoarseSolids", "OpenCells", substeps);
-                description.Kernel("CoarseSolids", "LinkCells", substeps);
+                description.Kernel("CoarseColliders", "OpenCells", substeps);
+                description.Kernel("CoarseColliders", "LinkCells", substeps);
             }
-            description.Buffer("Rill.Coarse.RawShares", raw);
-            description.Buffer("Rill.Coarse.OpenShares", open);
+            description.Buffer("Rill.Coarse.RawOpenFractions", raw);
+            description.Buffer("Rill.Coarse.OpenFractions", open);
             description.Buffer("Rill.Coarse.OpenCenters", centers);
-            description.Buffer("Rill.Coarse.SolidFlow", flow);
+            description.Buffer("Rill.Coarse.ColliderFlow", flow);
         }
 
         public void Dispose()
@@ -100,9 +100,9 @@ namespace Rill
             public static readonly int RawCells = Shader.PropertyToID("_RawCells");
             public static readonly int CellCenters = Shader.PropertyToID("_CellCenters");
             public static readonly int CellFlow = Shader.PropertyToID("_CellFlow");
-            public static readonly int OpenShares = Shader.PropertyToID("_OpenShares");
+            public static readonly int OpenFractions = Shader.PropertyToID("_OpenFractions");
             public static readonly int OpenCenters = Shader.PropertyToID("_OpenCenters");
-            public static readonly int SolidFlow = Shader.PropertyToID("_SolidFlow");
+            public static readonly int ColliderFlow = Shader.PropertyToID("_ColliderFlow");
         }
     }
 }

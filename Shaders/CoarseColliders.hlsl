@@ -1,29 +1,29 @@
-// How far solid obstacles close the faces and fill the cells of the coarse grid, and how they move there. Include after
-// CoarseGrid.hlsl. Without SOLIDS all is open, and nothing is read.
-#ifndef RILL_COARSE_SOLIDS_INCLUDED
-#define RILL_COARSE_SOLIDS_INCLUDED
+// How far solid colliders close the faces and fill the cells of the coarse grid, and how they move there. Include after
+// CoarseGrid.hlsl. Without WITH_COLLIDERS all is open, and nothing is read.
+#ifndef RILL_COARSE_COLLIDERS_INCLUDED
+#define RILL_COARSE_COLLIDERS_INCLUDED
 
-static const float kLeastOpen = 0.25;       // of a cell's volume: in less there is no room for a layer of particles
+static const float kMinOpen = 0.25;       // of a cell's volume: in less there is no room for a layer of particles
 static const float kFaceSteps = 1023.0;     // of the open fraction of a face
 static const float kCenterSteps = 1022.0;   // even: 0 is one of them
 static const float kVolumeSteps = 4095.0;
 static const uint kRoomy = 6;               // links of a cell, see PackOpen
 static const uint kSolid = 7;
 
-#ifdef SOLIDS
+#ifdef WITH_COLLIDERS
 
-StructuredBuffer<uint2> _OpenShares;        // [cells], see PackFaces and PackOpen
+StructuredBuffer<uint2> _OpenFractions;        // [cells], see PackFaces and PackOpen
 StructuredBuffer<uint4> _OpenCenters;       // [cells], see PackCenter: x of what is open of the cell, yzw of what is open of its low faces
-StructuredBuffer<float4> _SolidFlow;        // [cells], xyz displacement of the solid at the cell's low faces along their axes, d
+StructuredBuffer<float4> _ColliderFlow;        // [cells], xyz displacement of the solid at the cell's low faces along their axes, d
 
 uint2 OpenBits(uint cell)
 {
-    return _OpenShares[cell];
+    return _OpenFractions[cell];
 }
 
-float3 SolidFlow(uint cell)
+float3 ColliderFlow(uint cell)
 {
-    return _SolidFlow[cell].xyz;
+    return _ColliderFlow[cell].xyz;
 }
 
 #else
@@ -33,7 +33,7 @@ uint2 OpenBits(uint cell)
     return uint2(0x3FFFFFFFu, 0xFFFu | kRoomy << 21 | 1u << 24);
 }
 
-float3 SolidFlow(uint cell)
+float3 ColliderFlow(uint cell)
 {
     return 0.0;
 }
@@ -68,12 +68,12 @@ uint PackOpen(float volume, uint owner, uint link, bool clear, bool surface)
 }
 
 // The collider nearest to a cell that is not all open, from its words.
-uint SolidOwner(uint2 bits)
+uint OwnerOf(uint2 bits)
 {
     return bits.y >> 12 & 0x1FFu;
 }
 
-uint SolidLink(uint2 bits)
+uint CellLink(uint2 bits)
 {
     return bits.y >> 21 & 7u;
 }
@@ -109,7 +109,7 @@ float OpenVolume(uint2 bits)
 // From a cell to the one whose water fills it, in cells.
 float3 RoomStep(uint2 bits)
 {
-    uint link = SolidLink(bits);
+    uint link = CellLink(bits);
     float3 step = float3(link >> 1 == 0, link >> 1 == 1, link >> 1 == 2);
     return link < kRoomy ? ((link & 1) != 0 ? step : -step) : 0.0;
 }
@@ -117,8 +117,8 @@ float3 RoomStep(uint2 bits)
 // The cell whose water fills a cell: itself, or where it has no room the one that it is linked to.
 uint RoomCell(uint cell)
 {
-#ifdef SOLIDS
-    uint link = SolidLink(OpenBits(cell));
+#ifdef WITH_COLLIDERS
+    uint link = CellLink(OpenBits(cell));
     if (link < kRoomy)
     {
         uint stride = CellStrides(_CoarseCounts)[link >> 1];
