@@ -40,9 +40,13 @@ namespace Rill
             Texts = Tell();
         }
 
+        /// <summary>Name of the mesh that was checked.</summary>
         public string Name { get; }
+        /// <summary>Triangles of all its submeshes.</summary>
         public int Triangles { get; }
+        /// <summary>Vertices of the mesh.</summary>
         public int Vertices { get; }
+        /// <summary>Submeshes, with those of points and lines.</summary>
         public int SubMeshes { get; }
 
         /// <summary>Submeshes of points or lines.</summary>
@@ -50,6 +54,7 @@ namespace Rill
 
         /// <summary>Vertices with a coordinate that is no number or infinite, and triangles that use one.</summary>
         public int NonFiniteVertices { get; }
+        /// <summary>Triangles that use a vertex with a coordinate that is no number or infinite. They are left out of the bake.</summary>
         public int NonFiniteTriangles { get; }
 
         /// <summary>Vertices at the place of another, as seams of normals and textures make them.</summary>
@@ -91,6 +96,7 @@ namespace Rill
         /// <summary>m³, with flipped triangles turned; negative for a mesh that is inside out. Means little for an open one.</summary>
         public double SignedVolume { get; }
 
+        /// <summary>Whether the triangles of a closed mesh face inwards.</summary>
         public bool IsInsideOut => Sign == MeshSdfSign.WindingNumber && SignedVolume < 0;
 
         /// <summary>Whether no edge is open and no more than two triangles share one.</summary>

@@ -99,6 +99,7 @@ namespace Rill
         /// <summary>What the bake made; null until it is done.</summary>
         public SdfBake Result { get; private set; }
 
+        /// <summary>Whether the bake is done and <see cref="Result"/> is there.</summary>
         public bool IsDone => Result != null;
 
         /// <summary>Does one slice of the work: at most one dispatch, which no GPU takes long for.</summary>

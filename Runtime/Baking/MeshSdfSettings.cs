@@ -7,7 +7,9 @@ namespace Rill
     [Serializable]
     public struct MeshSdfSettings
     {
+        /// <summary>Fewest and most voxels along the longest side of the mesh.</summary>
         public const int MinResolution = 8, MaxResolution = 1024;
+        /// <summary>Most voxels added around the mesh on each side.</summary>
         public const int MaxPadding = 64;
 
         /// <summary>Edge of a voxel, m. 0: from the resolution.</summary>
@@ -38,6 +40,7 @@ namespace Rill
         [Tooltip("How voxels are stored. Automatic: 16 bits where that is accurate enough, else 32.")]
         public SdfFormat format;
 
+        /// <summary>The settings of a new bake.</summary>
         public static MeshSdfSettings Default => new MeshSdfSettings
         {
             resolution = 64,

@@ -29,6 +29,7 @@ namespace Rill
                     throw new ArgumentException($"'{Name}': triangle {i / 3:N0} refers to vertex {triangles[i]:N0} of {vertices.Length:N0}.", nameof(triangles));
         }
 
+        /// <summary>Name by which messages call the mesh.</summary>
         public string Name { get; }
 
         /// <summary>m; not a copy.</summary>
@@ -37,6 +38,7 @@ namespace Rill
         /// <summary>Three indices of <see cref="Vertices"/> a triangle; not a copy.</summary>
         public int[] Triangles { get; }
 
+        /// <summary>Number of triangles.</summary>
         public int TriangleCount => Triangles.Length / 3;
 
         internal Vector3 Corner(int triangle, int k) => Vertices[Triangles[3 * triangle + k]];

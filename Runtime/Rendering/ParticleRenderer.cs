@@ -13,7 +13,15 @@ namespace Rill
     public sealed class ParticleRenderer : FluidRenderer
     {
         /// <summary>What the colour of a particle shows.</summary>
-        public enum Quantity { Speed, Density, Phase }
+        public enum Quantity
+        {
+            /// <summary>Speed, m/s.</summary>
+            Speed,
+            /// <summary>Density error relative to rest density.</summary>
+            Density,
+            /// <summary>The phase that the emitter gave.</summary>
+            Phase,
+        }
 
         /// <summary>Two triangles of a quad; kVerticesPerParticle in Arguments.hlsl.</summary>
         internal const int VerticesPerParticle = 6;

@@ -5,7 +5,13 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>What a drain has the shape of.</summary>
-    public enum DrainShape { Box, Sphere }
+    public enum DrainShape
+    {
+        /// <summary>A box with sides along the axes of the object.</summary>
+        Box,
+        /// <summary>A sphere.</summary>
+        Sphere,
+    }
 
     /// <summary>Takes the fluid out of a volume of a <see cref="FluidSimulation"/>, for good or to where an emitter lets it in again.</summary>
     /// <remarks>

@@ -5,7 +5,17 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>Where an emitter puts particles.</summary>
-    public enum EmitterShape { Box, Sphere, Disc, MeshSurface }
+    public enum EmitterShape
+    {
+        /// <summary>The inside of a box, or its cross-section for a jet.</summary>
+        Box,
+        /// <summary>The inside of a sphere, or its cross-section for a jet.</summary>
+        Sphere,
+        /// <summary>A disc across the forward axis.</summary>
+        Disc,
+        /// <summary>The surface of a mesh, outwards.</summary>
+        MeshSurface,
+    }
 
     /// <summary>How an emitter puts particles there.</summary>
     public enum EmitterMode

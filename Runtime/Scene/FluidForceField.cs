@@ -31,7 +31,15 @@ namespace Rill
     }
 
     /// <summary>What bounds a force field.</summary>
-    public enum ForceFieldBounds { None, Sphere, Box }
+    public enum ForceFieldBounds
+    {
+        /// <summary>The field acts everywhere in the fluid.</summary>
+        None,
+        /// <summary>The field acts within a sphere.</summary>
+        Sphere,
+        /// <summary>The field acts within a box.</summary>
+        Box,
+    }
 
     /// <summary>Accelerates the particles of a <see cref="FluidSimulation"/> in its bounds.</summary>
     /// <remarks>

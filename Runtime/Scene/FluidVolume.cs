@@ -8,7 +8,15 @@ using Random = Unity.Mathematics.Random;
 namespace Rill
 {
     /// <summary>What a <see cref="FluidVolume"/> has the shape of.</summary>
-    public enum VolumeShape { Box, Sphere, SignedDistanceField }
+    public enum VolumeShape
+    {
+        /// <summary>A box with sides along the axes of the object.</summary>
+        Box,
+        /// <summary>A sphere.</summary>
+        Sphere,
+        /// <summary>The inside of a baked mesh.</summary>
+        SignedDistanceField,
+    }
 
     /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform scale; a negative one mirrors.</summary>
     [AddComponentMenu("Rill/Fluid Volume")]

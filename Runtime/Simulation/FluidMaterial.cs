@@ -49,6 +49,7 @@ namespace Rill
         [Tooltip("Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.")]
         [Min(1e-3f)] public float relaxationTime;
 
+        /// <summary>Water: 1000 kg/m³, with as much smoothing as keeps it calm.</summary>
         public static FluidMaterial Water => new FluidMaterial
         {
             density = 1000f,

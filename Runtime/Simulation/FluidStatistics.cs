@@ -20,6 +20,7 @@ namespace Rill
         /// <summary>Fluid time of that step at the present step rate, s.</summary>
         public double time;
 
+        /// <summary>Particles alive when it was measured.</summary>
         public int particles;
         /// <summary>Particles put in by volumes and from code, since the reset. With those of emitters: drained, non-finite and alive ones.</summary>
         public int added;
@@ -56,22 +57,26 @@ namespace Rill
         public float interiorError;
         /// <summary>2 × mean height × floor area over the fluid's rest volume: 1 for still water that fills its floor.</summary>
         public float volumeRatio;
-        /// <summary>Rms of velocity minus the neighbors' mean.</summary>
+        /// <summary>Rms of velocity minus the neighbors' mean, m/s.</summary>
         public float jitter;
-        /// <summary>Rms speed.</summary>
+        /// <summary>Rms speed, m/s.</summary>
         public float speed;
+        /// <summary>Largest speed of a particle, m/s.</summary>
         public float speedMax;
+        /// <summary>Mean number of neighbors of a particle.</summary>
         public float neighborsMean;
+        /// <summary>Centre of mass in the domain's frame, m.</summary>
         public float3 centerOfMass;
-        /// <summary>Largest coordinate of a particle along each axis.</summary>
+        /// <summary>Largest coordinate of a particle along each axis, m.</summary>
         public float3 furthest;
-        /// <summary>kg m/s.</summary>
+        /// <summary>Momentum, kg m/s.</summary>
         public float3 momentum;
+        /// <summary>Kinetic energy, J.</summary>
         public float kineticEnergy;
-        /// <summary>With respect to the domain's lowest corner.</summary>
+        /// <summary>Potential energy with respect to the domain's lowest corner, J.</summary>
         public float potentialEnergy;
 
-        /// <summary>Most that the last pass for the dynamic viscosity changed a velocity by, m/s: what it has not found is less. 0 without.</summary>
+        /// <summary>Most that the last pass for the dynamic viscosity changed a velocity by, m/s; 0 without. Up to the viscosity that the passes solve, less than this is left.</summary>
         public float viscosityChange;
 
         /// <summary>Relaxation ω of the last step.</summary>

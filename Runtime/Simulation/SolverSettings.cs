@@ -53,10 +53,11 @@ namespace Rill
         [Tooltip("Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.")]
         [Range(0f, 1f)] public float sleepSpeed;
 
-        /// <summary>Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, and makes still water noisier. Fluids with a shear modulus always have 1.</summary>
-        [Tooltip("Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, and makes still water noisier. Fluids with a shear modulus always have 1.")]
+        /// <summary>Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, so water takes longer to come to rest. Fluids with a shear modulus always have 1.</summary>
+        [Tooltip("Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, so water takes longer to come to rest. Fluids with a shear modulus always have 1.")]
         [Range(0f, 1f)] public float numericalDamping;
 
+        /// <summary>The settings of a new fluid.</summary>
         public static SolverSettings Default => new SolverSettings
         {
             iterations = 4,

@@ -6,6 +6,7 @@ namespace Rill
     /// <summary>What a budget chose, why, and what it costs.</summary>
     public struct BudgetState
     {
+        /// <summary>Why it chose that.</summary>
         public BudgetReason reason;
         /// <summary>Where the time comes from.</summary>
         public GpuTimeKind source;
@@ -15,8 +16,11 @@ namespace Rill
         public float milliseconds;
         /// <summary>What they would take with the next better settings, ms; 0 if there are none or nothing is known.</summary>
         public float nextMilliseconds;
+        /// <summary>Substeps of a step that it chose.</summary>
         public int substeps;
+        /// <summary>Iterations of a substep that it chose.</summary>
         public int iterations;
+        /// <summary>Relaxation that it chose.</summary>
         public float relaxation;
         /// <summary>C+ of the newest statistics: the error that the choice costs. NaN where none was measured.</summary>
         public float densityError;

@@ -52,6 +52,7 @@ namespace Rill
         [Tooltip("Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.")]
         [Min(0f)] public float deviceFactor;
 
+        /// <summary>No budget, with the values that one begins with when it is turned on.</summary>
         public static SolverBudget Default => new SolverBudget
         {
             mode = BudgetMode.Off,
