@@ -19,7 +19,7 @@ namespace Rill.Editor
         /// <summary>Colours between which is blended, by the distance's fraction of the largest, -1 to 1. Two at 0: inside's comes first.</summary>
         public static IReadOnlyList<(float Fraction, Color32 Color)> Stops => stops;
 
-        /// <param name="share">Distance over the largest, negative inside; beyond 1 as at 1.</param>
+        /// <param name="fraction">Distance over the largest, negative inside; beyond 1 as at 1.</param>
         public static Color32 At(float fraction)
         {
             int half = fraction < 0f ? 0 : stops.Length / 2, last = half + stops.Length / 2 - 1;

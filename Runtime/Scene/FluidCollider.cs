@@ -106,7 +106,7 @@ namespace Rill
 
         /// <summary>What all simulations did to the collider in the newest steps that are known, a few frames ago.</summary>
         /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place, upwards.</param>
-        /// <param name="torque">Mean torque about <see cref="Middle"/>, N m.</param>
+        /// <param name="torque">Mean torque about <see cref="WorldCenter"/>, N m.</param>
         /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off.</returns>
         public bool TryGetForce(out Vector3 force, out Vector3 torque)
         {

@@ -46,7 +46,7 @@ namespace Rill
         /// <param name="source">float [cells], right-hand side; kInactive where there is no potential.</param>
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
-        /// <param name="solids">What closes faces; null for nothing.</param>
+        /// <param name="coarseColliders">What closes faces; null for nothing.</param>
         public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders = null)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);

@@ -63,7 +63,7 @@ namespace Rill
         }
 
         /// <summary>Lets particles take the emitter's own velocity along.</summary>
-        /// <param name="share">0 to 1.</param>
+        /// <param name="fraction">0 to 1.</param>
         /// <param name="duration">Time in which it came from start to end, s, above 0; not that of the step where frames and steps differ.</param>
         /// <param name="most">Most that a particle takes of each, d/s.</param>
         public void Inherit(float fraction, float duration, float most)

@@ -58,7 +58,7 @@ namespace Rill
         /// <param name="resting">Whose particles stay where they are; null for none.</param>
         /// <param name="colliders">End the ways that meet them; null for none.</param>
         /// <param name="extrapolation">Whose mean velocities go with their particles; null for none.</param>
-        /// <param name="origins">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
+        /// <param name="previousIndices">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
         public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer previousIndices = null, VelocityExtrapolation extrapolation = null)
         {
             cmd.BeginSample(Marker);

@@ -36,7 +36,7 @@ namespace Rill
         /// <summary>Whether a result is on its way.</summary>
         public bool IsPending { get; private set; }
 
-        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Forget"/>.</summary>
+        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Invalidate"/>.</summary>
         public bool HasResult { get; private set; }
 
         public NativeArray<uint> Latest => latest;

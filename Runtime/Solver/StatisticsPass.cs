@@ -32,7 +32,7 @@ namespace Rill
         /// <summary>Whether a result is on its way; a new one is asked for only after it has come.</summary>
         public bool IsPending => readback.IsPending;
 
-        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Forget"/>.</summary>
+        /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Invalidate"/>.</summary>
         public bool HasResult => readback.HasResult;
 
         /// <summary>The newest result, uint bits as Statistics.compute writes them.</summary>
