@@ -95,7 +95,7 @@ namespace Rill.Editor.Tests
             Assert.That(constants.extrapolation, Is.EqualTo(1f - fraction).Within(1e-6f));
             Assert.That(constants.accelerationFraction, Is.EqualTo(fraction).Within(1e-6f));
             Assert.That(constants.gravityStep.y, Is.EqualTo(fraction * first.gravityStep.y).Within(1e-6f));
-            Assert.That(constants.smoothing, Is.EqualTo(fraction * first.smoothing).Within(1e-6f));
+            Assert.That(constants.smoothing, Is.EqualTo(first.smoothing).Within(1e-6f), "noise does not last");
             Assert.That(constants.confinement, Is.EqualTo(fraction * first.confinement).Within(1e-6f));
         }
 

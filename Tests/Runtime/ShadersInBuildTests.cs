@@ -48,7 +48,7 @@ namespace Rill.Tests
         public IEnumerator A_fluid_that_a_script_adds_is_off_after_one_error_that_names_the_stage_and_the_remedy()
         {
             FluidSimulation fluid = Fluid();
-            LogAssert.Expect(LogType.Error, new Regex("^Rill: FluidSimulation 'Fluid' is off: the shaders of the stage 'Emission' .* Shaders In Build .* FluidShaders .* Preloaded Assets"));
+            LogAssert.Expect(LogType.Error, new Regex("^Rill: FluidSimulation 'Fluid' is off: the shaders of the stage 'ParticleUpload' .* Shaders In Build .* FluidShaders .* Preloaded Assets"));
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
             Assert.That(!fluid.enabled && !fluid.IsRunning);

@@ -81,7 +81,7 @@ namespace Rill.Tests
             Assert.That(statistics.spawned, Is.GreaterThanOrEqualTo(statistics.Particles));
             Assert.That(statistics.refused, Is.Zero);
             List<StageDescription> stages = simulation.Describe();
-            Assert.That(stages.Single(stage => stage.Name == "Foam").Kernels.Count, Is.EqualTo(10));
+            Assert.That(stages.Single(stage => stage.Name == "Foam").Kernels.Count, Is.EqualTo(9));
             Assert.That(stages.Single(stage => stage.Name == "FluidFoam").Kernels.Single().kernel, Is.EqualTo("FoamParticles.shader, a draw in each pass of each camera"));
 
             foam.enabled = false;
