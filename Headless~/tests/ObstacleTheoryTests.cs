@@ -7,7 +7,7 @@ using Rill;
 
 namespace Host.Tests
 {
-    /// <summary>Colliders against theory, in small, and what judges them; "rill report colliders" does it at size.</summary>
+    /// <summary>Colliders against theory, in small, and what judges them; "rill report obstacles" does it at size.</summary>
     public class ObstacleTheoryTests : GraphicsFixture
     {
         // Deep water: as fast as Torricelli's within 3 % at this size and at twice it. The coefficient is that of a hole of 6 particles.

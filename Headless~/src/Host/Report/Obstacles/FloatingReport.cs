@@ -10,24 +10,6 @@ namespace Host.Report.Obstacles
         const string Summary = "obstacles-floating", Heights = "obstacles-floating-heave";
         const double MaxDamping = 0.5;     // beyond, a period that is fitted says nothing
 
-        // Experiments of their own on lavapipe, 2026-11-24, that "rill report" does not repeat.
-        static readonly string[][] Parts =
-        {
-            new[] { "forced", "−12.4 %", "0.10", "water and tank alone: added mass 0.15 of the displaced water, not 0.5" },
-            new[] { "at once", "−11.5 %", "0.01", "the same, so it is not the fit of a force" },
-            new[] { "at once, tank of 40 d", "−2.4 %", "0.01", "9 points were the tank's wave; Havelock's ball is at −3 %" },
-            new[] { "FluidBuoyancy, Virtual Mass 2.5 (default)", "+18.2 %", "−0.09", "the late force and its correction: 30 points; the cosine fits badly (0.58)" },
-            new[] { "FluidBuoyancy, Virtual Mass 1", "−6.0 %", "−0.04", "most of it is Virtual Mass" },
-            new[] { "cube, at once", "+8.8 %", "0.05", "of a cube the water alone is slow" },
-            new[] { "cube, FluidBuoyancy, Virtual Mass 2.5", "+13.2 %", "0.00", "" },
-            new[] { "cube, FluidBuoyancy, Virtual Mass 1", "+8.5 %", "0.05", "as the water alone" },
-            new[] { "ideal water, at once", "+1.4 %", "0.00", "a ball's waterline shrinks off its middle" },
-            new[] { "ideal water, late, no correction for the rise since", "+42.8 %", "−0.38", "" },
-            new[] { "ideal water, late, Virtual Mass 2.5", "+40.5 %", "−0.32", "as shipped" },
-            new[] { "ideal water, late, Virtual Mass 1", "+10.7 %", "−0.07", "" },
-            new[] { "ideal water, late, Virtual Mass 0.5", "+4.6 %", "−0.03", "" },
-        };
-
         public static void Measure(ReportRun run)
         {
             var summary = new ReportTable("shape", "across", "layers", "side", "deep", "draft_m", "theory_draft_m", "level_off_m", "period_s", "theory_period_s", "damping_ratio", "misfit");
@@ -72,12 +54,7 @@ namespace Host.Report.Obstacles
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
-            page.Line("Where the period comes from: a ball of 8 d, 12 layers, deep water on, 24 d wide unless said. *Forced*: the body moves as a sine of the theory's frequency, and its added mass and damping are fitted to the force. *At once*: it is free, and the force of each step moves it in the next. *FluidBuoyancy*: as in the table above.");
-            page.Line();
-            page.Table(new[] { "ball of 8 d", "period over the theory's", "damping", "says" }, Parts);
-            page.Line("(lavapipe, 60 steps a second, 1 x 2; last rows: in double precision, FluidBuoyancy's equations on ideal water of the theory's added mass, with a force that is 3 fixed steps of 0.02 s late.)");
-            page.Line();
-            page.Line("So the narrow tank swings the ball too fast, and FluidBuoyancy makes it slower by 30 points of the theory's period and takes damping away. The reason is its *Virtual Mass* of 2.5. The late force is corrected by −c (s − s_F). At a frequency ω and a delay τ the difference is (1 − exp(−iωτ)) of the slip: with cT of 2.5 times the displaced water and T the water's memory, this acts as a mass of Re(2.5 (1 − exp(−iωτ)) / (1 + iωT)) of it, 0.5 here, and as a negative damping. It vanishes if c is the water's own, which is far less here. Less Virtual Mass gives truer periods, and is unstable where the water's own resistance exceeds twice it; that is why the default is not lower. The cap of a ball in place of the prism of its volume changes the period by 1 to 3 % in that model and was not built.");
+            page.Line("Where the periods come from was [looked into](floating.md#periods-of-heave).");
             page.Line();
             string file = page.DataFile(Heights), smallest = table.Rows.First()["across"];
             IEnumerable<string> lines = table.Rows.Where(row => row["across"] == smallest).SelectMany((row, i) =>

@@ -3,7 +3,7 @@ using Rill;
 
 namespace Host.Report.Obstacles
 {
-    /// <summary><c>colliders</c>: what solids and water do to each other, against what can be worked out on paper.</summary>
+    /// <summary><c>obstacles</c>: what colliders and water do to each other, against what can be worked out on paper.</summary>
     sealed class ObstaclesSection : ReportSection
     {
         const double Bar = 0.05;

@@ -10,19 +10,6 @@ namespace Host.Report.Obstacles
     {
         const string Summary = "obstacles-orifice", Levels = "obstacles-orifice-level";
 
-        // Experiments of their own on lavapipe, 2026-11-24, that "rill report" does not repeat.
-        static readonly string[][] Parts =
-        {
-            new[] { "off, 1 x 2", "0.858, 0.890, 0.913, 0.927", "0.907", "0.81" },
-            new[] { "off, 1 x 2, no XSPH", "0.923, 0.934, 0.939, 0.951", "0.951", "0.81" },
-            new[] { "off, 1 x 8", "0.769, 0.820, 0.869, 0.894", "0.837", "0.95" },
-            new[] { "off, 1 x 8, no XSPH", "0.772, 0.823, 0.872, 0.898", "0.840", "0.95" },
-            new[] { "off, 4 x 2", "0.849, 0.890, 0.921, 0.938", "0.894", "0.98" },
-            new[] { "off, 4 x 2, no XSPH", "0.847, 0.892, 0.926, 0.941", "0.896", "0.98" },
-            new[] { "off, 4 x 8, no XSPH", "0.849, 0.894, 0.923, 0.941", "0.898", "0.99" },
-            new[] { "on, 1 x 2", "0.841, 1.058, 1.204, 1.168", "1.075", "0.96" },
-        };
-
         public static void Measure(ReportRun run)
         {
             var summary = new ReportTable("across", "particles", "deep", "substeps", "iterations", "speed_ratio", "discharge", "misfit", "leaked");
@@ -65,17 +52,7 @@ namespace Host.Report.Obstacles
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
-            page.Line("Where the jet's speed is lost, with a hole of 6 d: speed over √(2 g z) at four depths below the hole; the second is that of the table above. *Later*: there, with gravity's half substep added, since a particle's velocity is the chord of its last path. Height: of the water at rest over that of its volume, before the hole is opened.");
-            page.Line();
-            page.Table(new[] { "deep water, substeps x iterations", "0 to ½, ½ to 1, 1½ to 2, 2½ to 3 widths below", "later, ½ to 1", "height" }, Parts);
-            page.Line("(lavapipe, solver of 2026-11-24; 11,520 particles, mean from 0.4 s after the hole was opened to 0.9 s, with XSPH and deep water off 1 x 2 and 4 x 2 to 1.2 s.)");
-            page.Line();
-            page.Line("- The clock takes 1.7 % with one substep and 0.4 % with four.");
-            page.Line("- XSPH takes 4.4 % with 1 x 2, where the water is noisy, and 0.2 to 0.3 % with 4 x 2 and 1 x 8.");
-            page.Line("- The level is not too low: z is taken from the water as it lies, compressed. Compression itself cannot be the main reason: height 0.98 loses as much as 0.81.");
-            page.Line("- What is left, without clock and XSPH, is 5 % with 1 x 2, 16 % with 1 x 8, 10 % with 4 x 2 and with 4 x 8. It is lost before the jet leaves: below the hole z (1 − v²/(2 g z)) stays 0.18 m (1 x 2). More passes do not help: 1 x 2 is faster because it is not solved and is noisy.");
-            page.Line("- Of solved water, 16 % with one substep and 10 % with four, so by a line in the substep 8 % with none. The slope is the step: pressure at a path's end takes ½ a² Δt² of the energy in a substep, about 8 % of the speed with one. The other 8 % do not depend on step or passes; 12 d lose less (table above), so they are probably the spacing's. Hole edges were not varied.");
-            page.Line("- Deep water on is no better founded. At the hole the jet is as slow as without, and between half a width and two it gains more than gravity gives: 20 % too fast at 1½ to 2. The coarse grid's cells, 4 d, are two thirds of this hole, and its displacements go on for two cells around the water. So what is seen at ½ to 1 width is where two errors cross, and not a hit. The 24 d hole, where half a width is three cells, lost 8.5 % before faces had [open areas](solver.md#round-walls) and loses 4.3 % since.");
+            page.Line("What becomes of the missing speed was [looked into](solver.md#jets).");
             page.Line();
             string file = page.DataFile(Levels);
             IEnumerable<string> lines = table.Rows.SelectMany((row, i) =>
