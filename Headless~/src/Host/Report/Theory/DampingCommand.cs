@@ -62,7 +62,7 @@ namespace Host.Report
         {
             double depth = (double)layers / along, lean = Math.Atan(2 * wave / along), theory = Sloshing.Period(depth);
             DampedCosine fit = DampedCosine.Fit(Sloshing.Run(along, depth, lean, input, seconds > 0 ? seconds : 4 * theory));
-            double frequency = 2 * Math.PI / theory, first = frequency * frequency * Substep(input) / 2;
+            double first = FluidRun.FirstOrderDamping(theory, input);
             return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; offset {(fit.Offset - Sloshing.Middle) / Sloshing.Offset(depth, lean):0.00}, misfit {100 * fit.Misfit:0.0} %");
         }
 
@@ -83,11 +83,9 @@ namespace Host.Report
             const float spacing = 0.025f;       // m
             double theory = UTube.Period(UTube.StraightLength(width, 2 * width, depth) * spacing);
             DampedCosine fit = DampedCosine.Fit(UTube.Run(width, 2 * width, depth, height, spacing, input, seconds > 0 ? seconds : 3 * theory));
-            double frequency = 2 * Math.PI / theory, first = frequency * frequency * Substep(input) / 2;
+            double first = FluidRun.FirstOrderDamping(theory, input);
             return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; swings about {fit.Offset:0.00} d, misfit {100 * fit.Misfit:0.0} %");
         }
-
-        static double Substep(in StepInput input) => input.timeStep / input.settings.substeps;
 
         static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
     }

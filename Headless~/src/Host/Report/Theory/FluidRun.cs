@@ -52,6 +52,24 @@ namespace Host.Report
             return ExperimentFigures.Input(settings);
         }
 
+        /// <summary>Adds a block of particles on a lattice, with the small offsets with which fluid is filled in.</summary>
+        /// <param name="corner">Lowest coordinates of the block, d.</param>
+        public static void AddBlock(List<float3> places, float3 corner, int3 counts, ref Unity.Mathematics.Random random)
+        {
+            for (int x = 0; x < counts.x; x++)
+                for (int y = 0; y < counts.y; y++)
+                    for (int z = 0; z < counts.z; z++)
+                        places.Add(corner + new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
+        }
+
+        /// <summary>What a first-order step alone takes of a wave or a swing: ω² Δt / 2, 1/s.</summary>
+        /// <param name="period">s.</param>
+        public static double FirstOrderDamping(double period, in StepInput input)
+        {
+            double frequency = 2 * Math.PI / period;
+            return frequency * frequency * (input.timeStep / input.settings.substeps) / 2;
+        }
+
         public const float Gravity = ExperimentFigures.Gravity;
 
         /// <summary>Steps taken.</summary>

@@ -30,8 +30,7 @@ namespace Host.Report
         {
             var random = new Random(seed);
             var positions = new List<float3>();
-            for (int i = 0; i < 2 * across * across * Thickness; i++)
-                positions.Add(new float3(i / (2 * across * Thickness), i / Thickness % (2 * across), i % Thickness) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
+            FluidRun.AddBlock(positions, 0f, new int3(across, 2 * across, Thickness), ref random);
             using var run = new FluidRun("reflected waves", new float3(4 * across, 3 * across, Thickness), (float)(Width / across), positions, _ => 0f, input);
             var samples = new List<(double, double)>();
             while (run.Time < Seconds)

@@ -46,13 +46,9 @@ namespace Host.Report
             int length = 2 * width + gap;
             var positions = new List<float3>();
             var random = new Random(7);
-            for (int x = 0; x < length; x++)
-            {
-                int layers = x < width ? depth + height : x < width + gap ? width : depth - height;
-                for (int y = 0; y < layers; y++)
-                    for (int z = 0; z < Thickness; z++)
-                        positions.Add(new float3(x, y, z) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
-            }
+            FluidRun.AddBlock(positions, 0f, new int3(width, depth + height, Thickness), ref random);
+            FluidRun.AddBlock(positions, new float3(width, 0f, 0f), new int3(gap, width, Thickness), ref random);
+            FluidRun.AddBlock(positions, new float3(width + gap, 0f, 0f), new int3(width, depth - height, Thickness), ref random);
             float top = depth + 2 * height + width;
             using var run = new FluidRun("U-tube", new float3(length, top, Thickness), spacing, positions, _ => 0f, input);
             run.Use(Solids.Box(new float3(width, width, -width), new float3(width + gap, top + width, Thickness + width)));

@@ -26,7 +26,7 @@ namespace Host.Report
                 input.settings.numericalDamping = damping;
                 List<(double Time, double Value)> samples = UTube.Run(across, gap, depth, height, spacing, input, swings * theory);
                 DampedCosine fit = DampedCosine.Fit(samples);
-                double firstOrder = 4 * System.Math.PI * System.Math.PI / (theory * theory) / (60 * substeps) / 2;
+                double firstOrder = FluidRun.FirstOrderDamping(theory, input);
                 periods.Add(across, damping, substeps, fit.Period, theory, middleLine, fit.Damping, firstOrder, fit.Offset, fit.Misfit);
                 foreach ((double time, double level) in samples)
                     curves.Add(across, damping, substeps, time, level * spacing, fit.At(time) * spacing);

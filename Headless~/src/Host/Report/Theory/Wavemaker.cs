@@ -34,8 +34,7 @@ namespace Host.Report
             int length = (int)Math.Round(Tank * 2 * Math.PI / k);
             var positions = new List<float3>();
             var random = new Random(7);
-            for (int i = 0; i < length * layers * Thickness; i++)
-                positions.Add(new float3(Plate, 0f, 0f) + new float3(i / (layers * Thickness), i / Thickness % layers, i % Thickness) + 0.5f + random.NextFloat3(-0.02f, 0.02f));
+            FluidRun.AddBlock(positions, new float3(Plate, 0f, 0f), new int3(length, layers, Thickness), ref random);
             var box = new float3(Plate + length, 1.6f * layers, Thickness);
             using var run = new FluidRun("wavemaker", box, spacing, positions, _ => 0f, input);
 
