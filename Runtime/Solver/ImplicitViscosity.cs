@@ -60,14 +60,8 @@ namespace Rill
         }
 
         /// <summary>ν Δt / d² up to which <see cref="MaxPasses"/> leave no more than <see cref="Tolerance"/> of the error: 39.</summary>
-        public static double MaxStrength
-        {
-            get
-            {
-                double x = Math.Cosh(Math.Log(2.0 / Tolerance) / MaxPasses);
-                return 1.0 / ((x - 1.0) * LatticeKernels.ViscosityEigenvalue);      // where x = (largest + 1) / (largest - 1)
-            }
-        }
+        /// <remarks>Where x = (largest + 1) / (largest − 1) of the eigenvalues is cosh(ln(2 / tolerance) / passes).</remarks>
+        public static readonly double MaxStrength = 1.0 / ((Math.Cosh(Math.Log(2.0 / Tolerance) / MaxPasses) - 1.0) * LatticeKernels.ViscosityEigenvalue);
 
         /// <summary>Fraction of a motion's error that <see cref="MaxPasses"/> leave at most in a substep.</summary>
         /// <param name="strength">ν Δt / d².</param>
