@@ -433,6 +433,7 @@ namespace Rill.Tests
 
         static void AssertDisplacements(CoarseStages stages, CoarseCells cells, float[] potential, double3[] flow)
         {
+            cells.gravityStep = (double3)Gravity / SolverStages.Spacing * CoarseStages.TimeStep * CoarseStages.TimeStep;
             double3[] expected = cells.Displacements(potential.Select(p => (double)p).ToArray(), flow);
             float4[] actual = stages.Displacements;
             double largest = potential.Max() / math.cmin(cells.size);

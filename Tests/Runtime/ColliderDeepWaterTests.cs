@@ -75,29 +75,6 @@ namespace Rill.Tests
             }
         }
 
-        // A film of three layers slides over a floor that lies within cells of the coarse grid, along the grid or across it. Where the closed
-        // fraction of a face stops what flows past it, half of the speed is gone in a step.
-        [Test]
-        public void A_floor_does_not_brake_the_film_that_slides_along_it([Values(0f, 5f, 20f)] float tilt)
-        {
-            quaternion turn = quaternion.RotateZ(math.radians(tilt));
-            float3 along = math.mul(turn, math.right()), up = math.mul(turn, math.up());
-            var foot = new float3(8f, 6.3f, 0f);
-            using (var fluid = new TestFluid(new float3(80f, 44f, 12f) * Spacing, Spacing, 2000, Deep))
-            {
-                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Plane, 0f, foot, turn));
-                fluid.Input.gravity = -9.81f * up;
-                var places = new List<float3>();
-                for (int i = 0; i < 24 * 3 * 12; i++)
-                    places.Add((foot + (4.5f + i % 24) * along + (0.55f + i / 24 % 3) * up + new float3(0f, 0f, 0.5f + i / 72)) * Spacing);
-                fluid.Add(places.ToArray(), 1.5f * along);
-                double before = fluid.Read().velocities.Average(v => math.dot(v.xyz, along));
-                double after = fluid.Step(20).Read().velocities.Average(v => math.dot(v.xyz, along));
-                TestContext.WriteLine($"{after / before:0.000} of the speed is left after 20 steps");
-                Assert.That(after, Is.EqualTo(before).Within(0.1 * before));
-            }
-        }
-
         static SolverSettings Deep
         {
             get

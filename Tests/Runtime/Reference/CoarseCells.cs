@@ -169,6 +169,9 @@ namespace Rill.Tests.Reference
             }
         }
 
+        /// <summary>g Δt², d.</summary>
+        public double3 gravityStep;
+
         /// <summary>−∇φ at the centre of an active cell: half the sum of its faces on each axis.</summary>
         /// <param name="flow">What a wall has to cancel of it; null where walls only let nothing through.</param>
         public double3 Displacement(int cell, double[] potential, double3[] flow)
@@ -184,19 +187,21 @@ namespace Rill.Tests.Reference
                     if (beyond >= 0)
                         sum -= outward * (potential[beyond] - potential[cell]) / size[axis] * FaceWeight(cell, axis, up);
                     else if (flow != null)
-                        sum -= outward * IntoWall(cell, Beside(cell, axis, !up), axis, outward, flow);
+                        sum -= outward * IntoWall(cell, Beside(cell, axis, !up), axis, outward, flow, potential[cell] > 0.0);
                 }
                 result[axis] = 0.5 * sum;
             }
             return result;
         }
 
-        // Outward flow at a wall: on the line through the cell's flow and that of the cell before it, at most the cell's own.
-        double IntoWall(int cell, int before, int axis, double outward, double3[] flow)
+        // Outward flow at a wall: on the line through the cell's flow and that of the cell before it, at most the cell's own. Gravity does not
+        // pull off the wall what is under pressure.
+        double IntoWall(int cell, int before, int axis, double outward, double3[] flow, bool isPressed)
         {
             double own = outward * flow[cell][axis];
             double slope = before >= 0 && active[before] ? own - outward * flow[before][axis] : 0.0;
-            return Math.Min(Math.Max(own + 0.5 * slope, 0.0), Math.Max(own, 0.0));
+            double atWall = Math.Min(Math.Max(own + 0.5 * slope, Math.Min(own, 0.0)), Math.Max(own, 0.0));
+            return Math.Max(atWall, isPressed ? -Math.Max(-outward * gravityStep[axis], 0.0) : 0.0);
         }
 
         /// <summary>Displacements of all cells: active ones, and two layers around them as means of those before.</summary>

@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Rill.Tests
+{
+    /// <summary>Deep water and walls that lie across the coarse grid: what should stay still does, and what slides is neither braked nor driven.</summary>
+    public class WallFlowTests
+    {
+        const float Spacing = 0.05f, Gravity = 9.81f;
+
+        // Ten layers and less on a floor that leans, under gravity alone and with a uniform field across it, to which the surface then leans.
+        [TestCase(15f, 0f)]
+        [TestCase(30f, 0f)]
+        [TestCase(30f, 3f)]
+        public void Water_at_rest_on_a_slope_stays_at_rest(float tilt, float field)
+        {
+            var box = new float3(36f, 32f, 12f);
+            quaternion turn = quaternion.RotateZ(math.radians(tilt));
+            float3 foot = new float3(4f, 1.3f, 6f), normal = math.mul(turn, math.up());
+            float3 pull = new float3(field, -Gravity, 0f), up = -math.normalize(pull);
+            float level = math.dot(new float3(0.5f * box.x, field > 0f ? 16f : 12f, 0f), up);
+            using (var fluid = new TestFluid(box * Spacing, Spacing, 12000, Deep))
+            {
+                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Plane, 0f, foot, turn));
+                fluid.Input.gravity = pull;
+                fluid.Add(Lattice(box).Where(p => math.dot(p - foot, normal) > 0.45f && math.dot(p, up) < level).Select(p => p * Spacing).ToArray());
+                double jitter = 0.0, speed = 0.0, mean = 0.0;
+                fluid.Step(150);
+                for (int i = 0; i < 6; i++)
+                {
+                    FluidStatistics statistics = fluid.Step(10).Measure();
+                    jitter = Math.Max(jitter, statistics.jitter);
+                    speed = Math.Max(speed, statistics.speed);
+                    ParticleState state = fluid.Read();
+                    mean = Math.Max(mean, math.length(new float3(state.velocities.Average(v => v.x), state.velocities.Average(v => v.y), state.velocities.Average(v => v.z))) * Spacing);
+                }
+                TestContext.WriteLine($"{fluid.Added} particles, jitter {jitter:0.000}, speed {speed:0.000}, mean velocity {mean:0.000} m/s");
+                fluid.MeasureWhole();
+                Assert.That(jitter, Is.LessThan(0.05), "jitter, m/s");
+            }
+        }
+
+        // A film of three layers, in a frame that leans as the floor does, slides along it. Its ends run out, so its middle third is looked at.
+        [Test]
+        public void A_floor_neither_brakes_nor_drives_the_film_that_slides_along_it([Values(0f, 2f, 5f, 20f, 35f)] float tilt)
+        {
+            const int length = 72;
+            quaternion turn = quaternion.RotateZ(math.radians(tilt));
+            float3 along = math.mul(turn, math.right()), up = math.mul(turn, math.up());
+            var foot = new float3(8f, 6.3f, 0f);
+            using (var fluid = new TestFluid(new float3(108f, 88f, 12f) * Spacing, Spacing, 4000, Deep))
+            {
+                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Plane, 0f, foot, turn));
+                fluid.Input.gravity = -Gravity * up;
+                var places = new List<float3>();
+                for (int i = 0; i < length * 3 * 12; i++)
+                    places.Add((foot + (4.5f + i % length) * along + (0.55f + i / length % 3) * up + new float3(0f, 0f, 0.5f + i / (3 * length))) * Spacing);
+                fluid.Add(places.ToArray(), 1.5f * along);
+                ParticleState start = fluid.Read();
+                var inside = new HashSet<uint>(Enumerable.Range(0, start.Count).Where(i => math.abs(math.dot(start.positions[i].xyz - foot, along) - 4f - 0.5f * length) < length / 6f).Select(i => start.ids[i]));
+                double Speed(ParticleState state) => Enumerable.Range(0, state.Count).Where(i => inside.Contains(state.ids[i])).Average(i => math.dot(state.velocities[i].xyz, along));
+                double before = Speed(start), after = Speed(fluid.Step(20).Read());
+                TestContext.WriteLine($"{inside.Count} of {fluid.Added} particles, {after / before:0.000} of their speed is left after 20 steps");
+                Assert.That(after, Is.EqualTo(before).Within(0.02 * before));
+            }
+        }
+
+        // Along a half-pipe that lies along the grid or across it; the middle third of the water.
+        [Test]
+        public void A_half_pipe_neither_brakes_nor_drives_the_sheet_that_slides_along_it([Values(10f, 30f)] float turned)
+        {
+            const float radius = 12f, length = 60f;
+            quaternion turn = quaternion.RotateY(math.radians(turned));
+            float3 along = math.mul(turn, math.right()), across = math.mul(turn, math.forward());
+            var box = new float3(90f, 20f, 90f);
+            float3 middle = new float3(0.5f * box.x, radius + 2.3f, 0.5f * box.z);
+            using (var fluid = new TestFluid(box * Spacing, Spacing, 4000, Deep))
+            {
+                // A capsule inside out whose axis, its y, lies along the pipe.
+                ColliderMotion pipe = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 120f, 0f), middle, math.mul(turn, quaternion.RotateZ(math.radians(90f))));
+                pipe.insideOut = true;
+                ColliderTests.Use(fluid, pipe);
+                var places = new List<float3>();
+                for (float x = 0.5f - 0.6f * length; x < 0.4f * length; x++)
+                    for (float y = -radius + 0.55f; y < -radius + 4f; y++)
+                        for (float z = 0.5f - radius; z < radius; z++)
+                            if (y * y + z * z < (radius - 0.5f) * (radius - 0.5f))
+                                places.Add((middle + x * along + y * math.up() + z * across) * Spacing);
+                fluid.Add(places.ToArray(), 1.5f * along);
+                ParticleState start = fluid.Read();
+                var inside = new HashSet<uint>(Enumerable.Range(0, start.Count).Where(i => math.abs(math.dot(start.positions[i].xyz - middle, along) + 0.1f * length) < length / 6f).Select(i => start.ids[i]));
+                double Speed(ParticleState state, float3 direction) => Enumerable.Range(0, state.Count).Where(i => inside.Contains(state.ids[i])).Average(i => math.dot(state.velocities[i].xyz, direction));
+                double before = Speed(start, along);
+                ParticleState end = fluid.Step(20).Read();
+                double after = Speed(end, along), sideways = Speed(end, across);
+                TestContext.WriteLine($"{inside.Count} of {fluid.Added} particles, {after / before:0.000} of their speed is left after 20 steps, {sideways / before:0.000} of it goes sideways");
+                Assert.That(after, Is.EqualTo(before).Within(0.02 * before));
+                Assert.That(sideways, Is.EqualTo(0.0).Within(0.02 * before));
+            }
+        }
+
+        static IEnumerable<float3> Lattice(float3 box)
+        {
+            for (float z = 0.5f; z < box.z; z++)
+                for (float y = 0.5f; y < box.y; y++)
+                    for (float x = 0.5f; x < box.x; x++)
+                        yield return new float3(x, y, z);
+        }
+
+        static SolverSettings Deep
+        {
+            get
+            {
+                SolverSettings settings = SolverSettings.Default;
+                settings.deepWater = DeepWater.On;
+                settings.iterations = 2;
+                return settings;
+            }
+        }
+    }
+}
