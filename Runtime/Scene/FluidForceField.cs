@@ -64,7 +64,7 @@ namespace Rill
 
         [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
 
-        [Tooltip("What bounds the field. None: all of the domain, without falloff.")]
+        [Tooltip("What bounds the field. None: all of the domain, without falloff; a direction then acts as more gravity and costs nothing.")]
         [SerializeField] ForceFieldBounds bounds = ForceFieldBounds.None;
 
         [Tooltip("Radius of the sphere, m.")]
@@ -90,6 +90,9 @@ namespace Rill
 
         /// <summary>Largest acceleration that it asks for, m/s².</summary>
         internal float MaxAcceleration => kind == ForceFieldKind.Wind ? 0f : math.abs(strength);
+
+        /// <summary>Whether it pulls everywhere alike, as gravity does.</summary>
+        internal bool IsUniform => kind == ForceFieldKind.Direction && bounds == ForceFieldBounds.None;
 
         /// <summary>What it does in the next step.</summary>
         /// <returns>Whether it does anything.</returns>

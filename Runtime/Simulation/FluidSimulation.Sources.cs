@@ -93,10 +93,22 @@ namespace Rill
                     sources.Add(step);
             }
             foreach (FluidForceField field in fields)
-                if (field != null && HasStages(StageSet.ForceFields) && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+                if (field != null && !field.IsUniform && HasStages(StageSet.ForceFields) && field.TakeStep(frame, particleSpacing, out FieldRegion region))
                     sources.Add(region);
             sources.needsLifetimes = sources.needsLifetimes && HasStages(StageSet.Drains);
             return sources;
+        }
+
+        // What uniform fields add to gravity, m/s² in the domain's frame. As gravity they pull in the solver's walls and surfaces too,
+        // which a field that differs from place to place does not.
+        Vector3 UniformField(in DomainFrame frame)
+        {
+            Vector3 sum = Vector3.zero;
+            if (partCount > 0)
+                foreach (FluidForceField field in fields)
+                    if (field != null && field.IsUniform && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+                        sum += (Vector3)(region.flow * region.strength * particleSpacing);
+            return Vector3.ClampMagnitude(sum, ForceFields.MaxAcceleration);
         }
 
         // How strongly the strongest field pulls, m/s²: like gravity, it needs shorter steps where it is strong.

@@ -376,7 +376,7 @@ namespace Rill
             input = new StepInput
             {
                 timeStep = FixedStep,
-                gravity = Quaternion.Inverse(rotation) * felt,
+                gravity = Quaternion.Inverse(rotation) * felt + UniformField(new DomainFrame(place, rotation, domainSize, particleSpacing)),
                 settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,

@@ -206,7 +206,7 @@ namespace Rill.Tests
                 {
                     scene.Add<FluidDrain>(new Vector3(0f, 0f, 0f), Vector3.up),
                     scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e => e.Rate = 0.02f),
-                    scene.Add<FluidForceField>(Vector3.zero, Vector3.up),
+                    scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f => f.Bounds = ForceFieldBounds.Sphere),
                 };
                 scene.Step(3);
                 int emitted = scene.Count(ParticleCounter.Emitted);
@@ -389,11 +389,11 @@ namespace Rill.Tests
                 FluidForceField first = null;
                 for (int i = 0; i < 32; i++)
                 {
-                    FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.up);
+                    FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f => f.Bounds = ForceFieldBounds.Sphere);
                     first = first ?? field;
                 }
                 LogAssert.Expect(LogType.Warning, new Regex("FluidForceField 'FluidForceField': FluidSimulation 'Fluid' has 32 of its kind, the most it takes, and leaves this one out"));
-                FluidForceField late = scene.Add<FluidForceField>(Vector3.zero, Vector3.up);
+                FluidForceField late = scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f => f.Bounds = ForceFieldBounds.Sphere);
                 scene.Step();
                 Assert.That(scene.Fluid.Input.sources.fieldCount, Is.EqualTo(32));
                 first.enabled = false;

@@ -148,6 +148,22 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_uniform_field_is_as_much_gravity()
+        {
+            ParticleState Fall(Vector3 gravity, float strength)
+            {
+                using (var scene = new SourceScene(new Vector3(0.5f, 0.5f, 0.5f), 0.05f, 1000).Fill(0.2f))
+                {
+                    scene.Fluid.Gravity = gravity;
+                    scene.Add<FluidForceField>(Vector3.zero, Vector3.right, f => f.Strength = strength);
+                    scene.Step(20);
+                    return scene.Read();
+                }
+            }
+            TestFluid.AssertSame(Fall(new Vector3(0f, -9.81f, 0f), 3f), Fall(new Vector3(3f, -9.81f, 0f), 0f));
+        }
+
+        [Test]
         public void A_point_gathers_the_water_into_a_ball_without_a_hole_or_an_explosion([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 2000, deepWater).Fill(0.1f))

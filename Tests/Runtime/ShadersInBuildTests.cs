@@ -202,14 +202,15 @@ namespace Rill.Tests
                 case "Colliders": Add<FluidCollider>(null); break;
                 case "Emitters": Add<FluidEmitter>(fluid.transform); break;
                 case "Drains": Add<FluidDrain>(fluid.transform); break;
-                case "ForceFields": Add<FluidForceField>(fluid.transform); break;
+                case "ForceFields": Add<FluidForceField>(fluid.transform, field => field.Bounds = ForceFieldBounds.Sphere); break;
                 default: throw new ArgumentException(stage);
             }
         }
 
-        void Add<T>(Transform parent) where T : Component
+        void Add<T>(Transform parent, Action<T> change = null) where T : Component
         {
             T added = Off<T>(typeof(T).Name);
+            change?.Invoke(added);
             added.transform.SetParent(parent, false);
             added.gameObject.SetActive(true);
         }
