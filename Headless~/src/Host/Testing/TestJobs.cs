@@ -18,7 +18,7 @@ namespace Host.Testing
     /// </summary>
     sealed class TestJobs : IDisposable
     {
-        /// <summary>A session and the tests' own objects take about a gigabyte each.</summary>
+        /// <summary>More were not measured, and each process has a session's memory and start of its own.</summary>
         public const int MaxDefault = 4;
         public const int Max = 64;
 
