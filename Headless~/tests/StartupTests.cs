@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using Host.Testing;
 using NUnit.Framework;
 using Rill;
 using Unity.Collections;
@@ -10,6 +11,7 @@ using UnityEngine.Headless;
 namespace Host.Tests
 {
     /// <summary>What it takes to begin: no frame of it fills the garbage collector.</summary>
+    [Category(FixtureOrder.Alone)]      // its figures are times
     public class StartupTests : GraphicsFixture
     {
         const long MaxManagedBytes = 1 << 20;       // of a frame

@@ -9,7 +9,10 @@ namespace Rill
     {
         const int EdgeVertices = 24, FloorVertices = 6;
 
+        [Tooltip("Colour of the box's edges. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color edges = new Color(0.25f, 0.28f, 0.32f);
+
+        [Tooltip("Colour of the floor's lighter tiles. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color floor = new Color(0.78f, 0.80f, 0.82f);
 
         [Tooltip("Side of a floor tile, m.")]

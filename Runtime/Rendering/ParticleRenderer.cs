@@ -37,8 +37,13 @@ namespace Rill
         [Min(1e-4f)]
         [SerializeField] float colorRange = 3f;
 
+        [Tooltip("Colour where what is shown is 0, at rest. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color slowColor = new Color(0.03f, 0.22f, 0.55f);
+
+        [Tooltip("Colour at half of Color Range. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color middleColor = new Color(0.10f, 0.47f, 0.80f);
+
+        [Tooltip("Colour at Color Range and above. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color fastColor = new Color(0.85f, 0.95f, 1.00f);
 
         [Tooltip("Colours of the phases 0 to 7. A phase beyond those that are there has the last.")]
@@ -52,6 +57,7 @@ namespace Rill
         [Tooltip("Light whose direction and colour the spheres take. None: the scene's main light; in HDRP, from above.")]
         [SerializeField] Light sun;
 
+        [Tooltip("Light from all around, added to the sun's. Each channel 0 to 1; black: only the sun. Alpha has no effect.")]
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
         const int Phases = 8;       // = those of Particles.hlsl

@@ -62,6 +62,7 @@ namespace Rill
         [Tooltip("Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
         [SerializeField] float drag = 2f;
 
+        [Tooltip("How the strength falls from the centre, t = 0, to the bounds, t = 1. None: it does not. Linear: 1 - t. Inverse Square: (0.1 / t)², and 1 below t = 0.1. Smooth: (1 - t²)². Without bounds none.")]
         [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
 
         [Tooltip("What bounds the field. None: all of the domain, without falloff; a direction then acts as more gravity and costs nothing.")]

@@ -23,6 +23,7 @@ namespace Rill
         [Range(0f, MaxRadius)]
         [SerializeField] float radius;
 
+        [Tooltip("Colour of the foam in white light. Each channel 0 to 1; alpha has no effect, Opacity has.")]
         [SerializeField] Color color = Color.white;
 
         [Tooltip("How much one particle covers of what is behind its middle. 0 to 1.")]
@@ -32,6 +33,7 @@ namespace Rill
         [Tooltip("Light whose direction and colour the foam takes. None: the scene's main light; in HDRP, from above.")]
         [SerializeField] Light sun;
 
+        [Tooltip("Light from all around, added to the sun's. Each channel 0 to 1; black: only the sun. Alpha has no effect.")]
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
         MaterialPropertyBlock properties;

@@ -4,17 +4,28 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Reflection;
+using Host.Shaders;
 using Host.Testing;
 using NUnit.Framework.Internal;
 using UnityEngine.Headless;
 
 namespace Host.Commands
 {
-    /// <summary><c>test</c>: the host's and the package's tests, in this process, on one device with the validation layer on.</summary>
+    /// <summary><c>test</c>: the host's and the package's tests with the validation layer on, in this process on one device, or shared among several.</summary>
     static class TestCommand
     {
         // A suite that shrinks, or that no longer reaches the device, must not look well.
         const int MinMethods = 800, MinDispatchingMethods = 250;
+
+        sealed class Choice
+        {
+            public string[] Texts;
+            public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone;
+            public string Assembly, Worker;
+
+            public bool IsWhole => Texts.Length == 0 && !PackageOnly && !HostOnly && Assembly == null;
+            public TestFilter Filter => Texts.Length == 0 ? TestFilter.Empty : new TextFilter(Texts);
+        }
 
         public static Command Create()
         {
@@ -24,24 +35,40 @@ namespace Host.Commands
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
             var noValidation = new Option<bool>("--no-validation") { Description = "Without Vulkan's validation layer, where it is not installed." };
             var written = new Option<bool>("--output") { Description = "Also print what tests wrote that passed: their figures." };
+            var jobs = new Option<int?>("--jobs")
+            {
+                Description = $"Processes that share the fixtures, 1 to {TestJobs.Max}. By default one per core, at most {TestJobs.MaxDefault}, where the device is lavapipe, which leaves cores idle; 1 on a real GPU. "
+                    + "With 1 they run in this process.",
+            };
+            // For the runner's own tests, and between its processes.
+            var assembly = new Option<string>("--assembly") { Description = "Only the tests of this file.", Hidden = true };
+            var worker = new Option<string>("--worker") { Description = "The pipe to ask for fixtures.", Hidden = true };
+            var alone = new Option<bool>("--alone") { Description = "As a worker: fixtures that run alone.", Hidden = true };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
-            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, written, shaders, limits };
+            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, written, jobs, shaders, limits, assembly, worker, alone };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 LimitsOption.Use(parsed.GetValue(limits));
-                return Execute(parsed.GetValue(filter), parsed.GetValue(list), parsed.GetValue(package), parsed.GetValue(host), !parsed.GetValue(noValidation), parsed.GetValue(written));
+                var choice = new Choice
+                {
+                    Texts = parsed.GetValue(filter), PackageOnly = parsed.GetValue(package), HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
+                    ShowsAll = parsed.GetValue(written), Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
+                };
+                return Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
             });
             return command;
         }
 
-        static int Execute(string[] texts, bool list, bool packageOnly, bool hostOnly, bool validation, bool showsAll)
+        static int Execute(Choice choice, bool list, int? jobs)
         {
-            if (packageOnly && hostOnly)
+            if (choice.PackageOnly && choice.HostOnly)
                 throw new HostException("--package-only and --host-only leave nothing to run; name one of them.");
-            List<Assembly> assemblies = TestAssemblies.Load(host: !packageOnly, package: !hostOnly);
-            TestFilter filter = texts.Length == 0 ? TestFilter.Empty : new TextFilter(texts);
+            if (jobs is < 1 or > TestJobs.Max)
+                throw new HostException($"--jobs {jobs}: the number of processes is 1 to {TestJobs.Max}; leave it out for what suits this machine.");
+            List<Assembly> assemblies = TestAssemblies.Load(host: !choice.PackageOnly, package: !choice.HostOnly, choice.Assembly);
+            TestFilter filter = choice.Filter;
 
             TextWriter output = Console.Out;
             if (list)
@@ -50,33 +77,82 @@ namespace Host.Commands
                     output.WriteLine(name);
                 return 0;
             }
-
-            using var session = new Session(Session.Root(), scripts: assemblies, validation: validation);
-            var run = new TestRun(output, showsAll);
-            foreach (Assembly assembly in assemblies)
-                run.Run(assembly, filter);
+            if (choice.Worker != null)
+            {
+                new TestWorker(choice.Worker).Run(assemblies, filter, choice.Alone, choice.Validation, choice.ShowsAll);
+                return 0;
+            }
 
             var complaints = new List<string>();
-            complaints.AddRange(run.NameLeft(session.End()));
-            complaints.AddRange(session.ValidationMessages.Select(message => "validation: " + message));
-            bool whole = texts.Length == 0 && !packageOnly && !hostOnly;
-            if (whole && run.Methods < MinMethods)
-                complaints.Add($"only {run.Methods} test methods ran; the floor is {MinMethods}");
-            if (whole && run.DispatchingMethods < MinDispatchingMethods)
-                complaints.Add($"only {run.DispatchingMethods} test methods dispatched on the device; the floor is {MinDispatchingMethods}");
-            if (run.Passed + run.Failed == 0)
+            var durations = new TestDurations();
+            var tally = new TestTally(output, durations);
+            List<TestFacts> facts = jobs == 1 ? RunHere(choice, assemblies, tally) : RunJobs(choice, assemblies, jobs, tally, complaints);
+            durations.Save();
+
+            List<string> validation = facts.SelectMany(process => process.ValidationMessages).ToList();
+            complaints.AddRange(facts.SelectMany(process => process.Left));
+            complaints.AddRange(validation.Select(message => "validation: " + message));
+            if (choice.IsWhole && tally.Methods < MinMethods)
+                complaints.Add($"only {tally.Methods} test methods ran; the floor is {MinMethods}");
+            if (choice.IsWhole && tally.DispatchingMethods < MinDispatchingMethods)
+                complaints.Add($"only {tally.DispatchingMethods} test methods dispatched on the device; the floor is {MinDispatchingMethods}");
+            if (tally.Passed + tally.Failed == 0)
                 complaints.Add("no test ran");
 
             output.WriteLine();
-            output.WriteLine($"device: {session.DescribeDevice()}, with the limits of {Player.Limits.Title}");
-            output.WriteLine(validation ? $"validation layer: {session.ValidationMessages.Count} messages" : "validation layer: off (--no-validation)");
-            output.WriteLine($"{run.Methods} test methods, {run.DispatchingMethods} of them dispatched on the device");
+            output.WriteLine($"device: {string.Join(" and ", facts.Select(process => process.Device).Distinct())}, with the limits of {Player.Limits.Title}");
+            output.WriteLine(choice.Validation ? $"validation layer: {validation.Count} messages" : "validation layer: off (--no-validation)");
+            output.WriteLine($"{tally.Methods} test methods, {tally.DispatchingMethods} of them dispatched on the device");
             ShadersOption.Report(output);
             foreach (string complaint in complaints)
                 output.WriteLine("FAILED " + complaint);
-            int failed = run.Failed + complaints.Count;
-            output.WriteLine($"{run.Passed} passed, {failed} failed" + (run.Skipped > 0 ? $", {run.Skipped} skipped" : ""));
+            int failed = tally.Failed + complaints.Count;
+            output.WriteLine($"{tally.Passed} passed, {failed} failed" + (tally.Skipped > 0 ? $", {tally.Skipped} skipped" : ""));
             return failed == 0 ? 0 : 1;
+        }
+
+        static List<TestFacts> RunHere(Choice choice, List<Assembly> assemblies, TestTally tally)
+        {
+            using var session = new Session(Session.Root(), scripts: assemblies, validation: choice.Validation);
+            var run = new TestRun(tally.Add, choice.ShowsAll);
+            foreach (Assembly assembly in assemblies)
+                run.Run(assembly, choice.Filter);
+            return new List<TestFacts> { TestFacts.Of(session, run) };
+        }
+
+        static List<TestFacts> RunJobs(Choice choice, List<Assembly> assemblies, int? jobs, TestTally tally, List<string> complaints)
+        {
+            ILookup<bool, string> fixtures = assemblies.SelectMany(assembly => TestRun.Fixtures(assembly, choice.Filter)).ToLookup(fixture => fixture.IsAlone, fixture => fixture.Name);
+            // A process more costs seconds, and a fixture by itself is fastest with all cores.
+            int processes = fixtures[false].Count() < 2 ? 1 : jobs ?? TestJobs.Default();
+            if (processes == 1)
+                return RunHere(choice, assemblies, tally);
+
+            using var workers = new TestJobs(Arguments(choice), tally);
+            workers.Run(fixtures[false].ToList(), processes, alone: false);
+            workers.Run(fixtures[true].ToList(), 1, alone: true);
+            complaints.AddRange(workers.Complaints);
+            foreach (TestFacts process in workers.Facts)
+                ShaderBackend.Add(process.Programs, process.ExemptTests);
+            return workers.Facts;
+        }
+
+        // What a worker has to be told to choose and run as this process would.
+        static List<string> Arguments(Choice choice)
+        {
+            var arguments = new List<string> { "--shaders", ShaderBackend.Current.Name, "--limits", Player.Limits.Name };
+            arguments.AddRange(choice.Texts.SelectMany(text => new[] { "--filter", text }));
+            if (choice.PackageOnly)
+                arguments.Add("--package-only");
+            if (choice.HostOnly)
+                arguments.Add("--host-only");
+            if (!choice.Validation)
+                arguments.Add("--no-validation");
+            if (choice.ShowsAll)
+                arguments.Add("--output");
+            if (choice.Assembly != null)
+                arguments.AddRange(new[] { "--assembly", choice.Assembly });
+            return arguments;
         }
     }
 }

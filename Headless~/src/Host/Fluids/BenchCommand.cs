@@ -52,8 +52,7 @@ namespace Host.Fluids
                 material.shearModulus = parsed.GetValue(shearModulus);
                 if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))
                     System.Console.Error.WriteLine($"rill: bench: {problem} {materialProblem}".TrimEnd());
-                if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
-                    throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
+                GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 var windows = StepTimes.Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();

@@ -52,8 +52,7 @@ namespace Host.Fluids
                 ColliderShape[] shapes = parsed.GetValue(shape) == "mixed" ? Mixed
                     : Enum.TryParse(parsed.GetValue(shape), true, out ColliderShape one) && Mixed.Contains(one) ? new[] { one }
                     : throw new HostException($"--shape {parsed.GetValue(shape)}: give sphere, box, capsule, mesh or mixed.");
-                if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
-                    throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
+                GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(counts).Any(count => count < 0 || count > ColliderSet.Most))
                     throw new HostException($"--counts {string.Join(" ", parsed.GetValue(counts))}: give 0 to {ColliderSet.Most}.");
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)

@@ -104,28 +104,51 @@ namespace Host.Fluids
         /// <summary>"dam:1000000", "column:120:0.05", "tank:8:112:0.02", "drop:4", "spill:1.5:16:0.05".</summary>
         public static ExperimentScene Parse(string text)
         {
-            string[] parts = text.Split(':');
-            bool Number(int part, double otherwise, out double value)
+            double[] n;
+            switch (text.Split(':')[0])
             {
-                value = otherwise;
-                return parts.Length <= part || double.TryParse(parts[part], NumberStyles.Float, CultureInfo.InvariantCulture, out value) && value > 0;
-            }
-            switch (parts[0])
-            {
-                case "dam" when parts.Length <= 2 && Number(1, 100_000, out double particles) && particles <= SolverLayout.MaxCapacity:
-                    return Dam((int)particles);
-                case "column" when parts.Length <= 3 && Number(1, 120, out double layers) && Number(2, 0.05, out double spacing):
-                    return Column((int)layers, (float)spacing);
-                case "tank" when parts.Length <= 4 && Number(1, 8, out double layers) && Number(2, 112, out double side) && Number(3, 0.02, out double spacing):
-                    return Tank((int)layers, (int)side, (float)spacing);
-                case "drop" when parts.Length <= 3 && Number(1, 4, out double scale) && scale * 8 == Math.Floor(scale * 8) && Number(2, 0.05 / scale, out double spacing) && 0.5 / spacing <= 100 * scale:
-                    return Drop((float)scale, (float)spacing);
-                case "spill" when parts.Length <= 4 && Number(1, 2, out double layers) && Number(2, 16, out double side) && Number(3, 0.05, out double spacing):
-                    return Spill(layers, (int)side, (float)spacing);
+                case "dam":
+                    n = GivenNumber.Parse(text, "dam:100000", new GivenNumber("particles", MinDamParticles, SolverLayout.MaxCapacity, Otherwise: 100_000));
+                    return Dam((int)n[0]);
+                case "column":
+                    n = GivenNumber.Parse(text, "column:120:0.05", LayersOr(120), SpacingOr(0.05));
+                    GivenNumber.CheckParticles(text, 24.0 * 24.0 * n[0]);
+                    return Column((int)n[0], (float)n[1]);
+                case "tank":
+                    n = GivenNumber.Parse(text, "tank:8:112:0.02", LayersOr(8), new GivenNumber("side of the floor in spacings", 2, MaxAcross, Otherwise: 112), SpacingOr(0.02));
+                    GivenNumber.CheckParticles(text, n[0] * n[1] * n[1]);
+                    return Tank((int)n[0], (int)n[1], (float)n[2]);
+                case "drop":
+                    n = GivenNumber.Parse(text, "drop:4:0.0125", new GivenNumber("scale", 0.125, MaxAcross / 160, false, 4), SpacingOr(0));
+                    if (n[0] * 8 != Math.Floor(n[0] * 8))
+                        throw new HostException($"scene \"{text}\": scale is {text.Split(':')[1]}; give a multiple of 0.125, as in drop:4:0.0125.");
+                    GivenNumber.CheckParticles(text, 4.0 * 48.0 * 48.0 * n[0] * n[0] + 16.0 * 16.0 * 24.0 * n[0] * n[0] * n[0]);
+                    if (n[1] > 0 && 0.5 / n[1] > 100 * n[0])
+                        throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\": spacing in m is {n[1]}, too fine for the box, which is {160 * n[0]} spacings tall and must hold the block 0.5 m above its floor; give {0.005 / n[0]:0.#####} or more, or a larger scale."));
+                    return Drop((float)n[0], (float)n[1]);
+                case "spill":
+                    n = GivenNumber.Parse(text, "spill:2:16:0.05", new GivenNumber("layers", 0.1, MaxAcross / 3, false, 2), new GivenNumber("side of the cube in spacings", 2, MaxAcross / 2, Otherwise: 16), SpacingOr(0.05));
+                    GivenNumber.CheckParticles(text, n[1] * n[1] * n[1]);
+                    if (n[0] > n[1])
+                        throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\": layers is {n[0]}, more than the cube is tall; give at most {n[1]}, as in spill:2:16:0.05."));
+                    double thinnest = n[1] * n[1] * n[1] / (MaxAcross * MaxAcross);
+                    if (n[0] < thinnest)
+                        throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\": layers is {n[0]}, for which the floor is more than {MaxAcross:N0} spacings wide; give at least {Math.Ceiling(1000 * thinnest) / 1000}, or a smaller cube."));
+                    return Spill(n[0], (int)n[1], (float)n[2]);
                 default:
                     throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side of the floor in spacings>:<spacing in m>, drop:<scale in eighths>:<spacing in m> or spill:<layers>:<side of the cube in spacings>:<spacing in m>, as in dam:1000000, column:120:0.05, tank:8:112:0.02, drop:4 or spill:2:16:0.05.");
             }
         }
+
+        /// <summary>Of a dam: a box of two spacings.</summary>
+        public const int MinDamParticles = 8;
+
+        const double MaxAcross = SolverLayout.MaxSpacingsAcross;
+
+        // In a box three times as tall.
+        static GivenNumber LayersOr(double otherwise) => new("layers", 1, Math.Floor(MaxAcross / 3), Otherwise: otherwise);
+
+        static GivenNumber SpacingOr(double otherwise) => new("spacing in m", GivenNumber.MinSpacing, GivenNumber.MaxSpacing, false, otherwise);
 
         /// <summary>What a solver of these settings needs for the scene.</summary>
         public SolverLayout LayoutFor(in SolverSettings settings) => new SolverLayout(Domain, Spacing, Particles, settings.neighborCapacity, settings.listMargin);

@@ -31,8 +31,7 @@ namespace Host.Fluids
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 Player.TimesKernels = parsed.GetValue(kernels);
-                if (parsed.GetValue(particles) < 1 || parsed.GetValue(particles) > SolverLayout.MaxCapacity)
-                    throw new HostException($"--particles {parsed.GetValue(particles):N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
+                GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(budgets).Any(budget => budget < 1 || budget > FoamSettings.MaxBudget))
                     throw new HostException($"--budgets {string.Join(" ", parsed.GetValue(budgets))}: give 1 to {FoamSettings.MaxBudget}.");
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)

@@ -38,15 +38,22 @@ namespace Host.Fluids
                 settings.neighborCapacity = parsed.GetValue(neighbors);
                 settings.sleepSpeed = parsed.GetValue(sleep);
                 settings.numericalDamping = parsed.GetValue(damping);
-                StepInput input = ExperimentFigures.Input(settings);
-                input.material.velocitySmoothing = parsed.GetValue(smoothing);
+                FluidMaterial material = FluidMaterial.Water;
+                material.velocitySmoothing = parsed.GetValue(smoothing);
+                GivenNumber.Clamp("measure", ref settings, ref material);
+                StepInput input = ExperimentFigures.Input(settings, material);
+                bool isBucket = parsed.GetValue(scene).Split(':')[0] == "bucket";
+                GivenNumber.CheckOption("--seconds", parsed.GetValue(seconds), isBucket ? BucketPeriod + 0.1 : 0.05, GivenNumber.MaxSeconds);
+                GivenNumber.CheckOption("--every", parsed.GetValue(every), 1, 1_000_000);
+                // Before there is a device: what cannot be played is refused at once.
+                (int across, float friction) = isBucket ? ParseBucket(parsed.GetValue(scene)) : default;
+                ExperimentScene experiment = isBucket ? null : ExperimentScene.Parse(parsed.GetValue(scene));
                 using var session = new Session(Session.Root());
-                if (parsed.GetValue(scene).StartsWith("bucket:", StringComparison.Ordinal))
+                if (isBucket)
                 {
-                    PrintBucket(parsed.GetValue(scene), input, parsed.GetValue(seconds), session.DescribeDevice());
+                    PrintBucket(parsed.GetValue(scene), across, friction, input, parsed.GetValue(seconds), session.DescribeDevice());
                     return 0;
                 }
-                ExperimentScene experiment = ExperimentScene.Parse(parsed.GetValue(scene));
                 using var solver = new PackageSolver(experiment.LayoutFor(settings), input);
                 var sheets = new List<(double time, Sheet sheet)>();
                 Experiment run = Experiment.Run(solver, experiment, input, parsed.GetValue(seconds), parsed.GetValue(every), sampled =>
@@ -65,13 +72,21 @@ namespace Host.Fluids
             return command;
         }
 
-        // The mean over the last period of the first round wave, as in the report.
-        static void PrintBucket(string scene, StepInput input, double seconds, string device)
+        const double BucketPeriod = 1.6;        // s
+
+        /// <summary>"bucket:24:1": particles across the radius, friction of the wall.</summary>
+        public static (int Across, float Friction) ParseBucket(string text)
         {
-            const double period = 1.6;
-            string[] words = scene.Split(':');
-            if (words.Length != 3 || !int.TryParse(words[1], out int across) || !float.TryParse(words[2], NumberStyles.Float, CultureInfo.InvariantCulture, out float friction) || seconds <= period)
-                throw new HostException($"'{scene}' is no bucket:<particles across the radius>:<friction of its wall>, played for more than {period} s");
+            // Each ring that is averaged needs particles; the water is as deep as its radius, π across³ particles in all.
+            double max = Math.Floor(0.98 * Math.Cbrt(SolverLayout.MaxCapacity / Math.PI));
+            double[] numbers = GivenNumber.Parse(text, "bucket:24:1", new GivenNumber("particles across the radius", RotatingBucket.Rings, max), new GivenNumber("friction of its wall", 0, 1, false));
+            return ((int)numbers[0], (float)numbers[1]);
+        }
+
+        // The mean over the last period of the first round wave, as in the report.
+        static void PrintBucket(string scene, int across, float friction, StepInput input, double seconds, string device)
+        {
+            const double period = BucketPeriod;
             RotatingBucket bucket = RotatingBucket.Run(across, BucketReport.Speed, false, input, seconds - period, period, friction);
             double expected = RotatingBucket.TurningLeft(BucketReport.Speed, input.timeStep / input.settings.substeps, seconds - period / 2);
             Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {bucket.Particles:N0}, {input.settings.substeps} x {input.settings.iterations}, deep water {input.settings.deepWater}, {seconds:0.#} s, {device}"));

@@ -34,9 +34,8 @@ namespace Host.Fluids
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 Player.TimesKernels = parsed.GetValue(kernels);
-                int refused = parsed.GetValue(particles).FirstOrDefault(count => count < 1 || count > SolverLayout.MaxCapacity, -1);
-                if (refused != -1)
-                    throw new HostException($"--particles {refused:N0}: give 1 to {SolverLayout.MaxCapacity:N0}.");
+                foreach (int count in parsed.GetValue(particles))
+                    GivenNumber.CheckOption("--particles", count, ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 var windows = Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();

@@ -13,10 +13,11 @@ namespace Host.Testing
         static readonly string[] HostTests = { "Host.Tests" };
         static readonly string[] PackageTests = { "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.Editor.Tests" };
 
-        public static List<Assembly> Load(bool host, bool package)
+        /// <param name="only">The file of another assembly, instead of all of these; null for none.</param>
+        public static List<Assembly> Load(bool host, bool package, string only = null)
         {
             var names = (host ? HostTests : Array.Empty<string>()).Concat(package ? PackageTests : Array.Empty<string>());
-            string[] files = names.Select(Find).Where(file => file != null).ToArray();
+            string[] files = only != null ? new[] { Path.GetFullPath(only) } : names.Select(Find).Where(file => file != null).ToArray();
             if (files.Length == 0)
                 throw new HostException($"no test assembly found near {AppContext.BaseDirectory}; build them, or run through Headless~/rill.");
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Reflection;
@@ -12,57 +11,67 @@ using UnityEngine.Headless;
 
 namespace Host.Testing
 {
-    /// <summary>Runs test assemblies one test after the other on this thread, reports each fixture, and counts what worked on the device.</summary>
+    /// <summary>Runs test assemblies one test after the other on this thread, and reports each fixture with what worked on the device.</summary>
     sealed class TestRun : ITestListener
     {
-        readonly TextWriter output;
+        readonly Action<FixtureReport> report;
         readonly bool showsAll;
-        readonly HashSet<MethodInfo> methods = new(), dispatchingMethods = new();
+        readonly FixtureOrder order;
         readonly List<ITestResult> failuresOfFixture = new();
 
         readonly Dictionary<string, string> madeBy = new();
+        FixtureFilter claimed;
+        StringWriter output = new();
+        FixtureReport counts = new();
+        string assemblyName;
         List<string> aliveBefore;
         long dispatchesBefore;
 
-        /// <param name="output">Where the report goes; NUnit takes Console.Out away while tests run.</param>
+        /// <param name="report">Gets each fixture as it ends; not through Console.Out, which NUnit takes away while tests run.</param>
         /// <param name="showsAll">Also what tests wrote that passed.</param>
-        public TestRun(TextWriter output, bool showsAll = false)
+        /// <param name="order">Which fixtures run here and which of them first; null for all, as they are listed.</param>
+        public TestRun(Action<FixtureReport> report, bool showsAll = false, FixtureOrder order = null)
         {
-            this.output = output;
+            this.report = report;
             this.showsAll = showsAll;
+            this.order = order;
         }
 
-        public int Passed { get; private set; }
-        public int Failed { get; private set; }
-        public int Skipped { get; private set; }
-
-        /// <summary>Test methods that ran, and those of them that dispatched compute work to the device.</summary>
-        public int Methods => methods.Count;
-        public int DispatchingMethods => dispatchingMethods.Count;
-
+        /// <summary>Set-ups and tear-downs of the assembly and of its namespaces run here once, whichever fixtures do.</summary>
         public void Run(Assembly assembly, TestFilter filter)
         {
             var runner = new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder());
             ITest tests = Load(runner, assembly);
             if (runner.CountTestCases(filter) == 0)
                 return;
-            output.WriteLine(assembly.GetName().Name);
+            assemblyName = assembly.GetName().Name;
+            if (order == null)
+                report(new FixtureReport { Assembly = assemblyName });
+            order?.Sort(tests);
+            claimed = order == null ? null : new FixtureFilter(filter, order);
             LogSink.Received += Receive;
             BuildSetups.Setup(tests);
             try
             {
-                runner.Run(this, filter);
+                runner.Run(this, claimed ?? filter);
             }
             finally
             {
                 LogSink.Received -= Receive;
                 BuildSetups.Cleanup(tests);
             }
+            // A set-up or tear-down around the fixtures may have failed after the last of them.
+            if (failuresOfFixture.Count > 0 || counts.Failed > 0)
+                Send(null, 0.0, whole: false);
         }
 
         /// <summary>Full names of the tests that pass the filter.</summary>
         public static IEnumerable<string> List(Assembly assembly, TestFilter filter) =>
             Leaves(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Where(test => filter.Pass(test)).Select(test => test.FullName);
+
+        /// <summary>The fixtures of which a test passes the filter.</summary>
+        public static IEnumerable<(string Name, bool IsAlone)> Fixtures(Assembly assembly, TestFilter filter) =>
+            Leaves(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct().Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
 
         static ITest Load(NUnitTestAssemblyRunner runner, Assembly assembly)
         {
@@ -75,6 +84,8 @@ namespace Host.Testing
 
         public void TestStarted(ITest test)
         {
+            if (test is TestFixture)
+                claimed?.IsHere(test);
             if (test.IsSuite)
                 return;
             dispatchesBefore = GpuWork.Dispatches;
@@ -83,6 +94,9 @@ namespace Host.Testing
 
         public void TestFinished(ITestResult result)
         {
+            // Where a set-up around them failed, tests of all fixtures end without a start.
+            if (claimed != null && FixtureOrder.FixtureOf(result.Test) is ITest fixture && !claimed.IsHere(fixture))
+                return;
             if (!result.Test.IsSuite)
                 Count(result);
             else if (result.ResultState.Status == TestStatus.Failed && result.ResultState.Site == FailureSite.TearDown)
@@ -100,15 +114,14 @@ namespace Host.Testing
 
         void Count(ITestResult result)
         {
-            if (LiveObjects.Count > aliveBefore.Count)
+            if (aliveBefore != null && LiveObjects.Count > aliveBefore.Count)
                 foreach (string thing in LiveObjects.Report().Skip(aliveBefore.Count))
                     madeBy[thing] = result.Test.FullName;
 
-            MethodInfo method = result.Test.Method.MethodInfo;
             switch (result.ResultState.Status)
             {
                 case TestStatus.Passed:
-                    Passed++;
+                    counts.Passed++;
                     if (showsAll && !string.IsNullOrWhiteSpace(result.Output))
                     {
                         output.WriteLine($"    {result.Test.Name}");
@@ -119,17 +132,19 @@ namespace Host.Testing
                     Fail(result);
                     break;
                 default:
-                    Skipped++;
+                    counts.Skipped++;
                     return;
             }
-            methods.Add(method);
+            MethodInfo method = result.Test.Method.MethodInfo;
+            string name = $"{assemblyName} {method.ReflectedType} {method}";
+            counts.Methods.Add(name);
             if (GpuWork.Dispatches != dispatchesBefore)
-                dispatchingMethods.Add(method);
+                counts.DispatchingMethods.Add(name);
         }
 
         void Fail(ITestResult result)
         {
-            Failed++;
+            counts.Failed++;
             failuresOfFixture.Add(result);
         }
 
@@ -138,10 +153,22 @@ namespace Host.Testing
             string failed = fixture.FailCount > 0 ? $", {fixture.FailCount} FAILED" : "";
             string skipped = fixture.SkipCount + fixture.InconclusiveCount > 0 ? $", {fixture.SkipCount + fixture.InconclusiveCount} skipped" : "";
             output.WriteLine($"  {fixture.Test.Name,-44} {fixture.PassCount,4} passed{failed}{skipped}  {fixture.Duration:0.0} s");
+            Send(FixtureOrder.NameOf(fixture.Test), fixture.Duration, fixture.PassCount + fixture.FailCount + fixture.SkipCount + fixture.InconclusiveCount == fixture.Test.TestCaseCount);
+        }
+
+        void Send(string fixture, double seconds, bool whole)
+        {
             foreach (ITestResult failure in failuresOfFixture)
                 ReportFailure(failure);
             failuresOfFixture.Clear();
-            output.Flush();
+            counts.Assembly = assemblyName;
+            counts.Fixture = fixture;
+            counts.Seconds = seconds;
+            counts.IsWhole = whole;
+            counts.Text = output.ToString();
+            report(counts);
+            counts = new FixtureReport();
+            output = new StringWriter();
         }
 
         void ReportFailure(ITestResult result)

@@ -39,6 +39,25 @@ namespace Host.Shaders
                 return asBytecode.Where(p => p.Value == null).Select(p => p.Key).ToList();
         }
 
+        /// <summary>What the backends have been used for, to be added to another process's.</summary>
+        public static (Dictionary<string, string> Programs, Dictionary<string, string> Exempt) Tallies()
+        {
+            lock (asBytecode)
+                lock (exempt)
+                    return (new Dictionary<string, string>(asBytecode), new Dictionary<string, string>(exempt));
+        }
+
+        /// <param name="programs">Name to why glslang made it, or null; a program that glslang made anywhere counts as that.</param>
+        /// <param name="exemptTests">Test to why.</param>
+        public static void Add(Dictionary<string, string> programs, Dictionary<string, string> exemptTests)
+        {
+            lock (asBytecode)
+                foreach (KeyValuePair<string, string> program in programs)
+                    asBytecode[program.Key] = program.Value ?? (asBytecode.TryGetValue(program.Key, out string why) ? why : null);
+            foreach (KeyValuePair<string, string> test in exemptTests)
+                Exempt(test.Key, test.Value);
+        }
+
         /// <summary>What ran as FXC's bytecode, and what did not and why.</summary>
         public static IEnumerable<string> Report()
         {

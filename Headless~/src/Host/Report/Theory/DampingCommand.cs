@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
+using System.Linq;
 using Host.Fluids;
 using Rill;
 
@@ -23,40 +25,80 @@ namespace Host.Report
             var command = new Command("damping", "Measures what the time step takes of sloshing and turning water.") { scene, damping, substeps, iterations, deep, seconds, smoothing };
             command.SetAction(parsed =>
             {
+                string text = parsed.GetValue(scene);
+                GivenNumber.CheckOption("--seconds", parsed.GetValue(seconds), 0, GivenNumber.MaxSeconds);
+                List<StepInput> inputs = parsed.GetValue(damping).SelectMany(fraction => parsed.GetValue(substeps).Select(count =>
+                {
+                    StepInput input = FluidRun.Water(count, parsed.GetValue(iterations), parsed.GetValue(deep));
+                    input.settings.numericalDamping = fraction;
+                    input.material.velocitySmoothing = parsed.GetValue(smoothing);
+                    GivenNumber.Clamp("damping", ref input.settings, ref input.material);
+                    return input;
+                })).ToList();
+                // Before there is a device: what cannot be played or fitted is refused at once.
+                Func<StepInput, string> run = Parse(text, parsed.GetValue(seconds));
                 using var session = new Session(Session.Root());
                 Console.WriteLine(session.DescribeDevice());
-                foreach (float fraction in parsed.GetValue(damping))
-                    foreach (int count in parsed.GetValue(substeps))
-                    {
-                        StepInput input = FluidRun.Water(count, parsed.GetValue(iterations), parsed.GetValue(deep));
-                        input.settings.numericalDamping = fraction;
-                        input.material.velocitySmoothing = parsed.GetValue(smoothing);
-                        Console.WriteLine($"{parsed.GetValue(scene)} damping {fraction} {count} x {input.settings.iterations}: {Run(parsed.GetValue(scene), input, parsed.GetValue(seconds))}");
-                    }
+                foreach (StepInput input in inputs)
+                    Console.WriteLine(Text($"{text} damping {input.settings.numericalDamping} {input.settings.substeps} x {input.settings.iterations}: {run(input)}"));
                 return 0;
             });
             return command;
         }
 
-        static string Run(string scene, in StepInput input, double seconds)
+        /// <summary>What plays a scene and tells its figures.</summary>
+        /// <param name="seconds">0 for what suits the scene.</param>
+        /// <exception cref="HostException">The scene cannot be played, or the time is too short for its figures.</exception>
+        public static Func<StepInput, string> Parse(string text, double seconds)
         {
-            string[] words = scene.Split(':');
-            if (words.Length != 4 || !TryParse(words[1], out int size) || !TryParse(words[2], out int layers)
-                || !double.TryParse(words[3], NumberStyles.Float, CultureInfo.InvariantCulture, out double strength) || !(strength > 0) || double.IsInfinity(strength))
-                throw BadScene(scene);
-            return words[0] switch
+            double[] n;
+            switch (text.Split(':')[0])
             {
-                "slosh" => Slosh(size, layers, strength, input, seconds),
-                "vortex" => Vortex(size, layers, (float)strength, input, seconds > 0 ? seconds : 1),
-                "bucket" => Bucket(size, layers, strength, input, seconds > 0 ? seconds : 3.8),
-                "utube" => Tube(size, layers, (int)strength, input, seconds),
-                _ => throw BadScene(scene),
-            };
+                case "slosh":
+                    n = GivenNumber.Parse(text, "slosh:40:20:2", new GivenNumber("particles along 1 m", 8, 1000), new GivenNumber("layers", 1, 1000), new GivenNumber("wave in spacings", 0.01, 1000, false));
+                    GivenNumber.CheckParticles(text, n[0] * n[1] * Sloshing.Thickness);
+                    if (n[2] >= n[1])
+                        throw new HostException(Text($"scene \"{text}\": wave in spacings is {n[2]}, as high as the water is deep; give less than its {n[1]} layers, as in slosh:40:20:2."));
+                    CheckSwings(seconds, Sloshing.Period(n[1] / n[0]));
+                    return input => Slosh((int)n[0], (int)n[1], n[2], input, seconds);
+                case "vortex":
+                    n = GivenNumber.Parse(text, "vortex:40:8:3", new GivenNumber("side in spacings", 4, 2000), new GivenNumber("layers", 2, 1000), new GivenNumber("speed in m/s", 0.001, 100, false));
+                    GivenNumber.CheckParticles(text, n[0] * n[0] * n[1]);
+                    CheckSteps(seconds);
+                    return input => Vortex((int)n[0], (int)n[1], (float)n[2], input, seconds > 0 ? seconds : 1);
+                case "bucket":
+                    n = GivenNumber.Parse(text, "bucket:12:12:6.3", new GivenNumber("radius in spacings", 3, 1000), new GivenNumber("layers", 1, 1000), new GivenNumber("turning in rad/s", 0.001, 100, false));
+                    GivenNumber.CheckParticles(text, Math.PI * n[0] * n[0] * n[1]);
+                    if (n[2] > TurningTank.MaxSpeed(n[0], n[1]))
+                        throw new HostException(Text($"scene \"{text}\": turning in rad/s is {n[2]}, at which the middle of the floor falls dry; give at most {Math.Floor(100 * TurningTank.MaxSpeed(n[0], n[1])) / 100}, or more layers."));
+                    CheckSteps(seconds);
+                    return input => Bucket((int)n[0], (int)n[1], n[2], input, seconds > 0 ? seconds : 3.8);
+                case "utube":
+                    n = GivenNumber.Parse(text, "utube:8:24:6", new GivenNumber("width in spacings", 2, 200), new GivenNumber("depth in spacings", 3, 1000), new GivenNumber("height in spacings", 1, 1000));
+                    GivenNumber.CheckParticles(text, (2.0 * n[1] + 2.0 * n[0]) * n[0] * UTube.Thickness);
+                    if (n[1] - n[2] < n[0])
+                        throw new HostException(Text($"scene \"{text}\": height in spacings is {n[2]}, which leaves the lower leg less than the passage of {n[0]} below; give at most {n[1] - n[0]}, that is depth less width, or more depth, as in utube:8:24:6."));
+                    CheckSwings(seconds, TubePeriod((int)n[0], (int)n[1]));
+                    return input => Tube((int)n[0], (int)n[1], (int)n[2], input, seconds);
+                default:
+                    throw new HostException($"scene \"{text}\": give {Scenes} As in slosh:40:20:2, vortex:40:8:3, bucket:12:12:6.3 or utube:8:24:6.");
+            }
         }
 
-        static bool TryParse(string word, out int count) => int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out count) && count > 0;
+        // A damped cosine fits less than that with any period.
+        const double MinSwings = 2;
 
-        static HostException BadScene(string scene) => new HostException($"scene \"{scene}\": give {Scenes} Two whole numbers and one number, all above 0, as in slosh:40:20:2 or bucket:12:12:6.3.");
+        static void CheckSwings(double seconds, double period)
+        {
+            if (seconds > 0 && seconds < MinSwings * period)
+                throw new HostException(Text($"--seconds {seconds}: that is {seconds / period:0.0} swings, and a period is fitted to at least {MinSwings}; give {Math.Ceiling(100 * MinSwings * period) / 100} or more, or leave it out."));
+        }
+
+        static void CheckSteps(double seconds)
+        {
+            if (seconds > 0)
+                GivenNumber.CheckOption("--seconds", seconds, 0.1, GivenNumber.MaxSeconds);
+        }
 
         static string Slosh(int along, int layers, double wave, in StepInput input, double seconds)
         {
@@ -78,11 +120,14 @@ namespace Host.Report
             return Text($"{tank.Left:0.000} of its turning after {tank.Time:0.0} s, {tank.LeftAtFirstOrder:0.000} by a first-order step alone: damping {tank.Damping:0.00} of its; jitter {tank.Jitter:0.000} m/s");
         }
 
+        const float TubeSpacing = 0.025f;       // m
+
+        static double TubePeriod(int width, int depth) => UTube.Period(UTube.StraightLength(width, 2 * width, depth) * TubeSpacing);
+
         static string Tube(int width, int depth, int height, in StepInput input, double seconds)
         {
-            const float spacing = 0.025f;       // m
-            double theory = UTube.Period(UTube.StraightLength(width, 2 * width, depth) * spacing);
-            DampedCosine fit = DampedCosine.Fit(UTube.Run(width, 2 * width, depth, height, spacing, input, seconds > 0 ? seconds : 3 * theory));
+            double theory = TubePeriod(width, depth);
+            DampedCosine fit = DampedCosine.Fit(UTube.Run(width, 2 * width, depth, height, TubeSpacing, input, seconds > 0 ? seconds : 3 * theory));
             double first = FluidRun.FirstOrderDamping(theory, input);
             return Text($"period {fit.Period:0.000} s, {100 * (fit.Period / theory - 1):+0.0;-0.0} % of the theory's; damping {fit.Damping:0.000}/s, a first-order step's {first:0.000}; swings about {fit.Offset:0.00} d, misfit {100 * fit.Misfit:0.0} %");
         }

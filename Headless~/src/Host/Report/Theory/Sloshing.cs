@@ -13,7 +13,9 @@ namespace Host.Report
     static class Sloshing
     {
         const double Length = 1;
-        const int Thickness = 8;
+
+        /// <summary>From the front to the back wall, d.</summary>
+        public const int Thickness = 8;
 
         /// <summary>Linear waves: ω² = g k tanh(k H), k = π/L (Lamb, Hydrodynamics, §257).</summary>
         public static double Period(double depth)

@@ -22,6 +22,11 @@ namespace Host.Report
         public double Jitter { get; private set; }
         public double Time { get; private set; }
 
+        /// <summary>At which the water's parabola touches the floor, rad/s.</summary>
+        /// <param name="radius">Of the tank, d.</param>
+        /// <param name="layers">Of as much water at rest.</param>
+        public static double MaxSpeed(double radius, double layers) => Math.Sqrt(4 * FluidRun.Gravity * layers / Spacing) / radius;
+
         /// <param name="radius">Of the tank, d.</param>
         /// <param name="layers">Of as much water at rest.</param>
         /// <param name="speed">Ω, rad/s.</param>
