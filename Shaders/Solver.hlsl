@@ -5,7 +5,7 @@
 #ifndef RILL_SOLVER_INCLUDED
 #define RILL_SOLVER_INCLUDED
 
-#include "Counters.hlsl"
+#include "Generated/Counters.hlsl"
 
 static const uint kGroup = 128;             // threads of a particle kernel, = numthreads
 static const uint kMaxGroups = 65535;       // of a dispatch, per dimension; more fold into y
