@@ -71,9 +71,8 @@ namespace Rill
         /// <summary>Records a kernel for so many cells: ParticleIndex of Solver.hlsl numbers its threads.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
         {
-            const int maxGroups = 65535;
             int groups = (cells + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, maxGroups), (groups + maxGroups - 1) / maxGroups, 1);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
         }
 
         /// <summary>

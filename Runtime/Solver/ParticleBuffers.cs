@@ -48,9 +48,11 @@ namespace Rill
     /// </remarks>
     sealed class ParticleBuffers : IDisposable
     {
-        /// <summary>Threads of a particle kernel; kGroup in Solver.hlsl.</summary>
-        public const int Group = 128;
-        public const int CounterCount = 16;
+        /// <summary>threads of a particle kernel</summary>
+        [SharedWithHlsl("Solver")] public const int Group = 128;
+
+        /// <summary>words of the counter buffer</summary>
+        [SharedWithHlsl("Counters")] public const int CounterCount = 16;
 
         /// <summary>
         /// Particles up to which kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and

@@ -12,7 +12,9 @@ namespace Rill
         const float SmallestCell = 4f;          // d
         const int MaxCells = 1 << 17;
         const int WordBits = 32;
-        const float ContactOffset = 0.5f;           // d, kContactOffset in Solver.hlsl
+
+        /// <summary>a particle's centre stays this far from a wall, d</summary>
+        [SharedWithHlsl("Solver")] const float ContactOffset = 0.5f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
