@@ -3,8 +3,8 @@
 #ifndef RILL_REACTIONS_INCLUDED
 #define RILL_REACTIONS_INCLUDED
 
-static const uint kReactionStride = 13;         // words of a collider: three sums, three moments, and what was added
-static const float kReactionScale = 65536.0;    // steps of a summed displacement in d
+#include "Generated/Reactions.hlsl"
+
 static const float kReactionRange = 100.0;      // d: a longer displacement of a particle counts as that
 static const float kForceRange = 16384.0;       // d: a larger contribution of a cell counts as that
 

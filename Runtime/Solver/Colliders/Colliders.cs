@@ -104,13 +104,13 @@ namespace Rill
             Changes += changed ? 1 : 0;
             var wanted = new ColliderConstants
             {
-                cells = (uint3)cells,
-                words = (uint)words,
-                cellSize = cellSize,
-                inverseCellSize = 1f / cellSize,
-                count = (uint)set.Count,
+                colliderCells = (uint3)cells,
+                colliderWords = (uint)words,
+                colliderCellSize = cellSize,
+                inverseColliderCellSize = 1f / cellSize,
+                colliderCount = (uint)set.Count,
                 rests = resting != null ? 1u : 0u,
-                reach = Reach(input.settings.iterations, deep),
+                colliderReach = Reach(input.settings.iterations, deep),
             };
             binned = changed || !wanted.Equals(constantsUpload[0]);
             constantsUpload[0] = wanted;
