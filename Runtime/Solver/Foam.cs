@@ -7,10 +7,24 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Entries of the counter buffer of foam; the constants of Foam.compute. Those of the kinds are a kind's number.</summary>
-    enum FoamCounter { Alive, Spray, Foam, Bubbles, Spawned, Refused }
+    /// <summary>Kind of a foam particle.</summary>
+    [SharedWithHlsl("Foam")]
+    enum FoamKind { NoFoam, Spray, Foam, Bubble }
 
-    /// <summary>FoamParticle of Foam.hlsl.</summary>
+    /// <summary>Entries of the counter buffer of foam; those of each kind at its number.</summary>
+    [SharedWithHlsl("Foam", Prefix = "Foam")]
+    enum FoamCounter
+    {
+        Alive,
+        Spray = FoamKind.Spray,
+        Foam = FoamKind.Foam,
+        Bubbles = FoamKind.Bubble,
+        Spawned,
+        Refused,
+    }
+
+    /// <summary>See Foam.hlsl for what the words are.</summary>
+    [SharedWithHlsl("Foam")]
     [StructLayout(LayoutKind.Sequential)]
     struct FoamParticle
     {
