@@ -8,7 +8,7 @@
 
 #include "Generated/NeighborList.hlsl"
 
-static const uint kListStride = kParticlesPerListBlock / kBlockEntries;     // from an entry of a particle to its next, over how many lie between
+static const uint kListStride = kParticlesPerListBlock / kBlockEntries;     // uint4 that each entry before takes: blocks of a particle lie kParticlesPerListBlock apart
 
 #ifdef RILL_BUILD_LIST
 #define RILL_LIST RWStructuredBuffer<uint4>

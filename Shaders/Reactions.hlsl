@@ -59,9 +59,9 @@ void AddCellReaction(uint owner, float3 p, float3 gain)
 
 #else
 
-groupshared uint g_Owners[128];
-groupshared int3 g_Sums[128];
-groupshared int3 g_Moments[128];
+groupshared uint g_Owners[kGroup];
+groupshared int3 g_Sums[kGroup];
+groupshared int3 g_Moments[kGroup];
 
 // Of a particle. All threads of a group come here; 'owner' is kNoCollider where there is nothing to add. Neighbors in memory
 // mostly touch the same collider: the first of a run adds for all of it.

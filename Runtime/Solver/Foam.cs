@@ -34,7 +34,7 @@ namespace Rill
     /// <summary>Foam, spray and bubbles (Ihmsen et al. 2012), once a step. Made when first needed.</summary>
     /// <remarks>
     /// Particles lie without gaps in the order in which they came: every step moves them, leaves out what is over and puts the new
-    /// ones behind, at places that one prefix sum over groups of 128 gives to both. So a run repeats bit for bit.
+    /// ones behind, at places that one prefix sum over groups of threads gives to both. So a run repeats bit for bit.
     /// </remarks>
     sealed class Foam : IDisposable
     {
