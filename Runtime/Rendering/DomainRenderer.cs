@@ -7,7 +7,12 @@ namespace Rill
     [AddComponentMenu("Rill/Domain Renderer")]
     public sealed class DomainRenderer : FluidRenderer
     {
-        const int EdgeVertices = 24, FloorVertices = 6;
+        /// <summary>two for each of the box's edges</summary>
+        [SharedWithHlsl("Domain")] const int EdgeVertices = 24;
+
+        /// <summary>two triangles</summary>
+        [SharedWithHlsl("Domain")] const int FloorVertices = 6;
+
 
         [SerializeField] Color edges = new Color(0.25f, 0.28f, 0.32f);
         [SerializeField] Color floor = new Color(0.78f, 0.80f, 0.82f);

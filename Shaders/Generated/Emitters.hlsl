@@ -5,4 +5,6 @@
 static const uint kMaxCandidates = 16384;    // most places that one emitter tries in a step
 static const float kClearance = 0.7;    // nothing is put nearer to a particle, d
 
+static const float kJitter = 0.02;    // Offset of a particle from its point, spacings: breaks the symmetry that a perfect lattice would keep.
+
 #endif
