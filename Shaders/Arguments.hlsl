@@ -2,16 +2,17 @@
 #ifndef RILL_ARGUMENTS_INCLUDED
 #define RILL_ARGUMENTS_INCLUDED
 
-static const uint kVerticesPerParticle = 6;     // two triangles of a quad, = ParticleRenderer.VerticesPerParticle
+#include "Generated/Arguments.hlsl"
 
-// Bytes 0-15: GraphicsBuffer.IndirectDrawArgs of one instance, where a draw looks for its first command. Bytes 16-31
-// (GpuBuffer.DispatchArgumentsAt): groups x, y, z of a dispatch and the count. Bytes 32-47, the draw's third command
-// (StereoInstancing.StereoCommand): the same of two instances, one for each eye.
+static const uint kDrawArgumentsSize = 16;      // GraphicsBuffer.IndirectDrawArgs
+
+// GraphicsBuffer.IndirectDrawArgs of one instance, where a draw looks for its first command; groups x, y, z of a dispatch and the
+// count; the draw's third command: the same of two instances, one for each eye.
 void StoreArguments(RWByteAddressBuffer arguments, uint count)
 {
-    arguments.Store4(0, uint4(count * kVerticesPerParticle, 1, 0, 0));
-    arguments.Store4(16, uint4(GroupsFor(count), count));
-    arguments.Store4(32, uint4(count * kVerticesPerParticle, 2, 0, 0));
+    arguments.Store4(kDrawArgumentsSize * kMonoCommand, uint4(count * kVerticesPerParticle, 1, 0, 0));
+    arguments.Store4(kDispatchArgumentsAt, uint4(GroupsFor(count), count));
+    arguments.Store4(kDrawArgumentsSize * kStereoCommand, uint4(count * kVerticesPerParticle, 2, 0, 0));
 }
 
 #endif

@@ -3,14 +3,15 @@
 #ifndef RILL_COARSE_BINS_INCLUDED
 #define RILL_COARSE_BINS_INCLUDED
 
+#include "Generated/CoarseBins.hlsl"
+
 static const uint kNoCell = 0xFFFFFFFFu;
-static const uint kBinStride = 8;
 static const float kMinError = -0.1;         // more dilute particles are spray
 static const float kMaxError = 8.0;
 static const float kErrorScale = 65536.0;       // steps of a binned density error
 
-groupshared uint g_Cells[128];
-groupshared uint3 g_Values[128];
+groupshared uint g_Cells[kGroup];
+groupshared uint3 g_Values[kGroup];
 
 // A sum of 64 bits in two words. The values are not negative.
 void AddWide(uint at, uint value)

@@ -2,31 +2,7 @@
 #ifndef RILL_COARSE_GRID_INCLUDED
 #define RILL_COARSE_GRID_INCLUDED
 
-// = CoarseConstants in CoarseConstants.cs, member by member; as raw as RillSolver.
-cbuffer RillCoarse
-{
-    uint4 _CoarseCountsAndTotal;
-    float4 _InverseCoarseSizeAndActiveCount;
-    float4 _CouplingAndScreening;
-    float _InverseVolume;       // 1/d^3
-    float _NegativeFraction;       // of a small negative density error that the projection takes up
-    float _MaxFlow;             // longest displacement of the projection, d
-    float _MaxPush;             // longest displacement of the density correction, d
-    uint _LevelCount;           // levels of the V-cycle below the grid itself
-    uint _FirstTailLevel;       // the first of those that one thread group does together
-    float _MinSurfaceDistance;  // nearest and furthest that the free surface lies from the water's middle, cells
-    float _MaxSurfaceDistance;
-    uint4 _Levels[8];           // cells along x, y, z and index of the first; [0] is the grid itself
-};
-
-#define _CoarseCounts (_CoarseCountsAndTotal.xyz)       // cells along x, y, z
-#define _CoarseTotal (_CoarseCountsAndTotal.w)          // their product
-#define _InverseCoarseSize (_InverseCoarseSizeAndActiveCount.xyz)       // 1/d
-#define _ActiveCount (_InverseCoarseSizeAndActiveCount.w)               // particles that make a cell active: two layers across it
-#define _Coupling (_CouplingAndScreening.xyz)           // 1/size^2 along each axis, 1/d^2
-#define _Screening (_CouplingAndScreening.w)            // 1/l^2, 1/d^2
-
-static const float kInactive = 1e30;    // right-hand side of a cell that is not solved for: its potential is 0
+#include "Generated/CoarseGrid.hlsl"
 
 // Flags of a cell, see _Surface in CoarseGrid.compute.
 static const uint kAtSurface = 1;       // the cell or one beside it is active, not both

@@ -3,55 +3,8 @@
 #ifndef RILL_COLLIDERS_INCLUDED
 #define RILL_COLLIDERS_INCLUDED
 
+#include "Generated/Colliders.hlsl"
 #include "Rotations.hlsl"
-
-// = ColliderState in ColliderState.cs, member by member.
-struct Collider
-{
-    float4 rotation;        // from its own frame to the domain's, quaternion
-    float4 lastRotation;    // the same at the start of the substep
-    float3 position;        // of its own frame's origin, d
-    uint shape;
-    float3 lastPosition;    // at the start of the substep, d
-    uint flags;
-    float3 size;            // sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides
-    float sweep;            // furthest that a point of it moves in the substep, d
-    float3 fieldScale;      // from its own frame, d, to a fraction of the atlas of its shape; negative along the axes of a mirrored mesh
-    float fieldUnit;        // d, of one stored unit of distance
-    float3 fieldCenter;     // fraction of the atlas at its own frame's origin
-    float voxel;            // side of a voxel, d
-    float friction;         // fraction of the velocity along the surface that a substep takes from what touches; with kHoldsByViscosity of no slip
-    float bounciness;           // fraction of the velocity into the surface that is given back
-    float momentArm;        // by which moments about position are divided where they are summed, d
-    float minFraction;       // of the height over a height field that is surely free on all sides
-};
-
-// = ColliderConstants in ColliderConstants.cs, member by member; as raw as RillSolver.
-cbuffer RillColliders
-{
-    uint4 _ColliderCellsAndWords;
-    float _ColliderCellSize;        // d
-    float _InverseColliderCellSize; // 1/d
-    uint _ColliderCount;
-    uint _Rests;                    // whether what rests sleeps: _RegionStates holds something
-    float _ColliderReach;           // d, as far as a collider can matter to a particle in a substep, once it is sorted; at least kSupport
-    float _ColliderPadding0, _ColliderPadding1, _ColliderPadding2;
-};
-
-#define _ColliderCells (_ColliderCellsAndWords.xyz)     // cells along x, y, z of the bins
-#define _ColliderWords (_ColliderCellsAndWords.w)       // words of a cell's mask: one bit for each collider
-
-static const uint kSphere = 0;
-static const uint kBox = 1;
-static const uint kCapsule = 2;
-static const uint kPlane = 3;
-static const uint kMesh = 4;
-static const uint kHeightField = 5;
-
-static const uint kInsideOut = 1;           // the fluid is in it
-static const uint kContributesDensity = 2;
-static const uint kReacts = 4;              // what the fluid does to it is summed
-static const uint kHoldsByViscosity = 8;    // friction is by ViscosityWalls.hlsl
 
 static const uint kNoCollider = 0xFFFFu;
 

@@ -11,6 +11,7 @@
 #else
 #include "View.hlsl"
 #endif
+#include "Generated/Domain.hlsl"
 
 float4x4 _BoxToWorld;           // unit cube, corner at 0, to world
 float4x4 _LastBoxToWorld;       // at the frame before
@@ -28,8 +29,8 @@ struct DomainVaryings
 };
 
 // Ends of the edges as corner numbers, bit 0 x, bit 1 y, bit 2 z.
-static const uint kEdges[24] = { 0,1, 2,3, 4,5, 6,7, 0,2, 1,3, 4,6, 5,7, 0,4, 1,5, 2,6, 3,7 };
-static const uint kFloor[6] = { 0,4,5, 0,5,1 };
+static const uint kEdges[kEdgeVertices] = { 0,1, 2,3, 4,5, 6,7, 0,2, 1,3, 4,6, 5,7, 0,4, 1,5, 2,6, 3,7 };
+static const uint kFloor[kFloorVertices] = { 0,4,5, 0,5,1 };
 
 float3 FloorNormal()
 {
@@ -46,7 +47,7 @@ DomainVaryings DomainVertex(uint vertex : SV_VertexID, uint instance : SV_Instan
     if (!drawn)
         return result;
 
-    uint corner = _DrawFloor > 0.5 ? kFloor[vertex % 6] : kEdges[vertex % 24];
+    uint corner = _DrawFloor > 0.5 ? kFloor[vertex % kFloorVertices] : kEdges[vertex % kEdgeVertices];
     result.box = float3(corner & 1, (corner >> 1) & 1, corner >> 2);
     float3 world = mul(_BoxToWorld, float4(result.box, 1.0)).xyz;
 #if defined(RILL_PASS_SHADOW)

@@ -1,5 +1,5 @@
 // A particle of foam: spray in the air, foam on the water, a bubble in it. Made and moved by Foam.compute, drawn by what includes
-// this. Includes nothing. 32 bytes, in the domain's frame, lengths in d:
+// this. 32 bytes, in the domain's frame, lengths in d:
 //
 //   a.xyz  float bits, centre at the newest state, d
 //   a.w    float bits, age, s: foam ages with time, spray and bubbles a quarter as fast
@@ -12,27 +12,13 @@
 #ifndef RILL_FOAM_INCLUDED
 #define RILL_FOAM_INCLUDED
 
-// = FoamCounter in Foam.cs
-static const uint kNoFoam = 0;
-static const uint kSpray = 1;
-static const uint kFoam = 2;
-static const uint kBubble = 3;
-
-static const uint kFoamAlive = 0;       // of the counters; then those of each kind
-static const uint kFoamSpawned = 4;
-static const uint kFoamRefused = 5;
+#include "Generated/Foam.hlsl"
 
 static const float kFoamComes = 0.05;   // of its life, in which it appears
 static const float kFoamGoes = 0.6;     // from which it fades
 
 static const float kLifetimeUnit = 1.0 / 64.0;      // s
 static const uint kMaxLifetime = 16383;             // units
-
-struct FoamParticle
-{
-    uint4 a;
-    uint4 b;
-};
 
 uint FoamKind(FoamParticle particle)
 {

@@ -1,11 +1,11 @@
-// Sum over the values of the threads before one, in a group of 128. Include after kGroup is declared.
+// Sum over the values of the threads before one, in a group of kGroup. Include after it is declared.
 #ifndef RILL_GROUP_SCAN_INCLUDED
 #define RILL_GROUP_SCAN_INCLUDED
 
 static const uint kScanRow = 8;     // threads of a row
 
-groupshared uint g_Scanned[128];
-groupshared uint g_ScannedRows[128 / kScanRow];
+groupshared uint g_Scanned[kGroup];
+groupshared uint g_ScannedRows[kGroup / kScanRow];
 
 // Every thread of the group must call it. By rows: more additions than in a tree, but few waits for the other threads.
 uint SumBefore(uint value, uint thread, out uint total)
@@ -27,7 +27,7 @@ uint SumBefore(uint value, uint thread, out uint total)
     GroupMemoryBarrierWithGroupSync();
     total = 0;
     [unroll]
-    for (uint r = 0; r < 128 / kScanRow; r++)
+    for (uint r = 0; r < kGroup / kScanRow; r++)
     {
         uint other = g_ScannedRows[r];
         before += r < row ? other : 0;

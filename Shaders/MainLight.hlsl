@@ -47,7 +47,7 @@ MainLight GetMainLight()
 #if defined(RILL_BUILT_IN) && defined(RILL_SHADOW_COPY)
 
 // A transparent draw: of copies that were made before the opaque ones, see ShadowCopy.hlsl.
-#include "ShadowValues.hlsl"
+#include "Generated/ShadowValues.hlsl"
 
 Texture2D<float> _ShadowCopy;
 Texture2D<float4> _ShadowValues;

@@ -6,6 +6,10 @@
 #ifndef RILL_NEIGHBOR_LIST_INCLUDED
 #define RILL_NEIGHBOR_LIST_INCLUDED
 
+#include "Generated/NeighborList.hlsl"
+
+static const uint kListStride = kParticlesPerListBlock / kBlockEntries;     // uint4 that each entry before takes: blocks of a particle lie kParticlesPerListBlock apart
+
 #ifdef RILL_BUILD_LIST
 #define RILL_LIST RWStructuredBuffer<uint4>
 #else
@@ -23,7 +27,7 @@ uint NeighborBase(uint i)
     if (i >= _FirstListParticles)
         i -= _FirstListParticles;
 #endif
-    return (i >> 5) * (_NeighborCapacity * 8) + (i & 31);
+    return i / kParticlesPerListBlock * (_NeighborCapacity * kListStride) + i % kParticlesPerListBlock;
 }
 
 // Neighbors k to k + 3; k a multiple of 4. The rest of a particle's last block is the particle itself.
@@ -31,9 +35,9 @@ uint4 NeighborBlock(uint i, uint base, uint k)
 {
 #ifdef RILL_TWO_LISTS
     if (i >= _FirstListParticles)
-        return _MoreNeighbors[base + k * 8];
+        return _MoreNeighbors[base + k * kListStride];
 #endif
-    return _Neighbors[base + k * 8];
+    return _Neighbors[base + k * kListStride];
 }
 
 // How often a list names its own particle, to fill its last block: all four of a block are added without asking, and what the
@@ -49,11 +53,11 @@ void StoreBlock(uint i, uint base, uint k, uint4 block)
 #ifdef RILL_TWO_LISTS
     if (i >= _FirstListParticles)
     {
-        _MoreNeighbors[base + k * 8] = block;
+        _MoreNeighbors[base + k * kListStride] = block;
         return;
     }
 #endif
-    _Neighbors[base + k * 8] = block;
+    _Neighbors[base + k * kListStride] = block;
 }
 
 // Adds neighbor number 'count'; 'block' holds the last four, the new one behind: moving them all takes no test of which is its place.

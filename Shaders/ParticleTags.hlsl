@@ -3,12 +3,12 @@
 #ifndef RILL_PARTICLE_TAGS_INCLUDED
 #define RILL_PARTICLE_TAGS_INCLUDED
 
-static const uint kTagSteps = 0x00FFFFFFu, kTagPhaseShift = 24;
+#include "Generated/ParticleTags.hlsl"
 
 bool IsOver(uint tag, uint step)
 {
-    uint last = tag & kTagSteps;
-    uint since = (step - last) & kTagSteps;
+    uint last = tag & kTagStepMask;
+    uint since = (step - last) & kTagStepMask;
     return last != 0 && since != 0 && since < 0x00800000u;
 }
 

@@ -31,8 +31,11 @@ float _ParticleRadius;          // m
 
 #ifdef RILL_PASS_FORWARD
 #ifdef RILL_TAGS
+#include "Generated/ParticleRenderer.hlsl"
+#include "Generated/ParticleTags.hlsl"
+
 StructuredBuffer<uint> _Tags;
-float4 _PhaseColors[8];         // linear
+float4 _PhaseColors[kPhases];   // linear
 #endif
 float _ParticleSpacing;         // m
 float4 _SlowColor;              // linear, at value 0 of the ramp
@@ -66,7 +69,7 @@ float3 RampColor(float value)
 float3 ParticleColor(uint i)
 {
 #ifdef RILL_TAGS
-    return _PhaseColors[min(_Tags[i] >> 24, 7)].rgb;
+    return _PhaseColors[min(_Tags[i] >> kTagPhaseShift, kPhases - 1)].rgb;
 #else
     float4 velocity = _Velocities[i];
     float speed = length(velocity.xyz) * _ParticleSpacing;

@@ -3,8 +3,8 @@
 #ifndef RILL_REACTIONS_INCLUDED
 #define RILL_REACTIONS_INCLUDED
 
-static const uint kReactionStride = 13;         // words of a collider: three sums, three moments, and what was added
-static const float kReactionScale = 65536.0;    // steps of a summed displacement in d
+#include "Generated/Reactions.hlsl"
+
 static const float kReactionRange = 100.0;      // d: a longer displacement of a particle counts as that
 static const float kForceRange = 16384.0;       // d: a larger contribution of a cell counts as that
 
@@ -59,9 +59,9 @@ void AddCellReaction(uint owner, float3 p, float3 gain)
 
 #else
 
-groupshared uint g_Owners[128];
-groupshared int3 g_Sums[128];
-groupshared int3 g_Moments[128];
+groupshared uint g_Owners[kGroup];
+groupshared int3 g_Sums[kGroup];
+groupshared int3 g_Moments[kGroup];
 
 // Of a particle. All threads of a group come here; 'owner' is kNoCollider where there is nothing to add. Neighbors in memory
 // mostly touch the same collider: the first of a run adds for all of it.

@@ -2,13 +2,7 @@
 #ifndef RILL_RESTING_REGIONS_INCLUDED
 #define RILL_RESTING_REGIONS_INCLUDED
 
-static const float kRegionSize = 8.0;       // d, = RestingRegions.RegionSize in RestingRegions.cs
-
-// States of a region. Particles asleep are not moved. Those at the edge still have lists and multipliers, which their
-// neighbors that move push against; the others are further from all that moves than any kernel reaches.
-static const uint kAsleep = 0;
-static const uint kAsleepAtEdge = 1;
-static const uint kAwake = 2;
+#include "Generated/RestingRegions.hlsl"
 
 uint3 RegionCounts()
 {
@@ -22,8 +16,7 @@ uint RegionOf(float3 p)
     return (region.z * counts.y + region.y) * counts.x + region.x;
 }
 
-static const uint kMotionStride = 5;        // words of a region's motion, = RestingRegions.MotionStride
-static const uint kMaxDisplacement = 4;          // of them: longest way of a particle, float bits
+static const uint kMaxDisplacement = 4;          // of the words of its motion: longest way of a particle, float bits
 
 #ifdef RILL_SLEEP
 StructuredBuffer<uint> _RegionStates;       // [regions]

@@ -2,9 +2,9 @@
 //
 //   _ShadowMapSource   in   the light's map of depths, after it was drawn
 //   the uniforms of UnityShadows, before the mask on the screen is made of them
-//   target             out  the map; or a texel for each of the uniforms, see ShadowValues.hlsl
+//   target             out  the map; or a texel for each of the uniforms, see Generated/ShadowValues.hlsl
 #include "Platform.hlsl"
-#include "ShadowValues.hlsl"
+#include "Generated/ShadowValues.hlsl"
 
 float4 ShadowCopyVertex(uint vertex : SV_VertexID) : SV_Position
 {

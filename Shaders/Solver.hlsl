@@ -5,56 +5,12 @@
 #ifndef RILL_SOLVER_INCLUDED
 #define RILL_SOLVER_INCLUDED
 
-#include "Counters.hlsl"
+#include "Generated/Counters.hlsl"
+#include "Generated/Solver.hlsl"
+#include "Generated/ThreadGroups.hlsl"
 
-static const uint kGroup = 128;             // threads of a particle kernel, = numthreads
-static const uint kMaxGroups = 65535;       // of a dispatch, per dimension; more fold into y
-static const float kSupport = 2.0;          // support radius h
-static const float kSupportSquared = 4.0;
-static const float kContactOffset = 0.5;        // a particle's centre stays this far from a wall
+static const float kSupportSquared = kSupport * kSupport;
 static const float kCoincident = 1e-8;      // squared distance below which a pair has no direction of its own
-
-// = SolverConstants in SolverConstants.cs, member by member. It is uploaded as raw bytes: 4-vectors and runs of four scalars lie
-// at the same bytes on every graphics API; Metal gives a float3 16 bytes of its own.
-cbuffer RillSolver
-{
-    float4 _DomainSizeAndTimeStep;
-    float4 _GravityStepAndInverseTimeStep;
-    uint4 _CellCountsAndTotal;
-    float4 _CellSizeAndListRadius;
-    float4 _InverseCellSizeAndListRadiusSquared;
-    uint _Capacity;             // particles
-    uint _NeighborCapacity;     // entries of a particle's neighbor list
-    uint _FirstListParticles;   // particles whose entries lie in the first list buffer; a multiple of 32
-    uint _StepIndex;            // since the last reset
-    float _DensityScale;        // poly6 normalisation / rest density
-    float _SelfDensity;         // W(0) / rest density
-    float _GradientScale;       // spiky gradient normalisation / rest density, negative
-    float _Epsilon;             // constraint force mixing, 1/d^2
-    float _WallScale;           // makes a lattice particle d/2 from a wall see C = 0
-    float _Relaxation;          // omega
-    float _MaxCorrection;       // longest correction of one pass, d
-    float _AllowedTension;      // negative density error that is still corrected, >= 0
-    float _ArtificialPressure;  // k of s_corr, d^2
-    float _ArtificialPressureReference; // 1 / W(dq), without W's normalisation
-    float _Smoothing;           // XSPH c of this substep
-    float _Confinement;         // vorticity confinement, d/s
-    float _Extrapolation;       // fraction of the last change of velocity that is added once more, see VelocityExtrapolation.cs; 0 for none
-    float _AccelerationFraction;   // 1 less it: of an acceleration that lasts, what acts at once
-    float _MaxExtrapolation;        // change of velocity in a substep up to which it is, d/s
-    float _Unused;
-};
-
-#define _DomainSize (_DomainSizeAndTimeStep.xyz)            // d
-#define _TimeStep (_DomainSizeAndTimeStep.w)                // s, one substep
-#define _GravityStep (_GravityStepAndInverseTimeStep.xyz)   // g dt^2 times _AccelerationFraction, d
-#define _InverseTimeStep (_GravityStepAndInverseTimeStep.w) // 1/s
-#define _CellCounts (_CellCountsAndTotal.xyz)               // cells along x, y, z
-#define _CellTotal (_CellCountsAndTotal.w)                  // their product
-#define _CellSize (_CellSizeAndListRadius.xyz)              // d
-#define _ListRadius (_CellSizeAndListRadius.w)              // d, support times margin
-#define _InverseCellSize (_InverseCellSizeAndListRadiusSquared.xyz)     // 1/d
-#define _ListRadiusSquared (_InverseCellSizeAndListRadiusSquared.w)     // d^2
 
 static const uint kNewParticle = 0xFFFFFFFFu;  // in place of where a sorted particle was before the sort: it is new since the last step
 

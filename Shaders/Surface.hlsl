@@ -11,6 +11,7 @@
 #include "SurfaceRectangle.hlsl"
 #include "Environment.hlsl"
 #include "Fog.hlsl"
+#include "Generated/PhaseFrame.hlsl"
 #ifdef RILL_FOAM
 #include "FoamLayer.hlsl"
 #endif
@@ -55,8 +56,8 @@ float2 InColorPyramid(float2 uv)
 float4 _Absorption;         // rgb 1/m
 float4 _Scattering;         // rgb colour, linear; w 1/m
 float _HasPhases;           // 1 where each phase has a look of its own, the next two; else 0: a keyword would double the variants
-float4 _PhaseAbsorption[4]; // as above
-float4 _PhaseScattering[4];
+float4 _PhaseAbsorption[kMaxPhases]; // as above
+float4 _PhaseScattering[kMaxPhases];
 float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
 
 struct SurfacePoint

@@ -1,5 +1,5 @@
 // A particle of the water's surface, as SurfaceParticles.compute writes it and renderers read it: an ellipsoid of 32 bytes.
-// Lengths in d, in the domain's frame. Includes nothing.
+// Lengths in d, in the domain's frame.
 #ifndef RILL_SURFACE_PARTICLE_INCLUDED
 #define RILL_SURFACE_PARTICLE_INCLUDED
 
@@ -9,11 +9,7 @@
 //   b.y    half2, semi-axes 0 and 1; the second is negative where it is a disc, whose semi-axes 0 and 1 are equal
 //   b.z    half2, semi-axis 2 and x of the chord
 //   b.w    half2, y and z of the chord
-struct SurfaceParticle
-{
-    uint4 a;
-    uint4 b;
-};
+#include "Generated/SurfaceParticle.hlsl"
 
 static const float kRotationRange = 0.70710678;     // largest magnitude of the components that are stored
 

@@ -7,9 +7,10 @@
 #define RILL_SURFACE_VIEW_INCLUDED
 
 #include "Platform.hlsl"
+#include "Generated/SurfaceView.hlsl"
 
 float4x4 _SurfaceWorldToClip[2];    // of each eye; y up, z is 1 at the near plane
-float4 _SurfaceRays[12];            // of each eye: origin, its change along x and y of the picture, direction, its change along x and y
+float4 _SurfaceRays[2 * kRaysOfEye];      // of each eye: origin, its change along x and y of the picture, direction, its change along x and y
 float4 _SurfaceDepths[2];           // of each eye: device depth = x + y / z with perspective, x + y z without; z, m, along the view. z: 1 without
 float4 _SurfaceSize;                // width and height of the textures, texels, and one over them
 uint _SurfaceEye;                   // that a pass draws for
@@ -23,7 +24,7 @@ struct SurfaceRay
 SurfaceRay RayThrough(float2 picture, uint eye)
 {
     SurfaceRay ray;
-    uint first = eye * 6;
+    uint first = eye * kRaysOfEye;
     ray.origin = _SurfaceRays[first].xyz + _SurfaceRays[first + 1].xyz * picture.x + _SurfaceRays[first + 2].xyz * picture.y;
     ray.direction = _SurfaceRays[first + 3].xyz + _SurfaceRays[first + 4].xyz * picture.x + _SurfaceRays[first + 5].xyz * picture.y;
     return ray;

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Host.Check;
@@ -76,6 +77,29 @@ namespace Host.Tests
             package.Add("Shaders/Two.compute", Shader.Replace("_Out[id.x] = 1", "_None[id.x] = 1"));
             Assert.That(new KernelNeedsFile().Text(package.Tree, new Findings()), Is.Null);
             Assert.That(Examine().Faults, Has.Some.StartsWith("Shaders/Two.compute (B): ").And.Some.Contains("_None"));
+        }
+
+        // Two files in a folder of their own.
+        sealed class Pair : GeneratedFiles
+        {
+            public override string Folder => "Shaders/Pair/";
+
+            public override IReadOnlyDictionary<string, string> Texts(PackageTree package, Findings findings) =>
+                new Dictionary<string, string> { [Folder + "One.hlsl"] = "a\nb\n", [Folder + "Two.hlsl"] = "c\n" };
+        }
+
+        [Test]
+        public void Each_of_several_generated_files_is_compared_and_what_is_left_over_beside_them_is_a_fault()
+        {
+            package.Add("Shaders/Pair/One.hlsl", "a\nB\n").Add("Shaders/Pair/Three.hlsl", "d\n");
+            Findings findings = new GeneratedFilesRule(new GeneratedFiles[] { new Pair() }).Examine(package.Tree);
+            Assert.That(findings.Faults, Is.EqualTo(new[]
+            {
+                "Shaders/Pair/One.hlsl(2) is not what its sources say: run `Headless~/rill generate`.",
+                "Shaders/Pair/Two.hlsl is missing: run `Headless~/rill generate`.",
+                "Shaders/Pair/Three.hlsl is generated from nothing any more: run `Headless~/rill generate`, which deletes it.",
+            }));
+            Assert.That(findings.Looked, Is.EqualTo("2 files"));
         }
 
         [Test]

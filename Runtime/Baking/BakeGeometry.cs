@@ -12,25 +12,29 @@ namespace Rill
     /// </summary>
     sealed class BakeGeometry
     {
-        /// <summary>Voxels along a brick; kBrick in MeshSdf.compute.</summary>
-        public const int Brick = 4;
+        /// <summary>voxels along a brick</summary>
+        [SharedWithHlsl("MeshSdf")] public const int Brick = 4;
 
-        /// <summary>Voxels around a triangle in which it is tested; kBand in MeshSdf.compute.</summary>
-        public const int Band = 2;
+        /// <summary>voxels around a triangle with exact distances</summary>
+        [SharedWithHlsl("MeshSdf", Signed = true)] public const int Band = 2;
 
         /// <summary>Voxels of the box around a triangle that one group of threads takes at most; the boxes of larger ones are mostly far from them.</summary>
         const int SmallBox = 4096;
 
-        /// <summary>kTurned and kLarge in MeshSdf.compute, in the bits below a triangle's number.</summary>
-        const uint Turned = 1, IsLarge = 2;
+        /// <summary>in the bits below a triangle's number: it faces the wrong side</summary>
+        [SharedWithHlsl("MeshSdf")] const uint Turned = 1;
 
-        /// <summary>LargeTriangle in MeshSdf.compute.</summary>
+        /// <summary>and: it is in _Large</summary>
+        [SharedWithHlsl("MeshSdf")] const uint IsLarge = 2;
+
+        /// <summary>A triangle that reaches more than a few voxels.</summary>
+        [SharedWithHlsl("MeshSdf")]
         [StructLayout(LayoutKind.Sequential)]
         public struct LargeTriangle
         {
-            /// <summary>In the order.</summary>
+            /// <summary>in the order, that of _Triangles</summary>
             public uint index;
-            /// <summary>Pairs with bricks of those before, modulo 2^32: a slice spans fewer.</summary>
+            /// <summary>pairs with bricks of those before, modulo 2^32: a slice spans fewer</summary>
             public uint firstPair;
             public int3 low, bricks;
         }

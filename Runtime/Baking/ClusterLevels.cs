@@ -9,8 +9,8 @@ namespace Rill
     /// </summary>
     static class ClusterLevels
     {
-        /// <summary>Triangles of a leaf and children of a cluster; kFan in MeshSdf.compute.</summary>
-        public const int Fan = 4;
+        /// <summary>triangles of a leaf and children of a cluster</summary>
+        [SharedWithHlsl("MeshSdf")] public const int Fan = 4;
 
         /// <summary>First cluster of each level and how many there are, leaves first.</summary>
         public static uint2[] Of(int triangles)

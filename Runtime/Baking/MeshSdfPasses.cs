@@ -7,27 +7,39 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
+    /// <summary>Which side of the surface a brick lies on as a whole.</summary>
+    [SharedWithHlsl("MeshSdf")]
+    enum BrickSide { Outside, Inside, Mixed }
+
     /// <summary>The buffers of one bake and its dispatches; each call runs at most one, at once.</summary>
     sealed class MeshSdfPasses : IDisposable
     {
-        // Threads of every kernel; kGroup in MeshSdf.compute.
-        const int Group = 64;
-        const int MaxGroups = 65535;
+        /// <summary>where no triangle is known</summary>
+        [SharedWithHlsl("MeshSdf")] public const uint None = uint.MaxValue;
+
+        /// <summary>threads of every kernel</summary>
+        [SharedWithHlsl("MeshSdf")] const int Group = 64;
 
         /// <summary>Of the largest buffer that a mesh's triangles need, <see cref="PackedTriangle"/>.</summary>
         public static int BytesOfTriangle => UnsafeUtility.SizeOf<PackedTriangle>();
 
-        // As in MeshSdf.compute.
+        /// <summary>Corners as whole float4, which load at once; a.w is 1 in those that are in _Large.</summary>
+        [SharedWithHlsl("MeshSdf")]
         struct PackedTriangle
         {
             public float4 a, b, c;
         }
 
+        [SharedWithHlsl("MeshSdf")]
         struct Cluster
         {
-            public float4 sphere, areaVector;
+            /// <summary>middle of the area, radius around all triangles</summary>
+            public float4 sphere;
+            /// <summary>twice the area, summed as vectors and, w, as lengths</summary>
+            public float4 areaVector;
         }
 
+        [SharedWithHlsl("MeshSdf")]
         struct Box
         {
             public float3 low, high;
@@ -90,7 +102,7 @@ namespace Rill
         /// <summary>Bits of floats, m, once everything is resolved.</summary>
         public GraphicsBuffer Distances => distances;
 
-        /// <summary>kOutside, kInside or kMixed of MeshSdf.compute for each brick, once <see cref="FindSides"/> has run.</summary>
+        /// <summary>A <see cref="BrickSide"/> for each brick, once <see cref="FindSides"/> has run.</summary>
         public GraphicsBuffer Sides => sides;
 
         public void Gather(int first, int count)
@@ -280,7 +292,7 @@ namespace Rill
         void Run(int kernel, long groups, ProfilerMarker marker)
         {
             cmd.BeginSample(marker);
-            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, MaxGroups), (int)((groups + MaxGroups - 1) / MaxGroups), 1);
+            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, ThreadGroups.MaxGroups), (int)((groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups), 1);
             cmd.EndSample(marker);
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();

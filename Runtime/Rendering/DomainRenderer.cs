@@ -7,7 +7,12 @@ namespace Rill
     [AddComponentMenu("Rill/Domain Renderer")]
     public sealed class DomainRenderer : FluidRenderer
     {
-        const int EdgeVertices = 24, FloorVertices = 6;
+        /// <summary>two for each of the box's edges</summary>
+        [SharedWithHlsl("Domain")] const int EdgeVertices = 24;
+
+        /// <summary>two triangles</summary>
+        [SharedWithHlsl("Domain")] const int FloorVertices = 6;
+
 
         [Tooltip("Colour of the box's edges. Each channel 0 to 1; alpha has no effect.")]
         [SerializeField] Color edges = new Color(0.25f, 0.28f, 0.32f);

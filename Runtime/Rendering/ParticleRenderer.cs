@@ -23,8 +23,8 @@ namespace Rill
             Phase,
         }
 
-        /// <summary>Two triangles of a quad; kVerticesPerParticle in Arguments.hlsl.</summary>
-        internal const int VerticesPerParticle = 6;
+        /// <summary>two triangles of a quad</summary>
+        [SharedWithHlsl("Arguments")] internal const int VerticesPerParticle = 6;
 
         [Tooltip("Radius of a sphere, particle spacings. Above 0.5 neighbors overlap and the surface closes.")]
         [Range(0.1f, 2f)]
@@ -60,7 +60,9 @@ namespace Rill
         [Tooltip("Light from all around, added to the sun's. Each channel 0 to 1; black: only the sun. Alpha has no effect.")]
         [SerializeField] Color ambient = new Color(0.42f, 0.47f, 0.55f);
 
-        const int Phases = 8;       // = those of Particles.hlsl
+        /// <summary>phases with a color of their own, those beyond counting as the last</summary>
+        [SharedWithHlsl("ParticleRenderer")] const int Phases = 8;
+
         readonly Vector4[] palette = new Vector4[Phases];
         MaterialPropertyBlock properties;
 

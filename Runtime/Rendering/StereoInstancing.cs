@@ -11,8 +11,11 @@ namespace Rill
     /// </remarks>
     static class StereoInstancing
     {
-        /// <summary>First command of a draw in a buffer of <see cref="GpuBuffer.Arguments"/>: of one instance, of two.</summary>
-        public const int MonoCommand = 0, StereoCommand = 2;
+        /// <summary>first command of a draw of one instance, in a buffer of <see cref="GpuBuffer.Arguments"/></summary>
+        [SharedWithHlsl("Arguments")] public const int MonoCommand = 0;
+
+        /// <summary>and of two, one for each eye</summary>
+        [SharedWithHlsl("Arguments")] public const int StereoCommand = 2;
 
         static Camera[] cameras = Array.Empty<Camera>();
         static int frame = -1;

@@ -1,6 +1,7 @@
 namespace Rill
 {
-    /// <summary>Shape of a <see cref="FluidCollider"/>; the constants of the same names in Colliders.hlsl.</summary>
+    /// <summary>Shape of a <see cref="FluidCollider"/>.</summary>
+    [SharedWithHlsl("Colliders")]
     public enum ColliderShape
     {
         /// <summary>A ball.</summary>

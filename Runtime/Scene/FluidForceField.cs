@@ -4,7 +4,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>What a force field does; the numbers of ForceFields.compute.</summary>
+    /// <summary>What a force field does.</summary>
+    [SharedWithHlsl("ForceFields")]
     public enum ForceFieldKind
     {
         /// <summary>Accelerates along the object's forward axis.</summary>
@@ -17,7 +18,8 @@ namespace Rill
         Wind,
     }
 
-    /// <summary>How a field's strength falls from its centre to its bounds; the numbers of ForceFields.compute.</summary>
+    /// <summary>How a field's strength falls from its centre to its bounds.</summary>
+    [SharedWithHlsl("ForceFields")]
     public enum ForceFieldFalloff
     {
         /// <summary>Not at all.</summary>
@@ -50,7 +52,10 @@ namespace Rill
     public sealed class FluidForceField : FluidPart
     {
         const int NoSize = FirstOwnProblem;
-        const float CoreFraction = 0.1f;           // kCore in ForceFields.compute
+
+        /// <summary>of the reach: inside it a point or vortex fades towards its centre</summary>
+        [SharedWithHlsl("ForceFields")] const float CoreFraction = 0.1f;
+
         const float CoreWithoutBounds = 2f;     // d
 
         [Tooltip("Direction: along the forward axis. Point: towards this object. Vortex: around the forward axis. Wind: drags the surface along the forward axis.")]

@@ -9,11 +9,42 @@ namespace Rill
     /// </summary>
     public struct FluidStatistics
     {
-        internal const int QuantityCount = 21;
+        /// <summary>words that <see cref="Quantity"/> numbers</summary>
+        [SharedWithHlsl("Statistics")] internal const int QuantityCount = 21;
+
         internal const int BlockSize = QuantityCount + 2 + ParticleBuffers.CounterCount;
 
-        // Order of Statistics.compute.
-        enum Quantity { Count, DensityError, Interior, InteriorError, Surrounded, Jitter, SpeedSquared, Position, Velocity = 10, Escaped = 13, Coincident, Neighbors, MaxError, MaxSpeedSquared, Furthest }
+        /// <summary>What is measured: sums, then maxima.</summary>
+        [SharedWithHlsl("Statistics")]
+        enum Quantity
+        {
+            Count,
+            /// <summary>max(0, C)</summary>
+            DensityError,
+            /// <summary>particles away from the free surface</summary>
+            Interior,
+            /// <summary>abs(C) of those</summary>
+            InteriorError,
+            /// <summary>particles with at least 12 neighbors</summary>
+            Surrounded,
+            /// <summary>squared velocity minus the neighbors' mean, of those</summary>
+            Jitter,
+            SpeedSquared,
+            /// <summary>and 8, 9</summary>
+            Position,
+            /// <summary>and 11, 12</summary>
+            Velocity = Position + 3,
+            /// <summary>more than 0.1 d beyond the inset of the walls and of colliders</summary>
+            Escaped = Velocity + 3,
+            /// <summary>particles closer than 0.05 d to another</summary>
+            CoincidentPairs,
+            Neighbors,
+            /// <summary>the first maximum</summary>
+            MaxError,
+            MaxSpeedSquared,
+            /// <summary>and 19, 20: largest x, y, z</summary>
+            Furthest,
+        }
 
         /// <summary>Fixed step since the last reset that was measured; 0 is the state before the first.</summary>
         public int step;
@@ -116,7 +147,7 @@ namespace Rill
                 neighborOverflow = Counter(block, ParticleCounter.Overflow),
                 maxNeighbors = Counter(block, ParticleCounter.MaxNeighbors),
                 escaped = (int)Value(block, Quantity.Escaped),
-                coincident = (int)Value(block, Quantity.Coincident),
+                coincident = (int)Value(block, Quantity.CoincidentPairs),
                 densityError = Value(block, Quantity.DensityError) * perParticle,
                 densityError999 = math.asfloat(block[QuantityCount]),
                 densityErrorMax = Value(block, Quantity.MaxError),

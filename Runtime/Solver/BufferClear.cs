@@ -7,10 +7,8 @@ namespace Rill
     /// <summary>Fills structured buffers with zeros by a kernel: nothing is uploaded and no array is made for it.</summary>
     sealed class BufferClear
     {
-        /// <summary>Threads of a group; kGroup in Clear.compute.</summary>
-        public const int Group = 256;
-
-        const int MaxGroups = 65535;        // along one axis; kMaxGroups
+        /// <summary>threads of a group</summary>
+        [SharedWithHlsl("Clear")] public const int Group = 256;
 
         readonly ComputeShader shader = StageShader.LoadCompute("Clear");
 
@@ -36,7 +34,7 @@ namespace Rill
             int groups = (int)(((long)buffer.count + Group - 1) / Group);
             cmd.SetComputeIntParam(shader, Ids.Count, buffer.count);
             cmd.SetComputeBufferParam(shader, kernel, property, buffer);
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, MaxGroups), (groups + MaxGroups - 1) / MaxGroups, 1);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
         }
 
         int KernelFor(int stride, out int property)

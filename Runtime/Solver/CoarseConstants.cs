@@ -3,25 +3,44 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The constant buffer RillCoarse of CoarseGrid.hlsl, member by member; lengths in d.</summary>
+    /// <summary>The coarse grid, for all kernels that read it; lengths in d.</summary>
+    [SharedWithHlsl("CoarseGrid", ConstantBuffer = "RillCoarse")]
     [StructLayout(LayoutKind.Sequential)]
     struct CoarseConstants
     {
-        public uint3 counts;
-        public uint total;
-        public float3 inverseSize;
+        /// <summary>cells along x, y, z</summary>
+        public uint3 coarseCounts;
+        /// <summary>their product</summary>
+        public uint coarseTotal;
+        /// <summary>1/d</summary>
+        public float3 inverseCoarseSize;
+        /// <summary>particles that make a cell active: two layers across it</summary>
         public float activeCount;
+        /// <summary>1/size² along each axis, 1/d²</summary>
         public float3 coupling;
+        /// <summary>1/ℓ², 1/d²</summary>
         public float screening;
+        /// <summary>1/d³</summary>
         public float inverseVolume;
+        /// <summary>of a small negative density error that the projection takes up</summary>
         public float negativeFraction;
+        /// <summary>longest displacement of the projection, d</summary>
         public float maxFlow;
+        /// <summary>longest displacement of the density correction, d</summary>
         public float maxPush;
+        /// <summary>levels of the V-cycle below the grid itself</summary>
         public uint levelCount;
+        /// <summary>the first of those that one thread group does together</summary>
         public uint firstTailLevel;
+        /// <summary>nearest that the free surface lies from the water's middle, cells</summary>
         public float minSurfaceDistance;
+        /// <summary>and furthest</summary>
         public float maxSurfaceDistance;
-        public uint4 level0, level1, level2, level3, level4, level5, level6, level7;
+        /// <summary>cells along x, y, z and index of the first; [0] is the grid itself</summary>
+        public CoarseLevels levels;
+
+        /// <summary>right-hand side of a cell that is not solved for: its potential is 0</summary>
+        [SharedWithHlsl("CoarseGrid")] public const float Inactive = 1e30f;
 
         /// <summary>
         /// Layers of particles across a coarse cell that make it active, whatever its size: with more, thin sheets are left to the
@@ -47,9 +66,9 @@ namespace Rill
             float volume = grid.CellSize.x * grid.CellSize.y * grid.CellSize.z;
             return new CoarseConstants
             {
-                counts = (uint3)grid.Counts,
-                total = (uint)grid.Total,
-                inverseSize = 1f / grid.CellSize,
+                coarseCounts = (uint3)grid.Counts,
+                coarseTotal = (uint)grid.Total,
+                inverseCoarseSize = 1f / grid.CellSize,
                 activeCount = math.ceil(ActiveLayers * math.pow(volume, 2f / 3f) - 0.01f),     // rounding shall not decide
                 coupling = 1f / (grid.CellSize * grid.CellSize),
                 screening = 1f / (ScreeningLength * ScreeningLength),
@@ -61,15 +80,24 @@ namespace Rill
                 firstTailLevel = (uint)grid.FirstTailLevel,
                 minSurfaceDistance = MinSurfaceDistance,
                 maxSurfaceDistance = MaxSurfaceDistance,
-                level0 = grid.Level(0),
-                level1 = grid.Level(1),
-                level2 = grid.Level(2),
-                level3 = grid.Level(3),
-                level4 = grid.Level(4),
-                level5 = grid.Level(5),
-                level6 = grid.Level(6),
-                level7 = grid.Level(7),
+                levels = new CoarseLevels
+                {
+                    level0 = grid.Level(0),
+                    level1 = grid.Level(1),
+                    level2 = grid.Level(2),
+                    level3 = grid.Level(3),
+                    level4 = grid.Level(4),
+                    level5 = grid.Level(5),
+                    level6 = grid.Level(6),
+                    level7 = grid.Level(7),
+                },
             };
         }
+    }
+
+    /// <summary>The levels of a <see cref="CoarseGrid"/>, <see cref="CoarseGrid.MaxLevels"/> of them: an array to the shaders.</summary>
+    struct CoarseLevels
+    {
+        public uint4 level0, level1, level2, level3, level4, level5, level6, level7;
     }
 }

@@ -17,7 +17,8 @@ namespace Rill
     /// </remarks>
     sealed class CoarseCorrection : IDisposable
     {
-        const int BinStride = 8;            // kBinStride in CoarseGrid.compute
+        /// <summary>words of a cell in _Bins</summary>
+        [SharedWithHlsl("CoarseBins")] const int BinStride = 8;
 
         static readonly ProfilerMarker ProjectionMarker = GpuMarker.Create("Rill.Projection");
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");

@@ -9,14 +9,14 @@ namespace Rill
     /// <summary>The cells of the two-level correction: the grid itself and the coarser levels of its V-cycle.</summary>
     sealed class CoarseGrid
     {
-        /// <summary>Levels with the grid itself; the size of _Levels in CoarseGrid.hlsl.</summary>
+        /// <summary>Levels with the grid itself: as many as <see cref="CoarseLevels"/> holds.</summary>
         public const int MaxLevels = 8;
 
-        /// <summary>Cells of all levels that one thread group holds; kTailCells in CoarseSolver.compute.</summary>
-        public const int TailCells = 2048;
+        /// <summary>cells of all levels that one thread group holds</summary>
+        [SharedWithHlsl("CoarseSolver")] public const int LargeTailCells = 2048;
 
-        /// <summary>The same of the kernels for 16 KB of groupshared memory.</summary>
-        public const int SmallTailCells = 1024;
+        /// <summary>the same of the kernels for 16 KB of groupshared memory</summary>
+        [SharedWithHlsl("CoarseSolver")] public const int SmallTailCells = 1024;
 
         /// <summary>Most cells: a larger domain gets larger ones.</summary>
         public const int MaxCells = 1 << 22;
@@ -29,7 +29,7 @@ namespace Rill
         /// <param name="domainSize">d.</param>
         /// <param name="cellSize">Wanted side of a cell, d; what it is comes from whole cells along each axis.</param>
         /// <param name="tailCells">Cells of all levels that one thread group holds.</param>
-        public CoarseGrid(float3 domainSize, float cellSize, int tailCells = TailCells)
+        public CoarseGrid(float3 domainSize, float cellSize, int tailCells = LargeTailCells)
         {
             WantedSize = cellSize;
             Counts = math.max((int3)math.round(domainSize / cellSize), 1);
@@ -71,9 +71,8 @@ namespace Rill
         /// <summary>Records a kernel for so many cells: ParticleIndex of Solver.hlsl numbers its threads.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
         {
-            const int maxGroups = 65535;
             int groups = (cells + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, maxGroups), (groups + maxGroups - 1) / maxGroups, 1);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
         }
 
         /// <summary>

@@ -8,8 +8,14 @@ namespace Rill
     /// <summary>V-cycles for the potential of a <see cref="CoarseGrid"/>: each smooths, corrects from coarser levels, smooths.</summary>
     sealed class CoarseSolver : IDisposable
     {
-        const int Tile = 8, SmallTile = 6;  // kTile in CoarseSolver.compute
-        const int Children = 8;             // threads that restrict to a cell
+        /// <summary>cells along the tile of a thread group that smooths</summary>
+        [SharedWithHlsl("CoarseSolver")] const int LargeTile = 8;
+
+        /// <summary>the same of the kernels for 256 threads; even, as kTileCells at most kTailCells wants it</summary>
+        [SharedWithHlsl("CoarseSolver")] const int SmallTile = 6;
+
+        /// <summary>threads that restrict to a cell</summary>
+        [SharedWithHlsl("CoarseSolver")] const int Children = 8;
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
@@ -130,7 +136,7 @@ namespace Rill
 
         void DispatchTiles(CommandBuffer cmd, int kernel, int3 counts)
         {
-            int tile = path.SmallTiles ? SmallTile : Tile;
+            int tile = path.SmallTiles ? SmallTile : LargeTile;
             int3 tiles = (counts + tile - 1) / tile;
             cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }

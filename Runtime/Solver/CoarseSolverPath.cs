@@ -24,7 +24,7 @@ namespace Rill
         }
 
         /// <summary>Cells of all levels that the tail holds.</summary>
-        public int TailCells => SmallTail ? CoarseGrid.SmallTailCells : CoarseGrid.TailCells;
+        public int TailCells => SmallTail ? CoarseGrid.SmallTailCells : CoarseGrid.LargeTailCells;
 
         public string Tail => SmallTail ? "SolveTail" + KernelNeed.Small : "SolveTail";
 

@@ -8,35 +8,54 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>A drain in one step, as Drains.compute has it; lengths in d, in the domain's frame.</summary>
+    /// <summary>A drain in one step; lengths in d, in the domain's frame.</summary>
+    [SharedWithHlsl("Drains")]
     [StructLayout(LayoutKind.Sequential)]
     struct DrainRegion
     {
-        public const uint NoLimit = uint.MaxValue;
-        public const uint NoEmitter = uint.MaxValue;
+        [SharedWithHlsl("Drains")] public const uint NoLimit = uint.MaxValue;
+        [SharedWithHlsl("Drains")] public const uint NoEmitter = uint.MaxValue;
 
-        /// <summary>From its own frame to the domain's, now and a step ago.</summary>
-        public float4 rotation, lastRotation;
+        /// <summary>from its own frame to the domain's, quaternion</summary>
+        public float4 rotation;
+        /// <summary>a step ago</summary>
+        public float4 lastRotation;
+        /// <summary>d, in the domain's frame</summary>
         public float3 center;
         public uint isSphere;
-        /// <summary>A step ago.</summary>
+        /// <summary>a step ago</summary>
         public float3 lastCenter;
-        /// <summary>Particles that go in this step at most.</summary>
+        /// <summary>particles that go in this step at most; kNoLimit for all</summary>
         public uint limit;
-        /// <summary>1 over half its sides, or over its radius.</summary>
+        /// <summary>1 over half the box's sides, or over the radius; 1/d</summary>
         public float3 inverseHalf;
-        /// <summary>Number of the emitter that puts them back.</summary>
+        /// <summary>number of the emitter that puts the particles back; kNoEmitter for none</summary>
         public uint emitter;
-        /// <summary>Its number, below <see cref="StepSources.MaxDrains"/>.</summary>
+        /// <summary>of its states, below kMaxDrains</summary>
         public uint number;
+    }
+
+    /// <summary>What is known of each drain on the GPU alone, words of _DrainStates.</summary>
+    [SharedWithHlsl("Drains", Prefix = "Drain")]
+    enum DrainWord
+    {
+        /// <summary>particles of the limit that are left from the steps before</summary>
+        Carried,
+        /// <summary>random ranks below this go in this step</summary>
+        RandomRanks,
+        /// <summary>since the reset</summary>
+        Drained,
     }
 
     /// <summary>Removes particles in drains and those whose time is over, at the start of a step. Made when first needed.</summary>
     sealed class Drains : IDisposable
     {
-        const int RandomRanks = 1024;          // kRandomRanks in Drains.compute
-        const int StateWords = 4;       // kDrainWords
-        const int DrainedWord = 2;      // kDrainDrained
+        /// <summary>ranks among which the particles of a drain with a limit draw theirs</summary>
+        [SharedWithHlsl("Drains")] const int RandomRanks = 1024;
+
+        /// <summary>words of a drain in _DrainStates</summary>
+        [SharedWithHlsl("Drains", Prefix = "Drain")] const int Words = 4;
+
         const string LifetimesKeyword = "RILL_LIFETIMES", RecyclingKeyword = "RILL_RECYCLING";
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Drain");
@@ -44,8 +63,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("Drains");
         readonly int countRandomRanks, selectRandom, drain;
         readonly LocalKeyword sleep, lifetimes, recycling;
-        readonly uint[] zeros = new uint[StepSources.MaxDrains * StateWords];
-        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MaxDrains * StateWords));
+        readonly uint[] zeros = new uint[StepSources.MaxDrains * Words];
+        readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Drains.States", StepSources.MaxDrains * Words));
         GraphicsBuffer regions, histogram;
         uint gone;
 
@@ -124,7 +143,7 @@ namespace Rill
         public void Request() => readback.Request();
 
         /// <summary>Particles that a drain has removed, as far as it has come back since the last <see cref="Clear"/>.</summary>
-        public int Drained(int number) => readback.HasResult ? (int)readback.Latest[number * StateWords + DrainedWord] : 0;
+        public int Drained(int number) => readback.HasResult ? (int)readback.Latest[number * Words + (int)DrainWord.Drained] : 0;
 
         public void Dispose()
         {
@@ -160,8 +179,8 @@ namespace Rill
 
         void RecordReset(CommandBuffer cmd, int number)
         {
-            cmd.SetBufferData(readback.Buffer, zeros, 0, number * StateWords, StateWords);
-            readback.Zero(number * StateWords, StateWords);
+            cmd.SetBufferData(readback.Buffer, zeros, 0, number * Words, Words);
+            readback.Zero(number * Words, Words);
         }
 
         void RecordRandomSelection(CommandBuffer cmd, ParticleBuffers particles)

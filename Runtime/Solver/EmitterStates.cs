@@ -7,11 +7,30 @@ namespace Rill
     /// <summary>What is known of each emitter on the GPU alone, and the numbers that come back from there without waiting.</summary>
     sealed class EmitterStates : IDisposable
     {
-        /// <summary>Words of an emitter; kEmitterWords in EmitterStates.hlsl.</summary>
-        public const int Words = 8;
+        /// <summary>words of an emitter in _EmitterStates</summary>
+        [SharedWithHlsl("EmitterStates", Prefix = "Emitter")] public const int Words = 8;
 
-        /// <summary>Words by their place; the constants of EmitterStates.hlsl.</summary>
-        public enum Word { Waiting, Recycled, Cursor, Emitted, Refused, Blocked, InCollider, Shut }
+        /// <summary>Which word of an emitter is what.</summary>
+        [SharedWithHlsl("EmitterStates", Prefix = "Emitter")]
+        public enum Word
+        {
+            /// <summary>particles due that had no room yet</summary>
+            Waiting,
+            /// <summary>particles that drains sent here and that are not back yet</summary>
+            Recycled,
+            /// <summary>place at which a volume goes on to be filled, or a cross-section to be searched</summary>
+            Cursor,
+            /// <summary>since the reset</summary>
+            Emitted,
+            /// <summary>for want of capacity, since the reset</summary>
+            Refused,
+            /// <summary>given up for want of room, since the reset</summary>
+            Blocked,
+            /// <summary>places tried in this step that a collider covers; 0 between steps</summary>
+            InCollider,
+            /// <summary>steps in a row up to the last in which colliders covered all places tried; 0 where none was</summary>
+            Shut,
+        }
 
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Emitters.States", StepSources.MaxEmitters * Words));
 

@@ -38,9 +38,9 @@ namespace Rill
         public uint TagIn(uint step)
         {
             if (lifetimeSteps == 0)
-                return (uint)phase << 24;
+                return (uint)phase << ParticleTags.PhaseShift;
             uint last = (step + (uint)lifetimeSteps) & ParticleTags.StepMask;
-            return (uint)phase << 24 | math.max(last, 1u);
+            return (uint)phase << ParticleTags.PhaseShift | math.max(last, 1u);
         }
 
         /// <summary>Chooses the places that a step tries, from the particles a second that are asked for.</summary>

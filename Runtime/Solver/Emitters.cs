@@ -13,8 +13,11 @@ namespace Rill
     /// </remarks>
     sealed class Emitters : IDisposable
     {
-        /// <summary>Most places that one emitter tries in a step; kMaxCandidates in Emitters.compute.</summary>
-        public const int MaxCandidates = 16384;
+        /// <summary>most places that one emitter tries in a step</summary>
+        [SharedWithHlsl("Emitters")] public const int MaxCandidates = 16384;
+
+        /// <summary>nothing is put nearer to a particle, d</summary>
+        [SharedWithHlsl("Emitters")] public const float Clearance = 0.7f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
 

@@ -7,10 +7,24 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Entries of the counter buffer of foam; the constants of Foam.compute. Those of the kinds are a kind's number.</summary>
-    enum FoamCounter { Alive, Spray, Foam, Bubbles, Spawned, Refused }
+    /// <summary>Kind of a foam particle.</summary>
+    [SharedWithHlsl("Foam")]
+    enum FoamKind { NoFoam, Spray, Foam, Bubble }
 
-    /// <summary>FoamParticle of Foam.hlsl.</summary>
+    /// <summary>Entries of the counter buffer of foam; those of each kind at its number.</summary>
+    [SharedWithHlsl("Foam", Prefix = "Foam")]
+    enum FoamCounter
+    {
+        Alive,
+        Spray = FoamKind.Spray,
+        Foam = FoamKind.Foam,
+        Bubbles = FoamKind.Bubble,
+        Spawned,
+        Refused,
+    }
+
+    /// <summary>See Foam.hlsl for what the words are.</summary>
+    [SharedWithHlsl("Foam")]
     [StructLayout(LayoutKind.Sequential)]
     struct FoamParticle
     {
@@ -20,7 +34,7 @@ namespace Rill
     /// <summary>Foam, spray and bubbles (Ihmsen et al. 2012), once a step. Made when first needed.</summary>
     /// <remarks>
     /// Particles lie without gaps in the order in which they came: every step moves them, leaves out what is over and puts the new
-    /// ones behind, at places that one prefix sum over groups of 128 gives to both. So a run repeats bit for bit.
+    /// ones behind, at places that one prefix sum over groups of threads gives to both. So a run repeats bit for bit.
     /// </remarks>
     sealed class Foam : IDisposable
     {

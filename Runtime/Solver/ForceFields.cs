@@ -7,25 +7,27 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>A force field in one step, as ForceFields.compute has it; lengths in d, in the domain's frame.</summary>
+    /// <summary>A force field in one step; lengths in d, in the domain's frame.</summary>
+    [SharedWithHlsl("ForceFields")]
     [StructLayout(LayoutKind.Sequential)]
     struct FieldRegion : IEquatable<FieldRegion>
     {
+        /// <summary>d, in the domain's frame</summary>
         public float3 center;
-        /// <summary>A <see cref="ForceFieldKind"/>.</summary>
+        /// <summary>a <see cref="ForceFieldKind"/></summary>
         public uint kind;
-        /// <summary>Along the bounds' sides, over half their length; of a sphere over its radius; 0 without bounds.</summary>
+        /// <summary>along the bounds' sides, over half their length (a sphere: over its radius), 1/d; 0 without bounds</summary>
         public float3 axisX;
-        /// <summary>A <see cref="ForceFieldFalloff"/>.</summary>
+        /// <summary>a <see cref="ForceFieldFalloff"/></summary>
         public uint falloff;
         public float3 axisY;
         public uint isSphere;
         public float3 axisZ;
-        /// <summary>d/s²; of a wind: drag, 1/s.</summary>
+        /// <summary>d/s²; of a wind: drag, 1/s</summary>
         public float strength;
-        /// <summary>Direction or axis, length 1; of a wind: its velocity, d/s.</summary>
+        /// <summary>direction or axis, length 1; of a wind: its velocity, d/s</summary>
         public float3 flow;
-        /// <summary>Distance below which a point or vortex fades towards its centre, d, above 0.</summary>
+        /// <summary>distance below which a point or vortex fades towards its centre, d, above 0</summary>
         public float core;
 
         public bool Equals(FieldRegion other) => center.Equals(other.center) && kind == other.kind && axisX.Equals(other.axisX) && falloff == other.falloff

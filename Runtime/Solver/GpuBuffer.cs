@@ -10,8 +10,8 @@ namespace Rill
         /// <summary>Largest resource that Direct3D 11 guarantees, bytes.</summary>
         public const long MaxBytes = 2048L * 1024 * 1024;
 
-        /// <summary>Byte of the dispatch arguments in a buffer of <see cref="Arguments"/>.</summary>
-        public const uint DispatchArgumentsAt = 16;
+        /// <summary>byte of the dispatch arguments in a buffer of <see cref="Arguments"/></summary>
+        [SharedWithHlsl("Arguments")] public const uint DispatchArgumentsAt = 16;
 
         /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte 32; see Arguments.hlsl.</summary>
         /// <param name="words">At least 12; further arguments from byte 48 on.</param>

@@ -9,8 +9,8 @@ namespace Rill
     /// <remarks>Lengths in particle spacings d; the support radius h is 2 d. Evaluated once, in double precision.</remarks>
     static class LatticeKernels
     {
-        /// <summary>Support radius h in spacings; kSupport in Solver.hlsl.</summary>
-        public const double Support = 2.0;
+        /// <summary>support radius h, d</summary>
+        [SharedWithHlsl("Solver")] public const double Support = 2.0;
 
         /// <summary>poly6 normalisation 315 / (64 π h⁹).</summary>
         public static readonly double Poly6Scale = 315.0 / (64.0 * Math.PI * Math.Pow(Support, 9));

@@ -5,8 +5,40 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Entries of the counter buffer; the constants of the same names in Solver.hlsl.</summary>
-    enum ParticleCounter { Alive, Sorted, NextId, Refused, NonFinite, Overflow, MaxNeighbors, Added, Emitted, Drained, Blocked, Waiting, Recycling, Moved, ViscosityBound, ViscosityChange }
+    /// <summary>Entries of the counter buffer. Since the reset, kAdded + kEmitted = kDrained + kNonFinite + kAlive at the end of a step.</summary>
+    [SharedWithHlsl("Counters")]
+    enum ParticleCounter
+    {
+        /// <summary>particles at the start of the step</summary>
+        Alive,
+        /// <summary>of those, with a finite position: particles of this step</summary>
+        Sorted,
+        NextId,
+        /// <summary>did not fit the capacity, since the reset</summary>
+        Refused,
+        /// <summary>culled, since the reset</summary>
+        NonFinite,
+        /// <summary>particles of this step with more neighbors than the list holds</summary>
+        Overflow,
+        /// <summary>most neighbors of such a particle</summary>
+        MaxNeighbors,
+        /// <summary>by a volume or by code</summary>
+        Added,
+        Emitted,
+        Drained,
+        /// <summary>due from an emitter and given up, since there was no room for a second</summary>
+        Blocked,
+        /// <summary>due from an emitter and without room so far</summary>
+        Waiting,
+        /// <summary>drained and not yet back from an emitter</summary>
+        Recycling,
+        /// <summary>took part in the last step: the first of those alive</summary>
+        Moved,
+        /// <summary>of the viscosity's last solve, float bits: of what neighbors brake a particle by, half the largest eigenvalue of the sum in ImplicitViscosity.compute</summary>
+        ViscosityBound,
+        /// <summary>of the same, float bits: largest change of a velocity in its last pass, d/s</summary>
+        ViscosityChange,
+    }
 
     /// <summary>The state of the particles on the GPU. Lengths in d, in the domain's frame.</summary>
     /// <remarks>
@@ -16,9 +48,11 @@ namespace Rill
     /// </remarks>
     sealed class ParticleBuffers : IDisposable
     {
-        /// <summary>Threads of a particle kernel; kGroup in Solver.hlsl.</summary>
-        public const int Group = 128;
-        public const int CounterCount = 16;
+        /// <summary>threads of a particle kernel</summary>
+        [SharedWithHlsl("Solver")] public const int Group = 128;
+
+        /// <summary>words of the counter buffer</summary>
+        [SharedWithHlsl("Counters")] public const int CounterCount = 16;
 
         /// <summary>
         /// Particles up to which kernels are dispatched for all of the capacity: the GPU waits less for a dispatch whose size is known, and

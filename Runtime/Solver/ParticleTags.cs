@@ -7,8 +7,11 @@ namespace Rill
     /// <summary>Phase and lifetime of each particle, which travel with it through every sort. Made when an emitter first gives one.</summary>
     sealed class ParticleTags : IDisposable
     {
-        /// <summary>Bits of a tag that hold a step; kTagSteps in ParticleTags.hlsl.</summary>
-        public const uint StepMask = 0x00FFFFFFu;
+        /// <summary>bits of a tag that hold a step</summary>
+        [SharedWithHlsl("ParticleTags", Prefix = "Tag")] public const uint StepMask = 0x00FFFFFFu;
+
+        /// <summary>above them, the phase</summary>
+        [SharedWithHlsl("ParticleTags", Prefix = "Tag")] public const int PhaseShift = 24;
 
         /// <summary>Keyword of the kernels that write tags, and of the shader that draws them.</summary>
         public const string Keyword = "RILL_TAGS";

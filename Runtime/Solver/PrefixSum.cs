@@ -11,14 +11,14 @@ namespace Rill
     /// </remarks>
     sealed class PrefixSum : IDisposable
     {
-        /// <summary>Elements that one thread group scans; kTile in PrefixSum.compute.</summary>
-        public const int Tile = 2048;
+        /// <summary>elements that one thread group scans</summary>
+        [SharedWithHlsl("PrefixSum")] public const int Tile = 2048;
 
         /// <summary>Tiles whose sums every group can add up by itself: eight for each of its threads.</summary>
         public const int FewTiles = Tile;
 
         /// <summary>Most elements one instance can take: a tile for each of the 65,535 groups of a dispatch.</summary>
-        public const int MaxCapacity = 65535 * Tile;
+        public const int MaxCapacity = ThreadGroups.MaxGroups * Tile;
 
         readonly ComputeShader shader;
         readonly int sumTiles, scanTileSums, scanTiles, scanFewTiles;

@@ -8,13 +8,20 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>
+    /// States of a region. Particles asleep are not moved. Those at the edge still have lists and multipliers, which their neighbors that
+    /// move push against; the others are further from all that moves than any kernel reaches.
+    /// </summary>
+    [SharedWithHlsl("RestingRegions")]
+    enum RegionState { Asleep, AsleepAtEdge, Awake }
+
+    /// <summary>
     /// Lets water that has come to rest sleep, by regions of the box: its particles stay where they are and most of a
     /// step's passes skip them. Made when first needed.
     /// </summary>
     sealed class RestingRegions : IDisposable
     {
-        /// <summary>Side of a region, d; kRegionSize in RestingRegions.hlsl.</summary>
-        public const float RegionSize = 8f;
+        /// <summary>side of a region, d</summary>
+        [SharedWithHlsl("RestingRegions")] public const float RegionSize = 8f;
 
         /// <summary>How long a region is at rest before it sleeps, s.</summary>
         public const float Delay = 0.5f;
@@ -25,7 +32,9 @@ namespace Rill
         /// <summary>Keyword of the kernels that leave out what sleeps.</summary>
         public const string Keyword = "RILL_SLEEP";
 
-        const int MotionStride = 5;             // kMotionStride in RestingRegions.hlsl
+        /// <summary>words of a region in _RegionMotion</summary>
+        [SharedWithHlsl("RestingRegions")] const int MotionStride = 5;
+
         const float GravityChange = 0.01f;      // fraction of it that wakes everything
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Rest");

@@ -3,38 +3,68 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The constant buffer RillSolver of Solver.hlsl, member by member; lengths in d.</summary>
+    /// <summary>What every kernel of the solver reads of a substep; lengths in d.</summary>
+    [SharedWithHlsl("Solver", ConstantBuffer = "RillSolver")]
     [StructLayout(LayoutKind.Sequential)]
     struct SolverConstants
     {
+        /// <summary>d</summary>
         public float3 domainSize;
+        /// <summary>s, one substep</summary>
         public float timeStep;
+        /// <summary>g dt² times _AccelerationFraction, d</summary>
         public float3 gravityStep;
+        /// <summary>1/s</summary>
         public float inverseTimeStep;
+        /// <summary>cells along x, y, z</summary>
         public int3 cellCounts;
+        /// <summary>their product</summary>
         public int cellTotal;
+        /// <summary>d</summary>
         public float3 cellSize;
+        /// <summary>d, support times margin</summary>
         public float listRadius;
+        /// <summary>1/d</summary>
         public float3 inverseCellSize;
+        /// <summary>d²</summary>
         public float listRadiusSquared;
+        /// <summary>particles</summary>
         public int capacity;
+        /// <summary>entries of a particle's neighbor list</summary>
         public int neighborCapacity;
+        /// <summary>particles whose entries lie in the first list buffer; a multiple of kParticlesPerListBlock</summary>
         public int firstListParticles;
+        /// <summary>since the last reset</summary>
         public uint stepIndex;
+        /// <summary>poly6 normalisation / rest density</summary>
         public float densityScale;
+        /// <summary>W(0) / rest density</summary>
         public float selfDensity;
+        /// <summary>spiky gradient normalisation / rest density, negative</summary>
         public float gradientScale;
+        /// <summary>constraint force mixing, 1/d²</summary>
         public float epsilon;
+        /// <summary>makes a lattice particle d/2 from a wall see C = 0</summary>
         public float wallScale;
+        /// <summary>ω</summary>
         public float relaxation;
+        /// <summary>longest correction of one pass, d</summary>
         public float maxCorrection;
+        /// <summary>negative density error that is still corrected, at least 0</summary>
         public float allowedTension;
+        /// <summary>k of s_corr, d²</summary>
         public float artificialPressure;
+        /// <summary>1 / W(dq), without W's normalisation</summary>
         public float artificialPressureReference;
+        /// <summary>XSPH c of this substep</summary>
         public float smoothing;
+        /// <summary>vorticity confinement, d/s</summary>
         public float confinement;
+        /// <summary>fraction of the last change of velocity that is added once more, see <see cref="VelocityExtrapolation"/>; 0 for none</summary>
         public float extrapolation;
+        /// <summary>1 less it: of an acceleration that lasts, what acts at once</summary>
         public float accelerationFraction;
+        /// <summary>change of velocity in a substep up to which it is, d/s</summary>
         public float maxExtrapolation;
         public float unused;
 

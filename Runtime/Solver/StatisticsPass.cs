@@ -10,7 +10,9 @@ namespace Rill
     /// <summary>Measures the fluid at the end of a step and brings the result back without waiting. Made when first needed.</summary>
     sealed class StatisticsPass : IDisposable
     {
-        const int Bins = 4096;          // kBins in Statistics.compute
+        /// <summary>of C+ between 0 and kMaxBin, finer towards 0: bin ~ sqrt(C+)</summary>
+        [SharedWithHlsl("Statistics")] const int Bins = 4096;
+
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Statistics");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");

@@ -10,20 +10,23 @@ namespace Rill
     /// <summary>What has to be drawn of the water, as ellipsoids, found once a frame for all cameras. Made when first needed.</summary>
     sealed class SurfaceParticles : IDisposable
     {
-        /// <summary>An element of <see cref="Particles"/>; SurfaceParticle in SurfaceParticle.hlsl, which says what the words are.</summary>
+        /// <summary>An element of <see cref="Particles"/>; SurfaceParticle.hlsl says what the words are.</summary>
+        [SharedWithHlsl("SurfaceParticle", Name = "SurfaceParticle")]
         [StructLayout(LayoutKind.Sequential)]
         public struct Element
         {
             public uint4 a, b;
         }
 
-        /// <summary>Entries of <see cref="Counters"/>; kFound and its like in SurfaceParticles.compute.</summary>
+        /// <summary>Entries of _SurfaceCounters.</summary>
+        [SharedWithHlsl("SurfaceParticles")]
         public enum Counter { Found, Drawn, DidNotFit }
 
         /// <summary>Passes that average the planes among neighbors before the ellipsoids are made, which average them once more.</summary>
         public const int SmoothingPasses = 3;
 
-        const uint SmoothArgumentsAt = 48;      // byte in the arguments; kSmoothArgumentsAt in SurfaceParticles.compute
+        /// <summary>byte of the groups of Smooth in _SurfaceArguments</summary>
+        [SharedWithHlsl("SurfaceParticles")] const uint SmoothArgumentsAt = 48;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 

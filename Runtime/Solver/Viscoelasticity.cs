@@ -13,8 +13,11 @@ namespace Rill
     /// </summary>
     sealed class Viscoelasticity : IDisposable
     {
-        /// <summary>kMaxStiffness of Viscoelasticity.compute over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
-        public static readonly double MaxStiffness = 1.0 / (2.0 * Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
+        /// <summary>of the stiffness times what its particle's neighborhood multiplies it by: as much as a substep can follow</summary>
+        [SharedWithHlsl("Viscoelasticity")] const double StableStiffness = 0.5;
+
+        /// <summary>The same over what a particle of the lattice multiplies it by: the most of G Δt² / (ρ d²).</summary>
+        public static readonly double MaxStiffness = StableStiffness / (Math.Sqrt(3.0) * LatticeKernels.StressMultiplier);
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Viscoelasticity");
 
@@ -36,13 +39,14 @@ namespace Rill
             BufferClear.Now(conformation);
         }
 
-        /// <summary>A symmetric tensor of a particle, Symmetric in Viscoelasticity.compute.</summary>
+        /// <summary>A symmetric tensor of a particle.</summary>
+        [SharedWithHlsl("Viscoelasticity")]
         [StructLayout(LayoutKind.Sequential)]
         public struct Symmetric
         {
-            /// <summary>xx, yy, zz.</summary>
+            /// <summary>xx, yy, zz</summary>
             public float3 diagonal;
-            /// <summary>yz, xz, xy.</summary>
+            /// <summary>yz, xz, xy</summary>
             public float3 others;
         }
 

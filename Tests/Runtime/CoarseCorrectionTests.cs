@@ -13,7 +13,7 @@ namespace Rill.Tests
     /// </summary>
     public class CoarseCorrectionTests
     {
-        const float Inactive = 1e30f;               // kInactive in CoarseGrid.hlsl
+        const float Inactive = CoarseConstants.Inactive;
         const double FlowRounding = 2e-4;           // d: binned in steps of 1/4096, and single precision of 100
         const double ErrorRounding = 1e-5;          // binned in steps of 1/65536
 

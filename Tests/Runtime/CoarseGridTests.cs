@@ -54,9 +54,9 @@ namespace Rill.Tests
         {
             var grid = new CoarseGrid(domain, 4f);
             Assert.That(grid.FirstTailLevel, Is.InRange(1, grid.LevelCount));
-            Assert.That(From(grid.FirstTailLevel), Is.LessThanOrEqualTo(CoarseGrid.TailCells));
+            Assert.That(From(grid.FirstTailLevel), Is.LessThanOrEqualTo(CoarseGrid.LargeTailCells));
             if (grid.FirstTailLevel > 1)
-                Assert.That(From(grid.FirstTailLevel - 1), Is.GreaterThan(CoarseGrid.TailCells), "one more level would fit");
+                Assert.That(From(grid.FirstTailLevel - 1), Is.GreaterThan(CoarseGrid.LargeTailCells), "one more level would fit");
 
             int From(int level) => Enumerable.Range(level, grid.LevelCount + 1 - level).Sum(grid.Cells);
         }

@@ -29,7 +29,7 @@ namespace Rill.Tests
 
         static CoarseSolverPath PathOf(string name) => new CoarseSolverPath(name == Small, name == Small);
 
-        const float Inactive = 1e30f;       // kInactive in CoarseGrid.hlsl
+        const float Inactive = CoarseConstants.Inactive;
         const float CellSize = 4f;
 
         // Means of the right-hand side, which varies by 0.2 about them: where it is negative for long, phi >= 0 binds.

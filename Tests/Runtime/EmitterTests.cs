@@ -14,7 +14,6 @@ namespace Rill.Tests
     public class EmitterTests
     {
         const float Spacing = 0.05f;
-        const float NoNearer = 0.7f;        // d, kClearance in Emitters.compute
         static readonly Vector3 Box = new Vector3(2f, 2f, 2f);
 
         static Action<FluidEmitter> Jet(float rate, float speed = 2f, float radius = 0.1f) => emitter =>
@@ -375,7 +374,7 @@ namespace Rill.Tests
 
         // Of the last ones of a state, those nearer to any other than is allowed.
         static int CountTooNear(ParticleState state, int fresh) => Enumerable.Range(state.Count - fresh, fresh)
-            .Count(i => Enumerable.Range(0, state.Count).Any(j => j != i && math.distance(state.positions[i].xyz, state.positions[j].xyz) < NoNearer - 1e-3f));
+            .Count(i => Enumerable.Range(0, state.Count).Any(j => j != i && math.distance(state.positions[i].xyz, state.positions[j].xyz) < Emitters.Clearance - 1e-3f));
 
         [Test]
         public void Two_particles_in_one_place_would_be_seen()

@@ -487,12 +487,5 @@ namespace Rill.Tests
                 Object.DestroyImmediate(scene.Fluid.gameObject);      // with its parts
             }
         }
-
-        [Test]
-        public void The_regions_are_laid_out_as_the_shaders_read_them()
-        {
-            Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<DrainRegion>(), Is.EqualTo(84));
-            Assert.That(System.Runtime.InteropServices.Marshal.SizeOf<FieldRegion>(), Is.EqualTo(80));
-        }
     }
 }

@@ -11,7 +11,7 @@ namespace Rill.Tests
     public class RestingRegionsTests
     {
         const float Spacing = 0.05f, SleepSpeed = 0.02f, TimeStep = 1f / 60f;
-        const uint Asleep = 0, AtEdge = 1, Awake = 2;
+        const uint Asleep = (uint)RegionState.Asleep, AtEdge = (uint)RegionState.AsleepAtEdge, Awake = (uint)RegionState.Awake;
         const float Way = SleepSpeed * TimeStep / Spacing;      // d
 
         static readonly int StepsToSleep = (int)math.ceil(RestingRegions.Delay / TimeStep);

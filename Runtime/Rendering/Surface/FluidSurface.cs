@@ -57,7 +57,7 @@ namespace Rill
         FluidSurfaceRecorder recorder;
         SurfaceShadow shadow;
         readonly SurfaceWatch watch = new SurfaceWatch();
-        readonly Vector4[] phaseAbsorption = new Vector4[PhaseFrame.Max], phaseScattering = new Vector4[PhaseFrame.Max];
+        readonly Vector4[] phaseAbsorption = new Vector4[PhaseFrame.MaxPhases], phaseScattering = new Vector4[PhaseFrame.MaxPhases];
         SurfaceFrame frame;
         bool hasFrame;
 
@@ -233,10 +233,10 @@ namespace Rill
 
         void ValidatePhases()
         {
-            if (phaseLooks.Length >= PhaseFrame.Max)
+            if (phaseLooks.Length >= PhaseFrame.MaxPhases)
             {
-                Debug.LogWarning($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first {PhaseFrame.Max - 1} can be told apart, for phases 1 to {PhaseFrame.Max - 1}. The rest are removed; give emitters phases up to {PhaseFrame.Max - 1}.", this);
-                Array.Resize(ref phaseLooks, PhaseFrame.Max - 1);
+                Debug.LogWarning($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first {PhaseFrame.MaxPhases - 1} can be told apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are removed; give emitters phases up to {PhaseFrame.MaxPhases - 1}.", this);
+                Array.Resize(ref phaseLooks, PhaseFrame.MaxPhases - 1);
             }
             for (int i = 0; i < phaseLooks.Length; i++)
             {
@@ -270,7 +270,7 @@ namespace Rill
 
         void SetPhases(MaterialPropertyBlock properties)
         {
-            for (int phase = 0; phase < PhaseFrame.Max; phase++)
+            for (int phase = 0; phase < PhaseFrame.MaxPhases; phase++)
             {
                 SurfaceLook own = phase == 0 || phaseLooks.Length == 0 ? look : phaseLooks[Mathf.Min(phase, phaseLooks.Length) - 1];
                 phaseAbsorption[phase] = own.Absorption;

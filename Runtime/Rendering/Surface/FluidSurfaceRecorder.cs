@@ -18,7 +18,10 @@ namespace Rill
 
         const string FilterFile = "SurfaceFilter";
         const int DepthPass = 0, ChordPass = 2; // of SurfaceRaster.shader
-        const int MaxFilterRadius = 32;         // texels, kMaxRadius in SurfaceFilter.compute
+
+        /// <summary>texels</summary>
+        [SharedWithHlsl("SurfaceFilter", Signed = true)] const int MaxFilterRadius = 32;
+
 
         readonly ComputeShader filter;
         Material raster;

@@ -5,8 +5,8 @@ namespace Rill
     /// <summary>The phases of a fluid whose surface shows each with a look of its own.</summary>
     readonly struct PhaseFrame
     {
-        /// <summary>Phases that the textures of thickness tell apart, those beyond counting as the last; kPhases in SurfaceThickness.compute.</summary>
-        public const int Max = 4;
+        /// <summary>phases that the textures of thickness tell apart, those beyond counting as the last</summary>
+        [SharedWithHlsl("PhaseFrame")] public const int MaxPhases = 4;
 
         /// <summary>See ParticleTags.hlsl; null where all particles look alike.</summary>
         public readonly GraphicsBuffer Tags;
@@ -16,6 +16,6 @@ namespace Rill
         public bool AreShown => Tags != null;
 
         /// <summary>Components of a texel of thickness.</summary>
-        public int Components => AreShown ? Max : 1;
+        public int Components => AreShown ? MaxPhases : 1;
     }
 }

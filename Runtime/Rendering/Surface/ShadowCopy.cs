@@ -16,7 +16,25 @@ namespace Rill
     sealed class ShadowCopy : IDisposable
     {
         const int MapPass = 3, ValuesPass = 4;      // of SurfaceRaster.shader
-        const int Values = 25, MaxSize = 2048, Stamps = 1 << 20;
+        const int MaxSize = 2048, Stamps = 1 << 20;
+
+        /// <summary>Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them, texels of one row.</summary>
+        [SharedWithHlsl("ShadowValues")]
+        enum Value
+        {
+            /// <summary>of four cascades, four rows each</summary>
+            WorldToShadow,
+            /// <summary>four</summary>
+            SplitSpheres = WorldToShadow + 16,
+            SplitSquaredRadii = SplitSpheres + 4,
+            SplitsFar,
+            ShadowData,
+            ShadowFade,
+            /// <summary>x: which camera and frame they belong to</summary>
+            ShadowStamp,
+        }
+
+        const int Values = (int)Value.ShadowStamp + 1;
 
         static readonly Vector4 NoStamp = new Vector4(-1f, 0f, 0f, 0f);
 

@@ -6,7 +6,8 @@ namespace Rill
     /// <summary>The uniforms of SurfaceView.hlsl for one camera: matrices and rays of each eye.</summary>
     sealed class SurfaceConstants
     {
-        const int RaysOfEye = 6;
+        /// <summary>vectors of each eye in _SurfaceRays</summary>
+        [SharedWithHlsl("SurfaceView")] const int RaysOfEye = 6;
 
         public readonly Matrix4x4[] WorldToClip = new Matrix4x4[2];
         public readonly Vector4[] Rays = new Vector4[2 * RaysOfEye];

@@ -4,20 +4,27 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The constant buffer RillColliders of Colliders.hlsl, member by member; lengths in d.</summary>
+    /// <summary>All colliders of a substep and the bins that say where they are; lengths in d.</summary>
+    [SharedWithHlsl("Colliders", ConstantBuffer = "RillColliders")]
     [StructLayout(LayoutKind.Sequential)]
     struct ColliderConstants : IEquatable<ColliderConstants>
     {
-        public uint3 cells;
-        public uint words;
-        public float cellSize;
-        public float inverseCellSize;
-        public uint count;
+        /// <summary>cells along x, y, z of the bins</summary>
+        public uint3 colliderCells;
+        /// <summary>words of a cell's mask: one bit for each collider</summary>
+        public uint colliderWords;
+        /// <summary>d</summary>
+        public float colliderCellSize;
+        /// <summary>1/d</summary>
+        public float inverseColliderCellSize;
+        public uint colliderCount;
+        /// <summary>whether what rests sleeps: _RegionStates holds something</summary>
         public uint rests;
-        public float reach;
-        public float3 padding;
+        /// <summary>d, as far as a collider can matter to a particle in a substep, once it is sorted; at least kSupport</summary>
+        public float colliderReach;
+        public float colliderPadding0, colliderPadding1, colliderPadding2;
 
-        public bool Equals(ColliderConstants other) => cells.Equals(other.cells) && words == other.words && cellSize == other.cellSize
-            && inverseCellSize == other.inverseCellSize && count == other.count && rests == other.rests && reach == other.reach;
+        public bool Equals(ColliderConstants other) => colliderCells.Equals(other.colliderCells) && colliderWords == other.colliderWords && colliderCellSize == other.colliderCellSize
+            && inverseColliderCellSize == other.inverseColliderCellSize && colliderCount == other.colliderCount && rests == other.rests && colliderReach == other.colliderReach;
     }
 }

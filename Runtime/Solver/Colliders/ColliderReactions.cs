@@ -8,8 +8,12 @@ namespace Rill
     /// <summary>What the fluid does to colliders: summed on the GPU over steps, brought back without waiting. Made when a collider wants to know.</summary>
     sealed class ColliderReactions : IDisposable
     {
-        const int Stride = 13;                  // kReactionStride in Reactions.hlsl
-        const double Scale = 65536.0;           // kReactionScale
+        /// <summary>words of a collider: three sums, three moments, and what was added</summary>
+        [SharedWithHlsl("Reactions", Prefix = "Reaction")] const int Stride = 13;
+
+        /// <summary>steps of a summed displacement in d</summary>
+        [SharedWithHlsl("Reactions", Prefix = "Reaction")] const double Scale = 65536.0;
+
         const int Words = Stride * ColliderSet.Most;
 
         readonly ComputeShader shader;

@@ -4,28 +4,51 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>A collider in a substep, as Colliders.hlsl has it, member by member; lengths in d, in the domain's frame.</summary>
+    /// <summary>A collider in a substep; lengths in d, in the domain's frame.</summary>
+    [SharedWithHlsl("Colliders", Name = "Collider")]
     [StructLayout(LayoutKind.Sequential)]
     struct ColliderState : IEquatable<ColliderState>
     {
+        /// <summary>from its own frame to the domain's, quaternion</summary>
         public float4 rotation;
+        /// <summary>the same at the start of the substep</summary>
         public float4 lastRotation;
+        /// <summary>of its own frame's origin, d</summary>
         public float3 position;
+        /// <summary>a <see cref="ColliderShape"/></summary>
         public uint shape;
+        /// <summary>at the start of the substep, d</summary>
         public float3 lastPosition;
         public uint flags;
+        /// <summary>sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides</summary>
         public float3 size;
+        /// <summary>furthest that a point of it moves in the substep, d</summary>
         public float sweep;
+        /// <summary>from its own frame, d, to a fraction of the atlas of its shape; negative along the axes of a mirrored mesh</summary>
         public float3 fieldScale;
+        /// <summary>d, of one stored unit of distance</summary>
         public float fieldUnit;
+        /// <summary>fraction of the atlas at its own frame's origin</summary>
         public float3 fieldCenter;
+        /// <summary>side of a voxel, d</summary>
         public float voxel;
+        /// <summary>fraction of the velocity along the surface that a substep takes from what touches; with kHoldsByViscosity of no slip</summary>
         public float friction;
+        /// <summary>fraction of the velocity into the surface that is given back</summary>
         public float bounciness;
+        /// <summary>by which moments about position are divided where they are summed, d</summary>
         public float momentArm;
+        /// <summary>of the height over a height field that is surely free on all sides</summary>
         public float minFraction;
 
-        const uint InsideOut = 1, ContributesDensity = 2, Reacts = 4, HoldsByViscosity = 8;       // as in Colliders.hlsl
+        /// <summary>the fluid is in it</summary>
+        [SharedWithHlsl("Colliders")] const uint InsideOut = 1;
+        [SharedWithHlsl("Colliders")] const uint ContributesDensity = 2;
+        /// <summary>what the fluid does to it is summed</summary>
+        [SharedWithHlsl("Colliders")] const uint Reacts = 4;
+        /// <summary>friction is by ViscosityWalls.hlsl</summary>
+        [SharedWithHlsl("Colliders")] const uint HoldsByViscosity = 8;
+
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
         /// <summary>Whether all bits are the same.</summary>

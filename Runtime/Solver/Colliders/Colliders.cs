@@ -12,7 +12,9 @@ namespace Rill
         const float SmallestCell = 4f;          // d
         const int MaxCells = 1 << 17;
         const int WordBits = 32;
-        const float ContactOffset = 0.5f;           // d, kContactOffset in Solver.hlsl
+
+        /// <summary>a particle's centre stays this far from a wall, d</summary>
+        [SharedWithHlsl("Solver")] const float ContactOffset = 0.5f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 
@@ -102,13 +104,13 @@ namespace Rill
             Changes += changed ? 1 : 0;
             var wanted = new ColliderConstants
             {
-                cells = (uint3)cells,
-                words = (uint)words,
-                cellSize = cellSize,
-                inverseCellSize = 1f / cellSize,
-                count = (uint)set.Count,
+                colliderCells = (uint3)cells,
+                colliderWords = (uint)words,
+                colliderCellSize = cellSize,
+                inverseColliderCellSize = 1f / cellSize,
+                colliderCount = (uint)set.Count,
                 rests = resting != null ? 1u : 0u,
-                reach = Reach(input.settings.iterations, deep),
+                colliderReach = Reach(input.settings.iterations, deep),
             };
             binned = changed || !wanted.Equals(constantsUpload[0]);
             constantsUpload[0] = wanted;

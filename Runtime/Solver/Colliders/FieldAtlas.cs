@@ -23,7 +23,9 @@ namespace Rill
     sealed class FieldAtlas : IDisposable
     {
         public const long BytesOfVoxel = 2;
-        const int CopyGroup = 4;            // threads of CopyField along an axis
+
+        /// <summary>threads of CopyField along each axis</summary>
+        [SharedWithHlsl("FieldAtlas")] const int CopyGroup = 4;
 
         readonly ComputeShader shader;
         readonly int copyField;

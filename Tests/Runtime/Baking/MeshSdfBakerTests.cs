@@ -119,7 +119,7 @@ namespace Rill.Tests
             {
                 int3 at = new int3(i % grid.Resolution.x, i / grid.Resolution.x % grid.Resolution.y, i / grid.Resolution.x / grid.Resolution.y);
                 double exact = MeshDistance.Unsigned(mesh, (double3)grid.Min + (double)grid.VoxelSize * ((double3)at + 0.5)) / grid.VoxelSize;
-                bool isFound = found[i] != uint.MaxValue;
+                bool isFound = found[i] != MeshSdfPasses.None;
                 if (Math.Abs(exact - 2.0) > Band)
                     Assert.That(isFound, Is.EqualTo(exact < 2.0), $"voxel {at}, {exact} from the nearest triangle");
                 if (!isFound)
@@ -303,10 +303,10 @@ namespace Rill.Tests
                 double whole = Math.Abs(winding - Math.Round(winding));
                 told[sides[i]]++;
                 near += distance < 2 * corner ? 1 : 0;
-                if (sides[i] != 2)
+                if (sides[i] != (uint)BrickSide.Mixed)
                 {
                     Assert.That(distance, Is.GreaterThanOrEqualTo(2 * corner), $"brick {i} is told as a whole");
-                    Assert.That(sides[i] == 1, Is.EqualTo(winding > 0.5), $"brick {i}, winding number {winding}");
+                    Assert.That(sides[i] == (uint)BrickSide.Inside, Is.EqualTo(winding > 0.5), $"brick {i}, winding number {winding}");
                 }
                 // Its distance is that of a voxel beside the middle, which counts as too large by half a voxel.
                 else if (distance > 2 * (corner + Math.Sqrt(0.75)) + 0.5 && whole < 0.04)

@@ -6,11 +6,11 @@ namespace Host.Check
     /// <summary>Generated files hold what their sources say now.</summary>
     sealed class GeneratedFilesRule : Rule
     {
-        readonly IReadOnlyList<GeneratedFile> files;
+        readonly IReadOnlyList<GeneratedFiles> all;
 
-        public GeneratedFilesRule() : this(GeneratedFile.All) { }
+        public GeneratedFilesRule() : this(GeneratedFiles.All) { }
 
-        public GeneratedFilesRule(IReadOnlyList<GeneratedFile> files) => this.files = files;
+        public GeneratedFilesRule(IReadOnlyList<GeneratedFiles> all) => this.all = all;
 
         public override string Name => "generated files are up to date";
 
@@ -18,16 +18,21 @@ namespace Host.Check
         {
             var findings = new Findings();
             int compared = 0;
-            foreach (GeneratedFile file in files)
+            foreach (GeneratedFiles generated in all)
             {
-                string expected = file.Text(package, findings);
-                if (expected == null)
+                IReadOnlyDictionary<string, string> texts = generated.Texts(package, findings);
+                if (texts == null)
                     continue;
-                compared++;
-                if (!package.Has(file.Path))
-                    findings.Fault($"{file.Path} is missing: run `Headless~/rill generate`.");
-                else if (FirstDifference(package.Read(file.Path), expected) is int line)
-                    findings.Fault($"{file.Path}({line}) is not what its sources say: run `Headless~/rill generate`.");
+                foreach ((string path, string expected) in texts)
+                {
+                    compared++;
+                    if (!package.Has(path))
+                        findings.Fault($"{path} is missing: run `Headless~/rill generate`.");
+                    else if (FirstDifference(package.Read(path), expected) is int line)
+                        findings.Fault($"{path}({line}) is not what its sources say: run `Headless~/rill generate`.");
+                }
+                foreach (string path in generated.Leftover(package, texts))
+                    findings.Fault($"{path} is generated from nothing any more: run `Headless~/rill generate`, which deletes it.");
             }
             findings.Looked = $"{compared} files";
             return findings;

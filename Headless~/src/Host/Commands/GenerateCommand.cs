@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
 using Host.Check;
@@ -19,25 +20,35 @@ namespace Host.Commands
         {
             string root = Session.Root();
             int faults = 0;
-            foreach (GeneratedFile file in GeneratedFile.All)
+            foreach (GeneratedFiles generated in GeneratedFiles.All)
             {
+                var package = new PackageTree(root);
                 var findings = new Findings();
-                string text = file.Text(new PackageTree(root), findings);
+                IReadOnlyDictionary<string, string> texts = generated.Texts(package, findings);
                 foreach (string fault in findings.Faults)
                     Console.Error.WriteLine(fault);
                 faults += findings.Faults.Count;
-                if (text == null)
+                if (texts == null)
                     continue;
-                string path = Path.Combine(root, file.Path);
-                bool changes = !File.Exists(path) || File.ReadAllText(path) != text;
-                if (changes)
+                foreach ((string path, string text) in texts)
+                    Console.Out.WriteLine($"{path}: {(Write(Path.Combine(root, path), text) ? "written" : "up to date")}");
+                foreach (string path in generated.Leftover(package, texts))
                 {
-                    Directory.CreateDirectory(Path.GetDirectoryName(path));
-                    File.WriteAllText(path, text);
+                    File.Delete(Path.Combine(root, path));
+                    Console.Out.WriteLine($"{path}: deleted, nothing generates it any more");
                 }
-                Console.Out.WriteLine($"{file.Path}: {(changes ? "written" : "up to date")}");
             }
             return faults == 0 ? 0 : 1;
+        }
+
+        // Whether it differed.
+        static bool Write(string path, string text)
+        {
+            if (File.Exists(path) && File.ReadAllText(path) == text)
+                return false;
+            Directory.CreateDirectory(Path.GetDirectoryName(path));
+            File.WriteAllText(path, text);
+            return true;
         }
     }
 }
