@@ -24,7 +24,7 @@ namespace Rill.Tests
             var estimate = new VirtualMassEstimate();
             Learn(ref estimate, mass, new Vector3(3f, -4f, 0f), fraction);
             Assert.That(estimate.Or(Guess), Is.EqualTo(mass).Within(0.02f * Guess));
-            for (int i = 0; i < 10; i++)
+            for (int i = 0; i < 14; i++)
                 Learn(ref estimate, mass, Vector3.zero, fraction);
             Assert.That(estimate.Or(Guess), Is.EqualTo(Guess).Within(0.02f * Guess));
         }
