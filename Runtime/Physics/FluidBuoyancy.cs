@@ -19,7 +19,7 @@ namespace Rill
     {
         const float PatienceTime = 5f;          // s without a fluid before that is said
 
-        [Tooltip("Mass of water that the body is computed to carry along, as a fraction of the water that it displaces. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
+        [Tooltip("Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it displaces; of turns always. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
         [Range(0.25f, 16f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
@@ -37,7 +37,7 @@ namespace Rill
         bool measuredBefore, problemIsKnown;
         string clamped;         // what the newest validation changed
 
-        /// <summary>Mass of water that the body is computed to carry along, as a fraction of the water that it displaces, 0.25 to 16.</summary>
+        /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it displaces, 0.25 to 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
 
         /// <summary>Share of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>

@@ -26,10 +26,11 @@ namespace Rill
         float volume, mass, step, virtualFraction, damping;        // m³, kg, s
         Vector3 velocity, angularVelocity;      // m/s, rad/s
         Vector3 force, torque;                  // N; about the middle of the shape, N m
-        float resistance;                       // against slip, kg/s
-        Vector3 slowed, turnSlowed;             // resistance times the slip in which the forces were measured, N; kg rad/s²
+        float resistance, turnResistance;       // against slip, kg/s
+        Vector3 slowed, turnSlowed;             // they times the slip in which the forces were measured, N; kg rad/s²
         SlipVelocity slip, angularSlip;
         float memory;                           // of the water, s
+        VirtualMassEstimate estimate;
         float level;                            // of the water, upwards, m
         bool levelIsKnown;
 
@@ -39,19 +40,20 @@ namespace Rill
         /// <summary>Whether a fluid told of its force.</summary>
         public bool IsKnown { get; private set; }
 
-        /// <summary>Begins a step; of those before, the water's level and the slip are kept.</summary>
+        /// <summary>Begins a step; of those before, the water's level, the slip and the estimate of the virtual mass are kept.</summary>
         /// <param name="bodyShape">World space, m; where the body is now.</param>
         /// <param name="bodyVolume">m³.</param>
         /// <param name="stepTime">Of this step and the last, s.</param>
         public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime)
         {
-            this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown, slip = slip, angularSlip = angularSlip, memory = memory };
+            this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown, slip = slip, angularSlip = angularSlip, memory = memory, estimate = estimate };
             shape = bodyShape;
             volume = bodyVolume;
             mass = bodyMass;
             step = stepTime;
             velocity = bodyVelocity;
             angularVelocity = bodyAngularVelocity;
+            estimate.Age(step);
             if (memory > 0f)
             {
                 slip.Follow(velocity, step, memory);
@@ -60,7 +62,7 @@ namespace Rill
             Tune(DefaultVirtualMass, DefaultDamping);
         }
 
-        /// <param name="virtualMassFraction">Of the displaced water.</param>
+        /// <param name="virtualMassFraction">Of the displaced water; holds while the forces tell nothing of it.</param>
         /// <param name="dampingFraction">Of the critical damping.</param>
         public void Tune(float virtualMassFraction, float dampingFraction)
         {
@@ -83,16 +85,20 @@ namespace Rill
             if (g > 0f)
             {
                 Vector3 up = gravity / -g;
-                fraction = BringUpToDate(part.Motion, displaced * g, up, fraction, ref push, ref moment);
+                fraction = BringUpToDate(part.Motion, displaced * g, up, fraction, out float fractionThen, ref push, ref moment);
+                if (levelIsKnown)
+                    estimate.Add(part.Force / displaced - up * (g * fractionThen), part.Motion.Slip / memory, fractionThen, g, virtualFraction, step);
                 LimitPropulsion(displaced * g * fraction, ref push);
                 Damp(displaced, g, up, fraction, ref push, ref moment);
             }
             force += push;
             torque += moment;
-            float resists = virtualFraction * displaced * fraction / memory;
+            float carried = displaced * fraction / memory;      // kg/s, times the virtual mass; that of turns is not estimated
+            float resists = estimate.Or(virtualFraction) * carried, resistsTurns = virtualFraction * carried;
             resistance += resists;
+            turnResistance += resistsTurns;
             slowed += resists * part.Motion.Slip;
-            turnSlowed += resists * part.Motion.AngularSlip;
+            turnSlowed += resistsTurns * part.Motion.AngularSlip;
             Fraction = math.min(Fraction + fraction, 1f);
         }
 
@@ -105,31 +111,32 @@ namespace Rill
         public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
         {
             float mean = memory > 0f ? SlipVelocity.MeanFraction(step, memory) : 0f;
-            float inverse = 1f / (mass + resistance * mean * step);
-            acceleration = (force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now) * inverse;
+            acceleration = (force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now) / (mass + resistance * mean * step);
             acceleration = gravity + Limited(acceleration - gravity, limit);
-            angularAcceleration = (mass * turn + turnSlowed - resistance * mean * (Vector3)angularSlip.Now) * inverse;
+            angularAcceleration = (mass * turn + turnSlowed - turnResistance * mean * (Vector3)angularSlip.Now) / (mass + turnResistance * mean * step);
             angularAcceleration = Limited(angularAcceleration, limit / math.max(shape.Radius, 1e-6f));
         }
 
         // Against the weight of the water in the body's place, less what the slip took off.
         float SubmergedFraction(in FluidForce part, float displaced, Vector3 gravity, float g)
         {
-            Vector3 whole = gravity + virtualFraction / memory * part.Motion.Slip;
+            Vector3 whole = gravity + estimate.Or(virtualFraction) / memory * part.Motion.Slip;
             float square = math.max(whole.sqrMagnitude, 0.0625f * g * g);
             return square > 0f ? math.saturate(-Vector3.Dot(part.Force, whole) / (displaced * square)) : part.Force == Vector3.zero ? 0f : 1f;
         }
 
-        // By the rise and the tilt since, of a prism as high and as large as the body. Returns the fraction under water now.
-        float BringUpToDate(in RelativeMotion since, float weight, Vector3 up, float fraction, ref Vector3 push, ref Vector3 moment)
+        // By the rise and the tilt since, of a ball, or of a prism as high and as large as the body. Returns the fraction under water now.
+        float BringUpToDate(in RelativeMotion since, float weight, Vector3 up, float fraction, out float fractionThen, ref Vector3 push, ref Vector3 moment)
         {
             float height = ColliderMeasures.Width(shape, up);
             float then = Vector3.Dot(since.Position, up);
             FindLevel(then, height, fraction);
+            fractionThen = fraction;
             if (levelIsKnown)
             {
+                fractionThen = Wet(then, height);
                 fraction = Wet(Vector3.Dot((Vector3)shape.end.position, up), height);
-                push += up * (weight * (fraction - Wet(then, height)));
+                push += up * (weight * (fraction - fractionThen));
             }
 
             Vector3 turn = ColliderTrack.RotationVector(since.Rotation, shape.end.rotation);
@@ -152,12 +159,19 @@ namespace Rill
             bool pierces = fraction > 1f - Certain && fraction < Certain;
             if (!pierces && !levelIsKnown)
                 return;
-            float found = pierces ? bottom + fraction * height : fraction >= Certain ? math.max(level, top) : math.min(level, bottom);
+            float found = pierces ? bottom + Depth(fraction) * height : fraction >= Certain ? math.max(level, top) : math.min(level, bottom);
             level = levelIsKnown ? math.lerp(level, found, LevelRate) : found;
             levelIsKnown = true;
         }
 
-        float Wet(float middle, float height) => math.saturate((level - middle) / height + 0.5f);
+        float Wet(float middle, float height)
+        {
+            float depth = math.saturate((level - middle) / height + 0.5f);
+            return shape.shape == ColliderShape.Sphere ? depth * depth * (3f - 2f * depth) : depth;
+        }
+
+        // The inverse: under water, of the body's height. Of a ball's cap the cubic above is solved by its three angles.
+        float Depth(float fraction) => shape.shape == ColliderShape.Sphere ? 0.5f - math.sin(math.asin(1f - 2f * fraction) / 3f) : fraction;
 
         // Water that is left behind pushes no more, which a late force does not know. Slow bodies are not concerned.
         void LimitPropulsion(float buoyancy, ref Vector3 push)
