@@ -99,7 +99,7 @@ namespace Host.Tests
             ("a drain", null, Part<FluidDrain>(Aside), new[] { "+1 Drains.compute Drain", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
             ("a second drain", Part<FluidDrain>(Aside), Part<FluidDrain>(Aside), new string[0]),
             ("a drain with a limit", Part<FluidDrain>(Aside), Part<FluidDrain>(d => { Aside(d); d.RateLimit = 1f; }), new[] { "+1 Drains.compute CountRandomRanks", "+1 Drains.compute SelectRandom", "+1 Rill.Drains.Histogram *" }),
-            ("a force field without bounds", null, Part<FluidForceField>(), new string[0]),
+            ("a force field without bounds", null, Part<FluidForceField>(f => f.Strength = 0.01f), new string[0]),      // stronger ones lean gravity, and may make water deep
             ("a force field", null, Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), new[] { "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *" }),
             ("a second force field", Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), new string[0]),
             ("a wind without viscosity", Inviscid, Part<FluidForceField>(f => f.Kind = ForceFieldKind.Wind), new[]
