@@ -75,7 +75,7 @@ namespace Rill.Tests
             }
         }
 
-        static SolverSettings Deep
+        internal static SolverSettings Deep
         {
             get
             {
