@@ -33,9 +33,9 @@ namespace Host.Tests
         }
 
         // A wall that slips acts by its pressure alone: it neither brakes nor drives. The coarse grid brakes by what its cells of a few particles
-        // do not see of a curve so tight: 5 % here, less in wider buckets.
+        // do not see of a curve so tight: 4 % here, less in wider buckets. Without the full push of the wall along its normal it is 5 %.
         [TestCase(DeepWater.Off, 0.94, 1.02)]
-        [TestCase(DeepWater.On, 0.93, 1.02)]
+        [TestCase(DeepWater.On, 0.955, 1.02)]
         public void A_slippery_round_wall_leaves_turning_water_what_the_step_leaves(DeepWater deepWater, double least, double most)
         {
             RotatingBucket bucket = RotatingBucket.Run(12, 3, false, FluidRun.Water(1, 2, deepWater), 0.8, 0.8, 0f);
