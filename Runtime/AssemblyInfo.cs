@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Rill.Physics")]
 [assembly: InternalsVisibleTo("Rill.Physics.Tests")]
+[assembly: InternalsVisibleTo("Rill.Testing")]
 [assembly: InternalsVisibleTo("Rill.Terrain")]
 [assembly: InternalsVisibleTo("Rill.Terrain.Tests")]
 [assembly: InternalsVisibleTo("Rill.Universal")]

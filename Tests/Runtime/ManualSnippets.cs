@@ -1,5 +1,6 @@
 using System.Collections;
 using NUnit.Framework;
+using Rill.Testing;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
@@ -128,6 +129,16 @@ namespace Rill.Tests
             #endregion
         }
 
+        static IEnumerator AssertScene(FluidSimulation fluid)
+        {
+            #region Assert in a test
+            Time.captureDeltaTime = 1f / 60f;                                   // the same steps on every machine
+            yield return FluidAssert.Settles(fluid, within: 5f, noise: 0.3f);   // plays until the water is calm
+            FluidAssert.NothingLost(fluid);
+            FluidAssert.NothingEscaped(fluid);
+            #endregion
+        }
+
         [UnityTest]
         public IEnumerator The_snippets_of_the_manual_do_what_the_page_says()
         {
@@ -156,6 +167,8 @@ namespace Rill.Tests
 
             StartAgain(fluid);
             Assert.That(fluid.StepCount, Is.EqualTo(0));
+            yield return AssertScene(fluid);
+            Time.captureDeltaTime = 0f;
         }
 
         T Part<T>() where T : Component

@@ -44,6 +44,54 @@ namespace Rill.Tests
             }
         }
 
+        // An upright cylinder off the grid's lines, whose wall turns at 2.7 m/s. The water around it is looked at in its sense of turning;
+        // with friction it is seen to move.
+        [TestCase(0f, -0.002, 0.002)]
+        [TestCase(1f, 0.02, 1.0)]
+        public void A_cylinder_that_spins_in_still_water_moves_it_by_friction_alone(float friction, double least, double most)
+        {
+            const float radius = 6f, turn = 0.15f;
+            var axis = new float3(15.3f, 8f, 16.7f);
+            using (var fluid = new TestFluid(new float3(32f, 16f, 32f) * Spacing, Spacing, 11000, ColliderDeepWaterTests.Deep))
+            {
+                ColliderMotion cylinder = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 30f, radius), axis, quaternion.identity);
+                cylinder.friction = friction;
+                fluid.AddAround(cylinder, 0f, new float3(32f, 10f, 32f));
+                ColliderTests.Use(fluid, cylinder);
+                fluid.Step(60);
+                double still = Around(fluid, axis, radius), spun = 0.0;
+                for (int step = 0; step < 60; step++)
+                {
+                    cylinder.start = cylinder.end;
+                    cylinder.end.rotation = math.mul(quaternion.RotateY(turn), cylinder.end.rotation);
+                    ColliderTests.Use(fluid, cylinder);
+                    fluid.Step();
+                    spun += Around(fluid, axis, radius) / 60.0;
+                }
+                double wall = radius * turn * Spacing / fluid.Input.timeStep;
+                TestContext.Out.WriteLine($"around the cylinder {still:0.0000} m/s as it stands and {spun:0.0000} m/s as its wall turns at {wall:0.0} m/s");
+                Assert.That(spun / wall, Is.InRange(least, most));
+            }
+        }
+
+        // Mean velocity, m/s, in the sense of turning about y, of what is within 4 d of a cylinder.
+        static double Around(TestFluid fluid, float3 axis, float radius)
+        {
+            ParticleState state = fluid.Read();
+            double sum = 0.0;
+            int count = 0;
+            for (int i = 0; i < state.Count; i++)
+            {
+                float2 away = (state.positions[i].xyz - axis).xz;
+                if (math.length(away) > radius + 4f)
+                    continue;
+                float2 sense = new float2(away.y, -away.x) / math.length(away);
+                sum += math.dot(state.velocities[i].xz, sense) * Spacing;
+                count++;
+            }
+            return sum / Math.Max(count, 1);
+        }
+
         // A film of three layers, in a frame that leans as the floor does, slides along it. Its ends run out, so its middle third is looked at.
         [Test]
         public void A_floor_neither_brakes_nor_drives_the_film_that_slides_along_it([Values(0f, 2f, 5f, 20f, 35f)] float tilt)

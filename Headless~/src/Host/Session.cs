@@ -18,7 +18,7 @@ namespace Host
     sealed class Session : IDisposable
     {
         // The package's assemblies, beside the host's own.
-        static readonly string[] PackageAssemblies = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Editor", "Rill.Samples", "Rill.Physics.Editor", "Rill.Terrain.Editor" };
+        static readonly string[] PackageAssemblies = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor" };
 
         readonly VulkanDevice device;
         readonly ProjectAssets assets;

@@ -14,7 +14,7 @@ namespace Rill
         const int WordBits = 32;
 
         /// <summary>a particle's centre stays this far from a wall, d</summary>
-        [SharedWithHlsl("Solver")] const float ContactOffset = 0.5f;
+        [SharedWithHlsl("Solver")] public const float ContactOffset = 0.5f;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Colliders");
 

@@ -8,7 +8,7 @@ namespace Host.Check.Api
     static class PackageAssemblies
     {
         /// <summary>Of the package: what its users compile, its samples' scripts, and its tests.</summary>
-        public static readonly string[] Package = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Editor", "Rill.Samples", "Rill.Physics.Editor", "Rill.Terrain.Editor", "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.Editor.Tests" };
+        public static readonly string[] Package = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor", "Rill.Tests", "Rill.Physics.Tests", "Rill.Terrain.Tests", "Rill.Editor.Tests" };
         /// <summary>Of the host: what stands in for Unity.</summary>
         public static readonly string[] StandIns = { "UnityEngine", "UnityEngine.PhysicsModule", "UnityEngine.TerrainModule", "UnityEditor", "Unity.Mathematics", "UnityEngine.TestRunner" };
 

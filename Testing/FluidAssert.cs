@@ -1,0 +1,140 @@
+using System;
+using System.Collections;
+using System.Globalization;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill.Testing
+{
+    /// <summary>
+    /// Assertions about a fluid for play-mode tests. Each measures the fluid at once and waits for the GPU, so none
+    /// belongs into a game. A failure says what was expected, what was found, and which particles are the cause.
+    /// </summary>
+    public static class FluidAssert
+    {
+        /// <summary>Particles that a message names at most.</summary>
+        const int MaxNamed = 5;
+
+        /// <summary>Frames of a game at 1,000 Hz beside a fluid at 10 steps a second, and some.</summary>
+        const int MaxFramesWithoutStep = 300;
+
+        /// <summary>Measures the fluid now, and waits for the GPU.</summary>
+        /// <exception cref="ArgumentNullException">There is no fluid.</exception>
+        /// <exception cref="InvalidOperationException">The fluid does not run, or has taken no step yet.</exception>
+        public static FluidStatistics Measure(FluidSimulation fluid)
+        {
+            if (fluid == null)
+                throw new ArgumentNullException(nameof(fluid));
+            return fluid.MeasureNow();
+        }
+
+        /// <summary>
+        /// Fails where particles were lost since the last restart: refused by a full capacity, given up by an emitter
+        /// without room, removed because their position was not finite, or not accounted for at all.
+        /// What a drain or the end of a lifetime took was asked for.
+        /// </summary>
+        /// <exception cref="FluidAssertionException">Some were lost.</exception>
+        /// <exception cref="InvalidOperationException">As for <see cref="Measure"/>.</exception>
+        public static void NothingLost(FluidSimulation fluid)
+        {
+            FluidStatistics now = Measure(fluid);
+            string why = "";
+            if (now.refused > 0)
+                why += Format($" {now.refused} were refused, since the capacity is {fluid.Capacity}: raise it or add less.");
+            if (now.blocked > 0)
+                why += Format($" {now.blocked} were given up by emitters, which found no room for a second: lower their rate, or let the water flow off.");
+            if (now.nonFinite > 0)
+                why += Format($" {now.nonFinite} were removed, since their position was not finite: look for NaN in what adds or pushes them.");
+            int missing = now.added + now.emitted - now.drained - now.nonFinite - now.particles;
+            if (missing != 0)
+                why += Format($" {missing} are not accounted for: {now.added} added and {now.emitted} emitted, {now.drained} drained, {now.nonFinite} not finite, {now.particles} alive.");
+            if (why.Length > 0)
+                Fail(fluid, now, "particles were lost." + why);
+        }
+
+        /// <summary>Fails where particles are more than a tenth of a spacing beyond the box's walls or inside a collider.</summary>
+        /// <exception cref="FluidAssertionException">Some are; the message names those that are furthest out.</exception>
+        /// <exception cref="InvalidOperationException">As for <see cref="Measure"/>.</exception>
+        public static void NothingEscaped(FluidSimulation fluid)
+        {
+            FluidStatistics now = Measure(fluid);
+            if (now.escaped > 0)
+                Fail(fluid, now, Format($"{now.escaped} of {now.particles} particles are outside the box or inside a collider.") + NameFurthest(fluid));
+        }
+
+        /// <summary>
+        /// Lets the scene play until the water is calm, for a test that returns IEnumerator:
+        /// <c>yield return FluidAssert.Settles(fluid, within: 5f);</c>
+        /// </summary>
+        /// <param name="within">Fluid time that it may take from now on, s; above 0.</param>
+        /// <param name="volume">How far <see cref="FluidStatistics.volumeRatio"/> may be from 1, at least 0; infinite where the water does not fill the floor of its box.</param>
+        /// <param name="noise">Jitter below which water is calm, m/s; above 0.</param>
+        /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
+        /// <exception cref="FluidAssertionException">It is not calm in that time, or is not of its rest volume then.</exception>
+        public static IEnumerator Settles(FluidSimulation fluid, float within, float volume = float.PositiveInfinity, float noise = 0.05f)
+        {
+            if (fluid == null)
+                throw new ArgumentNullException(nameof(fluid));
+            if (!(within > 0f))
+                throw new ArgumentOutOfRangeException(nameof(within), within, "The fluid time to settle in has to be above 0 s.");
+            if (!(volume >= 0f))
+                throw new ArgumentOutOfRangeException(nameof(volume), volume, "The volume's tolerance has to be at least 0.");
+            if (!(noise > 0f))
+                throw new ArgumentOutOfRangeException(nameof(noise), noise, "The jitter of calm water has to be above 0 m/s.");
+            return Settle(fluid, within, volume, noise);
+        }
+
+        /// <summary>Fails where the fluid's steps take more GPU time than that, as its budget measures it. A modelled time does not count.</summary>
+        /// <param name="milliseconds">What the steps of a frame may take, ms, above 0.</param>
+        /// <exception cref="ArgumentOutOfRangeException">The time is not above 0.</exception>
+        /// <exception cref="InvalidOperationException">The budget is off, or nothing was measured: this player or device tells no GPU time of parts of a frame.</exception>
+        /// <exception cref="FluidAssertionException">They take more.</exception>
+        public static void CostBelow(FluidSimulation fluid, float milliseconds)
+        {
+            if (fluid == null)
+                throw new ArgumentNullException(nameof(fluid));
+            if (!(milliseconds > 0f))
+                throw new ArgumentOutOfRangeException(nameof(milliseconds), milliseconds, "The time has to be above 0 ms.");
+            BudgetState state = fluid.BudgetState;
+            if (state.source != GpuTimeKind.Measured || !(state.milliseconds > 0f))
+                throw new InvalidOperationException($"The GPU time of FluidSimulation '{fluid.name}' was not measured ({state}). Switch its budget on, let some frames pass, and run this in the Editor or a development player on a device with SystemInfo.supportsGpuRecorder.");
+            if (state.milliseconds > milliseconds)
+                throw new FluidAssertionException(Format($"FluidSimulation '{fluid.name}': its steps take {state.milliseconds:0.000} ms a frame, more than {milliseconds:0.000} ms ({state.substeps} substeps x {state.iterations} iterations)."));
+        }
+
+        static IEnumerator Settle(FluidSimulation fluid, float within, float volume, float noise)
+        {
+            double start = fluid.FluidTime;
+            int framesWithoutStep = 0;
+            FluidStatistics now = default;
+            while (fluid.FluidTime - start < within)
+            {
+                int step = fluid.StepCount;
+                yield return null;
+                framesWithoutStep = fluid.StepCount == step ? framesWithoutStep + 1 : 0;
+                if (fluid.IsRunning && !fluid.Paused && framesWithoutStep > 0 && framesWithoutStep < MaxFramesWithoutStep)
+                    continue;
+                now = Measure(fluid);
+                if (framesWithoutStep > 0)
+                    Fail(fluid, now, "it cannot settle, since time stands still: " + (fluid.Paused ? "it is paused." : Format($"{framesWithoutStep} frames without a step. Look at Time.timeScale.")));
+                if (now.jitter <= noise && Math.Abs(now.volumeRatio - 1f) <= volume)
+                    yield break;
+            }
+            string size = float.IsInfinity(volume) ? "" : Format($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
+            Fail(fluid, now, Format($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + ".");
+        }
+
+        static string NameFurthest(FluidSimulation fluid)
+        {
+            var named = "";
+            foreach ((uint id, float3 position, float outside) in fluid.FindFurthestOut(MaxNamed))
+                named += Format($" Particle {id} is at {position.x:0.000}, {position.y:0.000}, {position.z:0.000} m in the box's frame, {outside:0.000} m too far;");
+            return named.TrimEnd(';') + (named.Length > 0 ? "." : "");
+        }
+
+        static void Fail(FluidSimulation fluid, in FluidStatistics now, string problem) =>
+            throw new FluidAssertionException(Format($"FluidSimulation '{fluid.name}', step {now.step} at {now.time:0.000} s: {problem}"));
+
+        static string Format(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,271 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using NUnit.Framework;
+using Rill.Testing;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
+
+namespace Rill.Tests
+{
+    /// <summary>Assertions for users' own tests: each passes where it should, fails where it should, and says why.</summary>
+    public class FluidAssertTests
+    {
+        const float Spacing = 0.05f;
+
+        readonly List<GameObject> made = new List<GameObject>();
+
+        [SetUp]
+        public void OneStepAFrame() => Time.captureDeltaTime = 1f / 60f;
+
+        [UnityTearDown]
+        public IEnumerator LeaveNothing()
+        {
+            foreach (GameObject gameObject in made)
+                Object.Destroy(gameObject);
+            made.Clear();
+            Time.captureDeltaTime = 0f;
+            yield return null;
+        }
+
+        [UnityTest]
+        public IEnumerator A_whole_fluid_has_lost_nothing_and_nothing_has_escaped()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(5);
+            FluidAssert.NothingLost(fluid);
+            FluidAssert.NothingEscaped(fluid);
+            Assert.That(FluidAssert.Measure(fluid).step, Is.EqualTo(5), "the newest state was measured");
+        }
+
+        [UnityTest]
+        public IEnumerator Particles_that_the_capacity_refused_are_lost_and_the_message_names_it()
+        {
+            FluidSimulation fluid = Pool(capacity: 300);
+            yield return Frames(2);
+            string problem = Failure(() => FluidAssert.NothingLost(fluid));
+            Assert.That(problem, Does.Contain("'Pool'").And.Contain("100 were refused").And.Contain("capacity is 300"));
+        }
+
+        [UnityTest]
+        public IEnumerator A_particle_that_is_not_finite_is_lost()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            using (var positions = new NativeArray<float3>(new[] { new float3(float.NaN, 0f, 0f) }, Allocator.Temp))
+            using (var velocities = new NativeArray<float3>(1, Allocator.Temp))
+                fluid.AddParticles(positions, velocities);
+            yield return Frames(2);
+            Assert.That(Failure(() => FluidAssert.NothingLost(fluid)), Does.Contain("1 were removed, since their position was not finite"));
+        }
+
+        [UnityTest]
+        public IEnumerator Particles_that_the_counters_do_not_account_for_are_lost()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            var counters = new uint[ParticleBuffers.CounterCount];
+            fluid.Solver.Counters.GetData(counters);
+            counters[(int)ParticleCounter.Added] += 7;
+            fluid.Solver.Counters.SetData(counters);
+            Assert.That(Failure(() => FluidAssert.NothingLost(fluid)), Does.Contain("7 are not accounted for: 407 added"));
+        }
+
+        [UnityTest]
+        public IEnumerator A_particle_beyond_the_wall_has_escaped_and_the_message_says_where()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            PutAt(fluid, 17, new float4(-3f, 4f, 5f, 0f));
+            string problem = Failure(() => FluidAssert.NothingEscaped(fluid));
+            Assert.That(problem, Does.Contain("1 of 400 particles").And.Contain("Particle 17 is at -0.150, 0.200, 0.250 m").And.Contain("0.175 m too far."));
+        }
+
+        [UnityTest]
+        public IEnumerator A_particle_inside_a_collider_has_escaped()
+        {
+            FluidSimulation fluid = Pool();
+            var ball = new GameObject("Ball");
+            made.Add(ball);
+            ball.transform.position = new Vector3(0f, 0.15f, 0f);       // above the water
+            FluidCollider collider = ball.AddComponent<FluidCollider>();
+            collider.Shape = ColliderShape.Sphere;
+            collider.Radius = 0.05f;
+            yield return Frames(2);
+            FluidAssert.NothingEscaped(fluid);
+            PutAt(fluid, 3, new float4(new float3(0.25f, 0.45f, 0.25f) / Spacing, 0f));
+            Assert.That(Failure(() => FluidAssert.NothingEscaped(fluid)), Does.Contain("1 of 400 particles").And.Contain("Particle 3 is at 0.250, 0.450, 0.250 m"));
+        }
+
+        [UnityTest]
+        public IEnumerator Still_water_settles_and_the_test_goes_on_at_once()
+        {
+            FluidSimulation fluid = Pool();
+            yield return FluidAssert.Settles(fluid, within: 4f, volume: 0.15f, noise: 0.1f);
+            Assert.That(fluid.FluidTime, Is.LessThan(4.0));
+            Assert.That(fluid.FluidTime, Is.GreaterThan(0.0));
+        }
+
+        [UnityTest]
+        public IEnumerator Water_that_still_moves_has_not_settled_and_the_message_has_the_figures()
+        {
+            FluidSimulation fluid = Pool();
+            IEnumerator settling = FluidAssert.Settles(fluid, within: 0.1f, noise: 1e-6f);
+            FluidAssertionException failure = null;
+            while (failure == null)
+            {
+                try
+                {
+                    Assert.That(settling.MoveNext(), "it settled");
+                }
+                catch (FluidAssertionException thrown)
+                {
+                    failure = thrown;
+                }
+                yield return null;
+            }
+            Assert.That(failure.Message, Does.Contain("has not settled in 0.1 s: jitter 0.").And.Contain("of 0.000"));
+        }
+
+        [UnityTest]
+        public IEnumerator Paused_water_fails_to_settle_instead_of_waiting_for_ever()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            fluid.Paused = true;
+            IEnumerator settling = FluidAssert.Settles(fluid, within: 1f);
+            settling.MoveNext();
+            yield return null;
+            Assert.That(Failure(() => settling.MoveNext()), Does.Contain("paused"));
+        }
+
+        [UnityTest]
+        public IEnumerator Water_that_takes_no_steps_fails_to_settle_instead_of_waiting_for_ever()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            IEnumerator settling = FluidAssert.Settles(fluid, within: 1f);
+            string problem = Failure(() =>
+            {
+                for (int i = 0; i < 1000; i++)      // no frame passes in between
+                    settling.MoveNext();
+            });
+            Assert.That(problem, Does.Contain("time stands still").And.Contain("Time.timeScale"));
+        }
+
+        [UnityTest]
+        public IEnumerator A_cost_that_was_not_measured_is_no_cost()
+        {
+            FluidSimulation fluid = Pool();
+            yield return Frames(2);
+            Assert.That(() => FluidAssert.CostBelow(fluid, 1f), Throws.InvalidOperationException.With.Message.Contains("was not measured").And.Message.Contains("Switch its budget on"));
+            Assert.That(() => FluidAssert.CostBelow(fluid, 0f), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
+        [UnityTest]
+        public IEnumerator A_measured_cost_is_held_to_its_bound()
+        {
+            FluidSimulation fluid = Pool(setUp: f =>
+            {
+                f.BudgetTime = new TwoMilliseconds();
+                SolverBudget budget = f.Budget;
+                budget.mode = BudgetMode.Milliseconds;
+                budget.milliseconds = 3f;
+                f.Budget = budget;
+            });
+            yield return Frames(20);
+            FluidAssert.CostBelow(fluid, 100f);
+            string problem = Failure(() => FluidAssert.CostBelow(fluid, 0.001f));
+            Assert.That(problem, Does.Contain("ms a frame, more than 0.001 ms"));
+        }
+
+        [UnityTest]
+        public IEnumerator What_cannot_be_measured_says_why()
+        {
+            FluidSimulation fluid = Pool();
+            Assert.That(() => FluidAssert.Measure(fluid), Throws.InvalidOperationException.With.Message.Contains("no step yet"));
+            yield return Frames(1);
+            fluid.enabled = false;
+            Assert.That(() => FluidAssert.Measure(fluid), Throws.InvalidOperationException.With.Message.Contains("'Pool' does not run"));
+            Assert.That(() => FluidAssert.Measure(null), Throws.ArgumentNullException);
+            Assert.That(() => FluidAssert.Settles(fluid, 0f), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => FluidAssert.Settles(fluid, 1f, -1f), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => FluidAssert.Settles(fluid, 1f, 0.1f, 0f), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
+        [UnityTest]
+        public IEnumerator Measuring_changes_nothing_of_the_fluid()
+        {
+            FluidSimulation measured = Pool(), left = Pool();
+            for (int i = 0; i < 6; i++)
+            {
+                yield return null;
+                FluidAssert.Measure(measured);
+            }
+            TestFluid.AssertSame(TestFluid.Read(measured.Solver), TestFluid.Read(left.Solver));
+        }
+
+        static string Failure(Action assertion)
+        {
+            try
+            {
+                assertion();
+            }
+            catch (FluidAssertionException failure)
+            {
+                TestContext.Out.WriteLine(failure.Message);
+                return failure.Message;
+            }
+            Assert.Fail("nothing failed");
+            return null;
+        }
+
+        // Moves a particle of the state, in d.
+        static void PutAt(FluidSimulation fluid, uint id, float4 position)
+        {
+            ParticleState state = TestFluid.Read(fluid.Solver);
+            state.positions[Array.IndexOf(state.ids, id)] = position;
+            fluid.Solver.Positions.SetData(state.positions, 0, 0, state.Count);
+        }
+
+        // Four layers of 10 x 10 particles.
+        FluidSimulation Pool(int capacity = 1000, Action<FluidSimulation> setUp = null)
+        {
+            var box = new GameObject("Pool");
+            made.Add(box);
+            box.SetActive(false);
+            FluidSimulation fluid = box.AddComponent<FluidSimulation>();
+            fluid.Configure(new Vector3(0.5f, 0.6f, 0.5f), Spacing, capacity);
+            setUp?.Invoke(fluid);
+            var water = new GameObject("Water");
+            water.transform.SetParent(box.transform, false);
+            water.transform.localPosition = new Vector3(0f, -0.2f, 0f);
+            water.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.2f, 0.5f);
+            box.SetActive(true);
+            return fluid;
+        }
+
+        static IEnumerator Frames(int count)
+        {
+            for (int i = 0; i < count; i++)
+                yield return null;
+        }
+
+        sealed class TwoMilliseconds : IGpuTimeSource
+        {
+            public GpuTimeKind Kind => GpuTimeKind.Measured;
+
+            public void BeginStep(CommandBuffer commands) { }
+
+            public void EndStep(CommandBuffer commands) { }
+
+            public StepTime Read(float seconds, WorkHistory work) => new StepTime(2f, 2f);
+
+            public void Dispose() { }
+        }
+    }
+}
