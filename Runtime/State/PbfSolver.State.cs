@@ -34,6 +34,23 @@ namespace Rill
             return capture;
         }
 
+        /// <summary>Prepares what there is to see of the particles, without what a step needs besides.</summary>
+        /// <exception cref="InvalidOperationException">More than can be read back.</exception>
+        public SnapshotCapture CaptureParticles()
+        {
+            int most = (int)Math.Min(mostParticles, Layout.Capacity);
+            var contents = new SnapshotContents();
+            contents.Set(SnapshotSection.Solver, new SolverRecord { mostParticles = (uint)most });
+            var capture = new SnapshotCapture(Layout, contents);
+            capture.Add(new StateBuffer(SnapshotSection.Counters, particles.Counters, StateExtent.All), most);
+            capture.Add(new StateBuffer(SnapshotSection.Positions, particles.Current, StateExtent.Particles), most);
+            capture.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles), most);
+            capture.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles), most);
+            if (tags != null)
+                capture.Add(new StateBuffer(SnapshotSection.Tags, tags.Current, StateExtent.Particles), most);
+            return capture;
+        }
+
         /// <summary>Why a snapshot does not fit this solver, with what to do; null where it does.</summary>
         public string ProblemOf(SnapshotContents contents)
         {

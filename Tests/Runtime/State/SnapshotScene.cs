@@ -27,6 +27,7 @@ namespace Rill.Tests
             settings.sleepSpeed = made.sleepSpeed;
             settings.numericalDamping = made.numericalDamping;
             scene.Fluid.Settings = settings;
+            scene.Fluid.StatisticsInterval = made.draws ? 2 : 0;
             FluidMaterial material = scene.Fluid.Material;
             material.dynamicViscosity = made.dynamicViscosity;
             material.shearModulus = made.shearModulus;
@@ -72,6 +73,11 @@ namespace Rill.Tests
             {
                 frame++;
                 Move();
+                if (made.draws)
+                {
+                    Fluid.NeedsFoam = FoamSettings.Default;
+                    Fluid.NeedsSurface = true;
+                }
                 Fluid.Advance(made.FrameTime(frame));
             }
             return this;
@@ -147,7 +153,7 @@ namespace Rill.Tests
         public DeepWater deepWater = DeepWater.Off;
         public int substeps = 1;
         public float depth = 0.3f, sleepSpeed, numericalDamping = 1f, dynamicViscosity, shearModulus, vorticity, frameSteps = 1f;
-        public bool colliders, emitter, drain, field, moves, stands;
+        public bool colliders, emitter, drain, field, moves, stands, draws;
         public int steps = 12;
 
         /// <summary>s; frames that are no whole steps differ from each other, too.</summary>
