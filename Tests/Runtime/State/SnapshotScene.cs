@@ -57,7 +57,11 @@ namespace Rill.Tests
                     d.RecycleTo = emitter;
                 });
             if (made.field)
-                scene.Add<FluidForceField>(new Vector3(0.2f, -0.2f, 0f), Vector3.up, f => f.Strength = 0.2f);
+                scene.Add<FluidForceField>(new Vector3(0.2f, -0.2f, 0f), Vector3.up, f =>
+                {
+                    f.Kind = ForceFieldKind.Vortex;
+                    f.Strength = 0.2f;
+                });
             scene.Fill(made.depth);
             Move();
         }

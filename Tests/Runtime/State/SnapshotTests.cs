@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using NUnit.Framework;
-using UnityEngine;
+using Unity.Mathematics;
+using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
@@ -63,6 +64,37 @@ namespace Rill.Tests
                 TestFluid.AssertSame(fresh.Run(After).Read(), expected);
                 Assert.That(fresh.Fluid.StepCount, Is.EqualTo(steps));
             }
+        }
+
+        // Where one buffer would be larger than the device binds; a snapshot does not know of it.
+        [Test]
+        public void Neighbor_lists_in_two_buffers_go_on_in_one_and_in_two()
+        {
+            using (TestFluid two = Viscous(200000), one = Viscous(0), again = Viscous(200000))
+            {
+                Assert.That(two.Solver.Layout.TwoLists && !one.Solver.Layout.TwoLists);
+                two.AddBlock(0.1f, 0.6f).Step(4);
+                Assert.That(two.Alive, Is.GreaterThan(two.Solver.Layout.FirstListParticles), "both are in use");
+                SnapshotContents contents = null;
+                two.Solver.Capture(new SnapshotContents()).Request((came, problem) => contents = came);
+                AsyncGPUReadback.WaitAllRequests();
+                ParticleState expected = two.Step(4).Read();
+                foreach (TestFluid other in new[] { one, again })
+                {
+                    Assert.That(other.Solver.ProblemOf(contents), Is.Null);
+                    other.Solver.Restore(contents, StageSet.ImplicitViscosity);
+                    TestFluid.AssertSame(other.Step(4).Read(), expected);
+                }
+            }
+        }
+
+        static TestFluid Viscous(long maxBinding)
+        {
+            SolverSettings settings = SolverSettings.Default;
+            settings.deepWater = DeepWater.Off;
+            var fluid = new TestFluid(new float3(1f, 1f, 1f), 0.05f, 1800, settings, maxBinding);
+            fluid.Input.material.dynamicViscosity = 2f;
+            return fluid;
         }
     }
 }
