@@ -70,7 +70,7 @@ namespace Rill.Tests
         [Test]
         public void Neighbor_lists_in_two_buffers_go_on_in_one_and_in_two()
         {
-            using (TestFluid two = Viscous(200000), one = Viscous(0), again = Viscous(200000))
+            using (TestFluid two = Viscous(240000), one = Viscous(0), again = Viscous(240000))
             {
                 Assert.That(two.Solver.Layout.TwoLists && !one.Solver.Layout.TwoLists);
                 two.AddBlock(0.1f, 0.6f).Step(4);
