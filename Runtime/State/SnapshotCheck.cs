@@ -17,7 +17,7 @@ namespace Rill
             CheckParticles(contents, solver);
             CheckLists(contents, solver);
             CheckStages(contents, solver);
-            CheckScene(contents);
+            CheckScene(contents, solver.spacing);
         }
 
         static void CheckSolver(in SolverRecord solver)
@@ -94,7 +94,7 @@ namespace Rill
             Several<FieldRegion>(contents, SnapshotSection.Fields, StepSources.MaxFields);
         }
 
-        static void CheckScene(SnapshotContents contents)
+        static void CheckScene(SnapshotContents contents, float spacing)
         {
             if (contents.Has(SnapshotSection.Time))
             {
@@ -107,7 +107,8 @@ namespace Rill
             foreach (EmitterRecord emitter in Several<EmitterRecord>(contents, SnapshotSection.Emitters, StepSources.MaxEmitters))
             {
                 CheckPart(emitter.part, StepSources.MaxEmitters);
-                Require(IsTime(emitter.clock.volume) && IsTime(emitter.clock.time) && emitter.clock.due >= 0, "what an emitter let in is negative or not finite");
+                double whole = emitter.clock.volume / ((double)spacing * spacing * spacing);
+                Require(IsTime(emitter.clock.volume) && IsTime(emitter.clock.time) && emitter.clock.due >= 0 && emitter.clock.due <= whole + 1.0, "what an emitter let in is negative, not finite or more than was due");
             }
             foreach (DrainRecord drain in Several<DrainRecord>(contents, SnapshotSection.Drains, StepSources.MaxDrains))
             {

@@ -149,6 +149,7 @@ namespace Rill.Tests
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 24, 99)), "section 99 is unknown").SetName("unknown section");
             yield return new TestCaseData(new Func<byte[], byte[]>(TwoOfOneId), "two particles have the id").SetName("two of one id");
             yield return new TestCaseData(new Func<byte[], byte[]>(FarNeighbor), "a neighbor has index").SetName("a neighbor that is not there");
+            yield return new TestCaseData(new Func<byte[], byte[]>(TooMuchEmitted), "more than was due").SetName("more emitted than was due");
         }
 
         [TestCaseSource(nameof(Refusals))]
@@ -249,6 +250,15 @@ namespace Rill.Tests
             uint[] neighbors = contents.Values<uint>(SnapshotSection.Neighbors).ToArray();
             neighbors[20] = 1u << 30;
             contents.SetValues<uint>(SnapshotSection.Neighbors, neighbors);
+            return SnapshotFormat.Write(contents);
+        }
+
+        static byte[] TooMuchEmitted(byte[] source)
+        {
+            SnapshotContents contents = FluidSnapshot.FromBytes(source).Contents;
+            EmitterRecord[] emitters = contents.Values<EmitterRecord>(SnapshotSection.Emitters).ToArray();
+            emitters[0].clock.due = long.MaxValue;
+            contents.SetValues<EmitterRecord>(SnapshotSection.Emitters, emitters);
             return SnapshotFormat.Write(contents);
         }
 
