@@ -19,7 +19,8 @@ namespace Rill.Editor
                 new InspectorField("particleSpacing", "m"),
                 new InspectorField("capacity", "particles"),
                 new InspectorField("inertial"),
-                new InspectorField("seed")),
+                new InspectorField("seed"),
+                new InspectorField("startState")),
             new InspectorSection(FluidTitle, true,
                 new InspectorField("material.density", "kg/m³"),
                 new InspectorField("material.velocitySmoothing", "fraction in 1/60 s"),
@@ -64,6 +65,7 @@ namespace Rill.Editor
 
         List<MissingPart> missing = new List<MissingPart>();
         StageTimes times;
+        FluidSnapshotRequest saving;
         readonly List<MemoryRows.Row> memory = new List<MemoryRows.Row>();
         int memoryAt = -MemoryInterval;
 
@@ -137,6 +139,7 @@ namespace Rill.Editor
         {
             if (GUILayout.Button("Restart"))
                 Simulation.Restart();
+            SnapshotAssets.Draw(Simulation, ref saving);
             DrawStatistics();
             DrawTimes();
             DrawMemory();

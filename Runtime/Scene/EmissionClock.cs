@@ -31,6 +31,13 @@ namespace Rill
             public float interval;
         }
 
+        /// <summary>All of it, for a snapshot.</summary>
+        public EmissionRecord Record
+        {
+            get => new EmissionRecord { volume = volume, time = Time, due = Due };
+            set => (volume, Time, Due) = (value.volume, value.time, value.due);
+        }
+
         /// <summary>Takes a step.</summary>
         /// <param name="step">s, above 0.</param>
         /// <param name="rate">m³/s, not negative.</param>

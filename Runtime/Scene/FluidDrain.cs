@@ -63,6 +63,14 @@ namespace Rill
             budget = 0.0;
         }
 
+        internal DrainRecord Save(in DomainFrame frame) => new DrainRecord { part = SavePart(frame), budget = budget };
+
+        internal void Load(in DrainRecord record, in DomainFrame frame, float samePlace)
+        {
+            LoadPart(record.part, frame, samePlace);
+            budget = record.budget;
+        }
+
         /// <summary>What it does in the next step.</summary>
         /// <param name="from">Share of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>

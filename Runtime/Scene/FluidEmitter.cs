@@ -171,6 +171,16 @@ namespace Rill
             takenAlong = float3.zero;
         }
 
+        internal EmitterRecord Save(in DomainFrame frame) => new EmitterRecord { part = SavePart(frame), clock = clock.Record, isOn = isOn ? 1u : 0u, saysLast = saysLast ? 1u : 0u };
+
+        internal void Load(in EmitterRecord record, in DomainFrame frame, float samePlace)
+        {
+            LoadPart(record.part, frame, samePlace);
+            clock.Record = record.clock;
+            isOn = record.isOn != 0;
+            saysLast = record.saysLast != 0;
+        }
+
         /// <summary>What it does in the next step, which it takes part in.</summary>
         /// <param name="from">Share of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>

@@ -108,6 +108,27 @@ namespace Rill
             return true;
         }
 
+        /// <summary>How this came to where it is, for a snapshot.</summary>
+        private protected PartRecord SavePart(in DomainFrame frame)
+        {
+            bool isSomewhere = Limit.IsPose(transform.position, transform.rotation);
+            return new PartRecord
+            {
+                number = (uint)Number,
+                now = isSomewhere ? new PoseRecord(frame.Pose(transform.position, transform.rotation)) : default,
+                last = follows ? new PoseRecord(lastPose) : default,
+                follows = isSomewhere && follows ? 1u : 0u,
+            };
+        }
+
+        /// <summary>Goes on as it came there, if it is where it was.</summary>
+        /// <param name="samePlace">Distance within which it is, d.</param>
+        private protected void LoadPart(in PartRecord record, in DomainFrame frame, float samePlace)
+        {
+            follows = record.follows != 0 && Limit.IsPose(transform.position, transform.rotation) && record.now.IsAt(frame.Pose(transform.position, transform.rotation), samePlace);
+            lastPose = record.last.Pose;
+        }
+
         private protected void Validate()
         {
             clamped = ValidateValues();

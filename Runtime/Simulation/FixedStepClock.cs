@@ -25,6 +25,22 @@ namespace Rill
         /// <summary>The same of the frame before it.</summary>
         public double LastFrameLag { get; private set; }
 
+        /// <summary>All of it, for a snapshot.</summary>
+        public ClockRecord Record
+        {
+            get => new ClockRecord { accumulated = accumulated, passing = passing, dropped = Dropped, frameInterval = FrameInterval, lag = Lag, frameLag = FrameLag, lastFrameLag = LastFrameLag };
+            set
+            {
+                accumulated = value.accumulated;
+                passing = value.passing;
+                Dropped = value.dropped;
+                FrameInterval = value.frameInterval;
+                Lag = value.lag;
+                FrameLag = value.frameLag;
+                LastFrameLag = value.lastFrameLag;
+            }
+        }
+
         /// <summary>Steps to take for a frame.</summary>
         /// <param name="frameTime">s, not negative.</param>
         /// <param name="step">Length of a fixed step, s, above 0.</param>

@@ -21,6 +21,7 @@ namespace Rill
             problems.AddIfAny(poseIsLost ? LostPoseProblem : null);
             problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
             problems.AddIfAny(missingProblem);
+            problems.AddIfAny(StartStateProblem);
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
             foreach ((DeviceFeature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);

@@ -169,7 +169,7 @@ namespace Rill
             return true;
         }
 
-        /// <summary>Removes all particles, fills the volumes again and sets fluid time to 0.</summary>
+        /// <summary>Removes all particles, fills the volumes again, or takes the start state, and sets fluid time to 0.</summary>
         public void Restart()
         {
             if (pbf == null)
@@ -183,7 +183,8 @@ namespace Rill
             StandStill();
             ClearMotions();
             RestartSources();
-            FillVolumes();
+            if (!TryStartFromState())
+                FillVolumes();
         }
 
         /// <summary>What each stage costs this scene, and why it is there or not; empty when not running.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Mathematics;
 using Unity.Profiling;
@@ -90,6 +91,15 @@ namespace Rill
         /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
         public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer surface, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
             => (flow, fill, surface, source, lastErrors, diagonal, flowPotential, errorPotential);
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state)
+        {
+            state.Add(new StateBuffer(SnapshotSection.CoarseSurface, surface, StateExtent.All));
+            state.Add(new StateBuffer(SnapshotSection.CoarseErrors, lastErrors, StateExtent.All));
+            state.Add(new StateBuffer(SnapshotSection.FlowPotential, flowPotential, StateExtent.All));
+            state.Add(new StateBuffer(SnapshotSection.ErrorPotential, errorPotential, StateExtent.All));
+        }
 
         /// <summary>Whether a scene's water is too deep for the constraint alone.</summary>
         /// <param name="layers">Depth of the water, d.</param>

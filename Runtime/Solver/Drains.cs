@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using Unity.Collections;
 using Unity.Mathematics;
@@ -54,7 +55,7 @@ namespace Rill
         [SharedWithHlsl("Drains")] const int RandomRanks = 1024;
 
         /// <summary>words of a drain in _DrainStates</summary>
-        [SharedWithHlsl("Drains", Prefix = "Drain")] const int Words = 4;
+        [SharedWithHlsl("Drains", Prefix = "Drain")] public const int Words = 4;
 
         const string LifetimesKeyword = "RILL_LIFETIMES", RecyclingKeyword = "RILL_RECYCLING";
 
@@ -90,6 +91,9 @@ namespace Rill
             BufferClear.Now(readback.Buffer);
             readback.Invalidate();
         }
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.DrainStates, readback.Buffer, StateExtent.All));
 
         /// <summary>Drains whose numbers go to others: bit d for number d.</summary>
         public void Remove(uint drains) => gone |= drains;

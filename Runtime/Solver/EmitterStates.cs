@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -45,6 +46,9 @@ namespace Rill
             BufferClear.Now(Buffer);
             readback.Invalidate();
         }
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.EmitterStates, Buffer, StateExtent.All));
 
         /// <summary>One emitter has done nothing: its number goes to another.</summary>
         public void Invalidate(int emitter) => readback.Zero(emitter * Words, Words);

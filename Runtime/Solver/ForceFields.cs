@@ -75,6 +75,17 @@ namespace Rill
             return changed;
         }
 
+        /// <summary>The fields of the last step: where the next has others, what rests wakes.</summary>
+        public ReadOnlySpan<FieldRegion> Last
+        {
+            get => new ReadOnlySpan<FieldRegion>(last, 0, Math.Max(lastCount, 0));
+            set
+            {
+                value.CopyTo(last);
+                lastCount = value.Length;
+            }
+        }
+
         /// <summary>Records the acceleration of one substep.</summary>
         public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, SolverLayout layout)
         {

@@ -37,6 +37,46 @@ namespace Rill
         /// <summary>Enabled keywords of a kernel that reads the lists, for descriptions; null for none.</summary>
         public string Variant => TwoLists ? TwoListsKeyword : null;
 
+        /// <summary>Lists of particles as they lie on the GPU, one after the other.</summary>
+        /// <param name="words">Of all particles' blocks.</param>
+        /// <param name="counts">[particles].</param>
+        public static uint[] Pack(SolverLayout layout, ReadOnlySpan<uint> words, ReadOnlySpan<uint> counts)
+        {
+            long total = 0;
+            foreach (uint count in counts)
+                total += Math.Min(count, (uint)layout.NeighborCapacity);
+            var entries = new uint[total];
+            int to = 0;
+            for (int i = 0; i < counts.Length; i++)
+                for (int k = 0; k < Math.Min(counts[i], (uint)layout.NeighborCapacity); k++)
+                    entries[to++] = words[(int)layout.WordOfEntry(i, k)];
+            return entries;
+        }
+
+        /// <summary>Puts lists onto the GPU at once. What is beyond this layout's neighbor capacity is left out.</summary>
+        /// <param name="entries">One particle's after the other's.</param>
+        /// <param name="lengths">[particles].</param>
+        public void Upload(SolverLayout layout, ReadOnlySpan<uint> entries, ReadOnlySpan<uint> lengths)
+        {
+            var words = new uint[layout.ListWords(lengths.Length)];
+            var held = new uint[lengths.Length];
+            int from = 0;
+            for (int i = 0; i < lengths.Length; i++)
+            {
+                held[i] = Math.Min(lengths[i], (uint)layout.NeighborCapacity);
+                for (int k = 0; k < (held[i] + BlockEntries - 1) / BlockEntries * BlockEntries; k++)
+                    words[(int)layout.WordOfEntry(i, k)] = k < held[i] ? entries[from + k] : (uint)i;       // the rest of its last block is itself
+                from += (int)lengths[i];
+            }
+            if (lengths.Length == 0)
+                return;
+            counts.SetData(held, 0, 0, held.Length);
+            int inFirst = (int)Math.Min(words.Length, layout.FirstListEntries);
+            first.SetData(words, 0, 0, inFirst);
+            if (words.Length > inFirst)
+                second.SetData(words, inFirst, 0, words.Length - inFirst);
+        }
+
         /// <summary>Records the lists as what a kernel reads or builds. The shader's keyword is set by <see cref="RecordKeyword"/>.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -30,6 +31,9 @@ namespace Rill
 
         /// <summary>No particle has a phase, and all live for ever.</summary>
         public void Clear() => BufferClear.Now(current);
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Tags, current, StateExtent.Particles));
 
         /// <summary>Records that the tags follow their particles through the sort that was just recorded.</summary>
         public void RecordSort(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search)

@@ -36,6 +36,14 @@ namespace Rill
             cmd.DispatchCompute(shader, clear, 1, 1, 1);
         }
 
+        /// <summary>Records the arguments for the particles that the counters tell of.</summary>
+        public void RecordArguments(CommandBuffer cmd, ParticleBuffers particles, int capacity)
+        {
+            cmd.SetComputeIntParam(shader, Ids.BatchCount, 0);
+            cmd.SetComputeIntParam(shader, Ids.BatchCapacity, capacity);
+            RecordCommit(cmd, particles);
+        }
+
         /// <summary>Adds particles at once, in batches; their upload buffers live until the next call or <see cref="Trim"/>.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocities">xyz, d/s; as many as positions, or one for all.</param>
@@ -97,6 +105,11 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, append, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, append, (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
 
+            RecordCommit(cmd, particles);
+        }
+
+        void RecordCommit(CommandBuffer cmd, ParticleBuffers particles)
+        {
             cmd.SetComputeBufferParam(shader, commit, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, commit, Ids.AliveArguments, particles.AliveArguments);
             cmd.DispatchCompute(shader, commit, 1, 1, 1);

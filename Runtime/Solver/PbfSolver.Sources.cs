@@ -52,8 +52,11 @@ namespace Rill
             else
                 ReleaseFields();
             for (int e = 0; e < (sources?.emitterCount ?? 0); e++)
+            {
+                mostParticles += sources.emitters[e].due;
                 if (sources.emitters[e].due > 0 || sources.recycles)
                     ReachDown(sources.emitters[e], input.gravity);
+            }
         }
 
         void RecordDrains(CommandBuffer cmd, in StepInput input, RestingRegions resting)

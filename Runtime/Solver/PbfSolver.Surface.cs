@@ -27,7 +27,7 @@ namespace Rill
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
             surface ??= new SurfaceParticles(Layout);
-            bool hasSteps = lastSubsteps > 0;
+            bool hasSteps = lastSubsteps > 0 && !isRestored;
             float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
             surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, hasNew || !hasSteps, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null, hasSteps ? coarseCorrection : null);

@@ -37,6 +37,8 @@ namespace Rill
         readonly SolverConstants[] constantsUpload = new SolverConstants[1];        // copied as it is recorded, as Unity's own ConstantBuffer relies on
         uint stepIndex;
         int lastSubsteps;       // of the last step
+        bool hasLists;          // of the last substep
+        bool isRestored;        // with nothing but the state: not what a step leaves besides
         float3 minAdded, maxAdded;       // d, of all particles since the last Clear
 
         /// <exception cref="ArgumentOutOfRangeException">A buffer of this layout is more than the device can bind.</exception>
@@ -110,6 +112,8 @@ namespace Rill
         {
             stepIndex = 0;
             lastSubsteps = 0;
+            hasLists = isRestored = false;
+            mostParticles = 0;
             InvalidateSurface();
             statistics?.Invalidate();
             foam?.Clear();
@@ -155,6 +159,7 @@ namespace Rill
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high)
         {
             particleUpload.Append(particles, Layout.Capacity, positions, velocities, tags);
+            mostParticles += positions.Length;
             minAdded = math.min(minAdded, low);
             maxAdded = math.max(maxAdded, high);
             particleUpload.Trim();
@@ -185,7 +190,6 @@ namespace Rill
                 obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
                 coarse?.RecordColliders(cmd, constants, obstacles);
                 coarse?.RecordProjection(cmd, constants, particles);
-                bool hasLists = lastSubsteps > 0 || substep > 0;
                 if (hasLists)
                     viscous?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, coarse, resting, obstacles);
                 neighborSearch.RecordSort(cmd, constants, particles, viscous == null || !hasLists ? coarse : null, resting, obstacles, elastic?.PreviousIndices, extrapolation);
@@ -195,9 +199,11 @@ namespace Rill
                 elastic?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, resting);
                 if (VorticityConfinement.IsNeeded(input))
                     Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
+                hasLists = true;
                 particles.Advance();
             }
             lastSubsteps = input.settings.substeps;
+            isRestored = false;
             substepsSinceSurface += lastSubsteps;
             FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity), obstacles);
             RecordEmission(cmd, input, resting);

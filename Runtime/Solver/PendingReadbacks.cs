@@ -27,6 +27,7 @@ namespace Rill
             ending = true;
             for (int i = items.Count - 1; i >= 0; i--)
                 items[i].Complete();
+            SnapshotCapture.End();
         }
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]

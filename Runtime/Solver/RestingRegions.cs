@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using Unity.Profiling;
@@ -44,6 +45,7 @@ namespace Rill
         readonly int total;
         GraphicsBuffer motion, quietSteps, states;
         StepInput last;
+        RestRecord? restored;
         bool wake = true;
 
         public RestingRegions(SolverLayout layout)
@@ -51,8 +53,7 @@ namespace Rill
             measureMotion = shader.FindKernel("MeasureMotion");
             countQuiet = shader.FindKernel("CountQuiet");
             spread = shader.FindKernel("Spread");
-            int3 counts = math.max((int3)math.ceil(layout.DomainSize / RegionSize), 1);
-            total = counts.x * counts.y * counts.z;
+            total = Total(layout);
             motion = GpuBuffer.Structured<uint>("Rill.Regions.Motion", (long)total * MotionStride);
             quietSteps = GpuBuffer.Structured<uint>("Rill.Regions.QuietSteps", total);
             states = GpuBuffer.Structured<uint>("Rill.Regions.States", total);
@@ -62,8 +63,39 @@ namespace Rill
         /// <summary>uint [regions], 0 asleep, 1 asleep beside what is awake, 2 awake; x first.</summary>
         public GraphicsBuffer States => states;
 
+        /// <summary>Whether the regions of a snapshot are those of a layout.</summary>
+        public static bool Fits(SolverLayout layout, SnapshotContents contents)
+        {
+            long bytes = sizeof(uint) * (long)Total(layout);
+            return contents.Bytes(SnapshotSection.QuietSteps).Length == bytes && contents.Bytes(SnapshotSection.RegionMotion).Length == MotionStride * bytes;
+        }
+
         /// <summary>Confined vortices are there to keep moving, so with them nothing sleeps.</summary>
         public static bool IsNeeded(in StepInput input) => input.settings.sleepSpeed > 0f && !VorticityConfinement.IsNeeded(input);
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state)
+        {
+            state.Add(new StateBuffer(SnapshotSection.RegionMotion, motion, StateExtent.All));
+            state.Add(new StateBuffer(SnapshotSection.QuietSteps, quietSteps, StateExtent.All));
+        }
+
+        /// <summary>What the next step depends on besides buffers.</summary>
+        public RestRecord Save() => restored ?? new RestRecord
+        {
+            gravity = last.gravity,
+            timeStep = last.timeStep,
+            settings = Crc32C.Of(BytesOf(ref last.settings)),
+            material = Crc32C.Of(BytesOf(ref last.material)),
+            wake = wake ? 1u : 0u,
+        };
+
+        /// <summary>Takes what was saved: the next step wakes what rests only where it would have, had there been no end.</summary>
+        public void Load(in RestRecord record)
+        {
+            restored = record;
+            wake = record.wake != 0;
+        }
 
         /// <summary>Wakes everything in the next step.</summary>
         public void Wake() => wake = true;
@@ -134,9 +166,24 @@ namespace Rill
         /// <summary>Enabled keywords of a kernel that leaves out what sleeps, for descriptions.</summary>
         public static string Variant(string others, RestingRegions regions) => regions == null ? others : others == null ? Keyword : others + " " + Keyword;
 
+        static int Total(SolverLayout layout)
+        {
+            int3 counts = math.max((int3)math.ceil(layout.DomainSize / RegionSize), 1);
+            return counts.x * counts.y * counts.z;
+        }
+
         // Rest is rest under these forces and settings: all of both structs, so that a field that is added to one counts by itself.
         bool HasChanged(in StepInput input)
         {
+            if (restored is RestRecord before)
+            {
+                StepInput now = input;
+                bool same = Crc32C.Of(BytesOf(ref now.settings)) == before.settings && Crc32C.Of(BytesOf(ref now.material)) == before.material;
+                last = same ? input : default;
+                last.gravity = before.gravity;
+                last.timeStep = before.timeStep;
+                restored = null;
+            }
             bool changed = math.distance(input.gravity, last.gravity) > GravityChange * math.length(last.gravity) || input.timeStep != last.timeStep
                 || !AreSame(input.settings, last.settings) || !AreSame(input.material, last.material);
             if (changed)
@@ -147,8 +194,10 @@ namespace Rill
         // Byte by byte.
         static bool AreSame<T>(T first, T second) where T : struct
         {
-            return MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref first, 1)).SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref second, 1)));
+            return BytesOf(ref first).SequenceEqual(BytesOf(ref second));
         }
+
+        static ReadOnlySpan<byte> BytesOf<T>(ref T value) where T : struct => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref value, 1));
 
         static class Ids
         {

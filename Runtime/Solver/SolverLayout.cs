@@ -88,6 +88,13 @@ namespace Rill
         /// <summary>Entries of the second list buffer; 0 without one.</summary>
         public long SecondListEntries => (long)RoundUp(Capacity - FirstListParticles) * NeighborCapacity;
 
+        /// <summary>Entries of the lists of the first particles, in whole blocks of particles.</summary>
+        public long ListWords(int particles) => (long)RoundUp(particles) * NeighborCapacity;
+
+        /// <summary>Where entry k of a particle's list lies, with the second buffer after the first; as NeighborList.hlsl has it.</summary>
+        public long WordOfEntry(int particle, int k) => ((long)(particle / ParticlesPerListBlock) * (NeighborCapacity / NeighborLists.BlockEntries) + k / NeighborLists.BlockEntries) * (ParticlesPerListBlock * NeighborLists.BlockEntries)
+            + particle % ParticlesPerListBlock * NeighborLists.BlockEntries + k % NeighborLists.BlockEntries;
+
         /// <summary>Bytes of the buffers of a solver with this layout, without its optional stages.</summary>
         public long EstimatedBytes => Capacity * BytesOfParticle + CellTotal * BytesOfCell + sizeof(uint) * (FirstListEntries + SecondListEntries);
 

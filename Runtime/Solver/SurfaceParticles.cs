@@ -83,7 +83,7 @@ namespace Rill
         public GraphicsBuffer Counters => counters;
 
         /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
-        /// <param name="constants">Those of the last step; null where there was none since the fluid was cleared.</param>
+        /// <param name="constants">Those of the last step; null where there was none since the fluid was cleared or restored: all particles are then drawn as what is new.</param>
         /// <param name="search">As the last substep left it; read for what sleeps.</param>
         /// <param name="hasNew">Whether particles may have come since the last step.</param>
         /// <param name="substepTime">Length of a substep, s.</param>
@@ -98,7 +98,7 @@ namespace Rill
             RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
             cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
             if (hasNew)
-                RecordNew(cmd, particles, substepTime);
+                RecordNew(cmd, particles, constants == null, substepTime);
             if (constants != null)
             {
                 cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
@@ -147,8 +147,9 @@ namespace Rill
             return description;
         }
 
-        void RecordNew(CommandBuffer cmd, ParticleBuffers particles, float substepTime)
+        void RecordNew(CommandBuffer cmd, ParticleBuffers particles, bool all, float substepTime)
         {
+            cmd.SetComputeIntParam(shader, Ids.AllNew, all ? 1 : 0);
             cmd.SetComputeFloatParam(shader, Ids.SubstepTime, substepTime);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Velocities, particles.Velocities);
@@ -234,6 +235,7 @@ namespace Rill
             public static readonly int SurfaceVersion = Shader.PropertyToID("_SurfaceVersion");
             public static readonly int SinceSurface = Shader.PropertyToID("_SinceSurface");
             public static readonly int SurfaceCapacity = Shader.PropertyToID("_SurfaceCapacity");
+            public static readonly int AllNew = Shader.PropertyToID("_AllNew");
             public static readonly int SubstepTime = Shader.PropertyToID("_SubstepTime");
         }
     }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -51,6 +52,16 @@ namespace Rill
             for (int i = 0; i < (input.sources?.fieldCount ?? 0); i++)
                 strongest = math.max(strongest, math.abs(input.sources.fields[i].strength));
             return MaxAtRest / dt + MaxFalling * strongest * dt;
+        }
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Means, means, StateExtent.Moved));
+
+        /// <summary>What the next step depends on besides buffers.</summary>
+        public ExtrapolationRecord Record
+        {
+            get => new ExtrapolationRecord { lastTimeStep = lastTimeStep, lastWeight = lastWeight };
+            set => (lastTimeStep, lastWeight) = (value.lastTimeStep, value.lastWeight);
         }
 
         /// <summary>Binds what a sort takes along.</summary>

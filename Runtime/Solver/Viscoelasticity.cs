@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using Unity.Mathematics;
 using Unity.Profiling;
@@ -55,6 +56,9 @@ namespace Rill
 
         /// <summary>uint [capacity], where each particle was before the sort; NeighborSearch writes it.</summary>
         public GraphicsBuffer PreviousIndices => previousIndices;
+
+        /// <summary>Lists what the next step depends on.</summary>
+        public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Conformation, conformation, StateExtent.Moved));
 
         public static bool IsNeeded(in StepInput input) => input.material.shearModulus > 0f;
 

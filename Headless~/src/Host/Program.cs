@@ -26,6 +26,7 @@ namespace Host
                 RunCommand.Create(),
                 TestCommand.Create(),
                 ExplainCommand.Create(),
+                ExportCommand.Create(),
                 BakeCommand.Create(),
                 BenchCommand.Create(),
                 StudyCommand.Create(),

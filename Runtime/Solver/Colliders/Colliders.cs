@@ -82,6 +82,9 @@ namespace Rill
             return changed || set.Moves;
         }
 
+        /// <summary>What rests came to rest beside these: they are no change.</summary>
+        public void Adopt(ColliderSet set) => seenVersion = set.Version;
+
         /// <summary>Records where the colliders are in a substep; little where all rest as they did.</summary>
         /// <param name="deep">Whether a coarse correction runs.</param>
         /// <exception cref="ArgumentException">The fields of the meshes, or the heights, do not fit a texture.</exception>

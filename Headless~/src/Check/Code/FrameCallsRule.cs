@@ -44,6 +44,7 @@ namespace Host.Check
             ("MeshSdfBaker.Complete", "WaitForCompletion", "a bake that is waited for is a tool; Step does not wait"),
             ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is cancelled"),
             ("Readback.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
+            ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };
 
         public override string Name => "code: the runtime calls nothing that waits for the GPU, walks the scene or allocates by LINQ";

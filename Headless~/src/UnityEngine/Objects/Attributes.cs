@@ -160,6 +160,7 @@ namespace UnityEngine
     }
 
     [AttributeUsage(AttributeTargets.Class, Inherited = false)] public sealed class DisallowMultipleComponent : Attribute { }
+    [AttributeUsage(AttributeTargets.Class)] public sealed class PreferBinarySerialization : Attribute { }
     [AttributeUsage(AttributeTargets.Class)] public sealed class ExecuteAlways : Attribute { }
     [AttributeUsage(AttributeTargets.Class)] public sealed class ExecuteInEditMode : Attribute { }
     [AttributeUsage(AttributeTargets.Class)] public sealed class SelectionBaseAttribute : Attribute { }

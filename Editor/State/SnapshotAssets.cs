@@ -1,0 +1,43 @@
+using UnityEditor;
+using UnityEngine;
+
+namespace Rill.Editor
+{
+    /// <summary>Snapshots of fluids that play, as assets.</summary>
+    static class SnapshotAssets
+    {
+        /// <summary>Writes a snapshot into the fluid's start state, so that references stay, or into a new asset where it has none.</summary>
+        /// <returns>The asset's path.</returns>
+        public static string Save(FluidSimulation simulation, FluidSnapshot snapshot)
+        {
+            FluidSnapshotAsset asset = simulation.StartState;
+            string path = asset != null ? AssetDatabase.GetAssetPath(asset) : "";
+            if (path != "")
+            {
+                asset.Apply(snapshot);
+                EditorUtility.SetDirty(asset);
+                AssetDatabase.SaveAssetIfDirty(asset);
+                return path;
+            }
+            path = AssetDatabase.GenerateUniqueAssetPath($"Assets/{FieldAssets.FileName(simulation.name)} Start State.asset");
+            AssetDatabase.CreateAsset(FluidSnapshotAsset.Create(snapshot), path);
+            return path;
+        }
+
+        /// <summary>The button of an inspector: asks for a snapshot and saves it when it has come.</summary>
+        /// <param name="request">On its way; null for none.</param>
+        public static void Draw(FluidSimulation simulation, ref FluidSnapshotRequest request)
+        {
+            using (new EditorGUI.DisabledScope(request != null || !simulation.IsRunning))
+                if (GUILayout.Button(new GUIContent("Save as Start State", "Writes the present state into the asset of Start State, or into a new one in Assets.")))
+                    request = simulation.RequestSnapshot();
+            if (request == null || !request.IsDone || Event.current.type != EventType.Layout)
+                return;
+            if (request.Snapshot != null)
+                Debug.Log($"Rill: the state of '{simulation.name}' is in '{Save(simulation, request.Snapshot)}': {request.Snapshot.ParticleCount:N0} particles. After play, assign it to Start State.", simulation);
+            else
+                Debug.LogError($"Rill: the state of '{simulation.name}' was not saved: {request.Problem}", simulation);
+            request = null;
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    // The particles for files of other programs.
+    public sealed partial class FluidSimulation
+    {
+        /// <summary>Asks for the particles as they are now, in world space.</summary>
+        /// <param name="done">Gets them two or three frames later, or null and what went wrong.</param>
+        /// <exception cref="InvalidOperationException">The simulation is not running.</exception>
+        internal void RequestFrame(Action<ParticleFrame, string> done)
+        {
+            if (pbf == null)
+                throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before you export particles.");
+            GetPose(out Vector3 place, out Quaternion rotation);
+            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            float spacing = particleSpacing, density = material.density;
+            double time = FluidTime;
+            pbf.CaptureParticles().Request((contents, problem) => done(contents != null ? FrameOf(contents, frame, rotation, spacing, density, time) : null, problem));
+        }
+
+        static ParticleFrame FrameOf(SnapshotContents contents, in DomainFrame frame, Quaternion rotation, float spacing, float density, double time)
+        {
+            ReadOnlySpan<float4> from = contents.Values<float4>(SnapshotSection.Positions), moving = contents.Values<float4>(SnapshotSection.Velocities);
+            ReadOnlySpan<uint> tags = contents.Values<uint>(SnapshotSection.Tags);
+            int count = from.Length;
+            var positions = new float3[count];
+            var velocities = new float3[count];
+            var densities = new float[count];
+            var phases = new byte[count];
+            for (int i = 0; i < count; i++)
+            {
+                positions[i] = frame.World(new RigidPose(from[i].xyz, quaternion.identity)).position;
+                velocities[i] = rotation * (Vector3)(moving[i].xyz * spacing);
+                densities[i] = moving[i].w * density;
+                phases[i] = tags.Length > 0 ? (byte)(tags[i] >> ParticleTags.PhaseShift) : (byte)0;
+            }
+            return new ParticleFrame(positions, velocities, densities, phases, contents.Values<uint>(SnapshotSection.Ids).ToArray(), time);
+        }
+    }
+}

@@ -1,0 +1,285 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    // Snapshots: taken without waiting, restored at once; and the one that a restart begins with.
+    public sealed partial class FluidSimulation
+    {
+        const float SamePlace = 1e-3f;      // within which an object is where it was: d in the box, and as many spacings in the world
+
+        [Tooltip("Snapshot that the fluid starts with in place of its volumes. None: the volumes are filled.")]
+        [SerializeField] FluidSnapshotAsset startState;
+
+        string startProblem;        // of the newest restart
+
+        /// <summary>Snapshot that a restart begins with in place of the volumes; null for the volumes.</summary>
+        public FluidSnapshotAsset StartState { get => startState; set => startState = value; }
+
+        /// <summary>Asks for a snapshot of the present state. It comes two or three frames later; nothing waits for it, and the fluid may go on meanwhile.</summary>
+        /// <remarks>Takes managed memory for all of the state: about 60 bytes a particle, more for fluids with a viscosity, elasticity or phases.</remarks>
+        /// <exception cref="InvalidOperationException">The simulation is not running, or has more particles than one readback takes.</exception>
+        public FluidSnapshotRequest RequestSnapshot()
+        {
+            if (pbf == null)
+                throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before you take a snapshot.");
+            var contents = new SnapshotContents();
+            SnapshotCapture capture = pbf.Capture(contents);
+            SaveScene(contents);
+            var request = new FluidSnapshotRequest();
+            capture.Request(request.Finish);
+            return request;
+        }
+
+        /// <summary>
+        /// Puts a snapshot in the place of the present state, at once; the next step goes on from it. Put the box, emitters, drains and
+        /// colliders where they were before you call this: what is where it was goes on moving as it did, anything else begins there at rest.
+        /// </summary>
+        /// <remarks>
+        /// Emitters and drains are told apart by the order in which they were enabled, colliders by shape and size. Foam begins again.
+        /// Does nothing in a player without a graphics device.
+        /// </remarks>
+        /// <param name="snapshot">Of a fluid with the same box and particle spacing, and of no more particles than this capacity.</param>
+        /// <exception cref="ArgumentNullException">There is none.</exception>
+        /// <exception cref="ArgumentException">It does not fit this fluid; the message says why. The fluid stays as it was.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device.</exception>
+        public void Restore(FluidSnapshot snapshot)
+        {
+            if (snapshot == null)
+                throw new ArgumentNullException(nameof(snapshot));
+            if (pbf == null && HasNoGraphics)
+                return;
+            if (pbf != null && layoutChanged)
+            {
+                OnDisable();
+                OnEnable();
+            }
+            if (pbf == null)
+                throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before you restore a snapshot.");
+            if (pbf.ProblemOf(snapshot.Contents) is string problem)
+                throw new ArgumentException($"The snapshot does not fit FluidSimulation '{name}': {problem}", nameof(snapshot));
+
+            pbf.Restore(snapshot.Contents, StagesFor(snapshot.Contents));
+            LoadScene(snapshot.Contents);
+        }
+
+        // In place of the volumes; false where there is none, or it does not fit.
+        bool TryStartFromState()
+        {
+            string before = startProblem;
+            startProblem = StartStateProblem;
+            if (startState == null)
+                return false;
+            if (startProblem != null)
+            {
+                if (startProblem != before)
+                    Debug.LogError($"Rill: FluidSimulation '{name}' {startProblem}", this);
+                return false;
+            }
+            SnapshotContents contents = startState.Snapshot.Contents;
+            pbf.Restore(contents.Fluid(), StagesFor(contents));
+            return true;
+        }
+
+        // Why the start state is not used; null where it is, or there is none.
+        string StartStateProblem
+        {
+            get
+            {
+                if (startState == null)
+                    return null;
+                if (!startState.Validate(out string problem))
+                    return $"fills its volumes in place of its start state: {problem}";
+                problem = pbf != null ? pbf.ProblemOf(startState.Snapshot.Contents) : null;
+                return problem != null ? $"fills its volumes in place of its start state '{startState.name}': {problem}" : null;
+            }
+        }
+
+        // The stages that the scene asks for, as far as the build and the device have them.
+        StageSet StagesFor(SnapshotContents contents)
+        {
+            var still = new StepInput { settings = solver, material = material };
+            StageSet stages = StageSet.None;
+            if (contents.Has(SnapshotSection.Rest) && RestingRegions.IsNeeded(still))
+                stages |= Available(StageSet.Sleep, DeviceFeature.Sleep);
+            if (contents.Has(SnapshotSection.Coarse) && solver.deepWater != DeepWater.Off)
+                stages |= Available(StageSet.DeepWater, DeviceFeature.DeepWater);
+            if (contents.Has(SnapshotSection.Conformation) && Viscoelasticity.IsNeeded(still))
+                stages |= Available(StageSet.Viscoelasticity, DeviceFeature.Elasticity);
+            if (contents.Has(SnapshotSection.NeighborCounts) && ImplicitViscosity.IsNeeded(still))
+                stages |= Available(StageSet.ImplicitViscosity, DeviceFeature.DynamicViscosity);
+            if (contents.Has(SnapshotSection.EmitterStates) && HasAny(emitters))
+                stages |= Available(StageSet.Emitters, DeviceFeature.Emitters);
+            if (contents.Has(SnapshotSection.DrainStates) || contents.Has(SnapshotSection.Tags))
+                stages |= Available(StageSet.Drains, DeviceFeature.Drains);
+            if (contents.Has(SnapshotSection.Fields) && HasAny(fields))
+                stages |= Available(StageSet.ForceFields, DeviceFeature.None);
+            if (contents.Has(SnapshotSection.Colliders) && FluidCollider.Enabled.Count > 0)
+                stages |= Available(StageSet.Colliders, DeviceFeature.Colliders);
+            return stages;
+        }
+
+        StageSet Available(StageSet group, DeviceFeature feature) => HasStages(group) && (gate.Refused & feature) == 0 ? group : StageSet.None;
+
+        static bool HasAny(FluidPart[] parts)
+        {
+            foreach (FluidPart part in parts)
+                if (part != null)
+                    return true;
+            return false;
+        }
+
+        // What the component and its parts know besides their settings.
+        void SaveScene(SnapshotContents contents)
+        {
+            GetPose(out Vector3 place, out Quaternion rotation);
+            contents.Set(SnapshotSection.Time, new TimeRecord
+            {
+                stepCount = StepCount,
+                fluidTime = FluidTime,
+                lastFrameTime = lastFrameTime,
+                clock = clock.Record,
+                box = new PoseRecord(new RigidPose(place, rotation)),
+                lastPosition = lastPosition,
+                lastVelocity = lastVelocity,
+                lastDuration = lastDuration,
+                goneEmitters = goneEmitters,
+                goneDrains = goneDrains,
+                collidersJump = collidersJump ? 1u : 0u,
+            });
+            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            var emitterRecords = new List<EmitterRecord>();
+            foreach (FluidEmitter emitter in emitters)
+                if (emitter != null)
+                    emitterRecords.Add(emitter.Save(frame));
+            var drainRecords = new List<DrainRecord>();
+            foreach (FluidDrain drain in drains)
+                if (drain != null)
+                    drainRecords.Add(drain.Save(frame));
+            SetIfAny(contents, SnapshotSection.Emitters, emitterRecords);
+            SetIfAny(contents, SnapshotSection.Drains, drainRecords);
+            SetIfAny(contents, SnapshotSection.Colliders, SaveColliders(frame));
+        }
+
+        static void SetIfAny<T>(SnapshotContents contents, SnapshotSection section, List<T> records) where T : struct
+        {
+            if (records.Count > 0)
+                contents.SetValues<T>(section, records.ToArray());
+        }
+
+        List<ColliderRecord> SaveColliders(in DomainFrame frame)
+        {
+            var records = new List<ColliderRecord>();
+            for (int i = 0; i < colliders.Count; i++)
+            {
+                ColliderMotion motion = colliders.Items[i];
+                FluidCollider owner = colliderOwners[i];
+                ColliderMotion now = default;
+                bool isThere = owner != null && owner.isActiveAndEnabled && owner.Describe(out now) == null;
+                if (isThere)
+                    ToDomain(ref now, frame);
+                records.Add(new ColliderRecord
+                {
+                    shape = (int)motion.shape,
+                    size = motion.size,
+                    now = isThere ? new PoseRecord(now.end) : default,
+                    end = new PoseRecord(motion.end),
+                    seen = new PoseRecord(motion.seen),
+                    follows = isThere && colliderTeleports[i] == owner.Teleports ? 1u : 0u,
+                });
+            }
+            return records;
+        }
+
+        void LoadScene(SnapshotContents contents)
+        {
+            TimeRecord time = contents.Get<TimeRecord>(SnapshotSection.Time);
+            StepCount = time.stepCount;
+            FluidTime = time.fluidTime;
+            lastFrameTime = time.lastFrameTime;
+            clock.Record = time.clock;
+            stepsSinceStatistics = 0;
+            StandStill();
+            ClearMotions();
+            RestartSources();
+
+            GetPose(out Vector3 place, out Quaternion rotation);
+            if (time.box.IsAt(new RigidPose(place, rotation), SamePlace * particleSpacing))
+            {
+                lastPosition = time.lastPosition;
+                lastVelocity = time.lastVelocity;
+                lastDuration = time.lastDuration;
+            }
+            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            LoadParts(contents, time, frame);
+            LoadColliders(contents.Values<ColliderRecord>(SnapshotSection.Colliders), frame);
+            collidersJump = time.collidersJump != 0;
+        }
+
+        void LoadParts(SnapshotContents contents, in TimeRecord time, in DomainFrame frame)
+        {
+            // Those of the snapshot that are no more give up what waits for them.
+            goneEmitters = time.goneEmitters;
+            goneDrains = time.goneDrains;
+            foreach (EmitterRecord record in contents.Values<EmitterRecord>(SnapshotSection.Emitters))
+            {
+                FluidEmitter emitter = emitters[record.part.number];
+                if (emitter != null)
+                    emitter.Load(record, frame, SamePlace);
+                else
+                    goneEmitters |= 1u << (int)record.part.number;
+            }
+            foreach (DrainRecord record in contents.Values<DrainRecord>(SnapshotSection.Drains))
+            {
+                FluidDrain drain = drains[record.part.number];
+                if (drain != null)
+                    drain.Load(record, frame, SamePlace);
+                else
+                    goneDrains |= 1u << (int)record.part.number;
+            }
+        }
+
+        // Those that are where they were go on from there; the others are new to the fluid, and wake what rests.
+        void LoadColliders(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame)
+        {
+            colliderOwners ??= new FluidCollider[ColliderSet.Most];
+            colliderTeleports ??= new int[ColliderSet.Most];
+            int before = colliders.Count;
+            colliders.Count = 0;
+            foreach (ColliderRecord record in records)
+                if (record.follows != 0 && TryFind(record, frame, out FluidCollider owner, out ColliderMotion motion))
+                {
+                    motion.start = motion.end = record.end.Pose;
+                    motion.seen = record.seen.Pose;
+                    motion.size = record.size;      // to the bit
+                    colliderOwners[colliders.Count] = owner;
+                    colliderTeleports[colliders.Count] = owner.Teleports;
+                    colliders.Items[colliders.Count++] = motion;
+                }
+            if (records.Length > 0 && colliders.Count == records.Length && HasStages(StageSet.Colliders))
+                pbf.AdoptColliders(colliders);
+            else if (records.Length + before > 0)
+                colliders.Version++;
+            colliders.Order++;      // sums of forces begin again
+        }
+
+        bool TryFind(in ColliderRecord record, in DomainFrame frame, out FluidCollider found, out ColliderMotion motion)
+        {
+            motion = default;
+            found = null;
+            foreach (FluidCollider collider in FluidCollider.Enabled)
+            {
+                if (Array.IndexOf(colliderOwners, collider, 0, colliders.Count) >= 0 || collider.Describe(out motion) != null)
+                    continue;
+                ToDomain(ref motion, frame);
+                if ((int)motion.shape != record.shape || math.distance(motion.size, record.size) > SamePlace || !record.now.IsAt(motion.end, SamePlace))
+                    continue;
+                found = collider;
+                return true;
+            }
+            return false;
+        }
+    }
+}

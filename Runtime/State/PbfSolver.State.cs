@@ -1,0 +1,210 @@
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    // Snapshots: all that the next step depends on, out of the solver and into it.
+    sealed partial class PbfSolver
+    {
+        long mostParticles;     // as far as is known without asking the GPU
+
+        /// <summary>Prepares a snapshot of the state that the commands executed so far leave; its sections of the component are yet to be set.</summary>
+        /// <exception cref="InvalidOperationException">More than can be read back.</exception>
+        public SnapshotCapture Capture(SnapshotContents contents)
+        {
+            int most = (int)Math.Min(mostParticles, Layout.Capacity);
+            Save(contents, most);
+            var capture = new SnapshotCapture(Layout, contents);
+            var state = new List<StateBuffer>();
+            ListState(state);
+            foreach (StateBuffer buffer in state)
+                capture.Add(buffer, most);
+            if (hasLists && implicitViscosity != null)
+            {
+                NeighborLists lists = densityConstraint.Lists;
+                capture.Add(new StateBuffer(SnapshotSection.NeighborCounts, lists.Counts, StateExtent.Moved), most);
+                capture.AddLists(lists.First, Layout.ListWords(Math.Min(most, Layout.FirstListParticles)));
+                if (lists.TwoLists)
+                    capture.AddLists(lists.Second, Layout.ListWords(Math.Max(most - Layout.FirstListParticles, 0)));
+            }
+            return capture;
+        }
+
+        /// <summary>Prepares what there is to see of the particles, without what a step needs besides.</summary>
+        /// <exception cref="InvalidOperationException">More than can be read back.</exception>
+        public SnapshotCapture CaptureParticles()
+        {
+            int most = (int)Math.Min(mostParticles, Layout.Capacity);
+            var contents = new SnapshotContents();
+            contents.Set(SnapshotSection.Solver, new SolverRecord { mostParticles = (uint)most });
+            var capture = new SnapshotCapture(Layout, contents);
+            capture.Add(new StateBuffer(SnapshotSection.Counters, particles.Counters, StateExtent.All), most);
+            capture.Add(new StateBuffer(SnapshotSection.Positions, particles.Current, StateExtent.Particles), most);
+            capture.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles), most);
+            capture.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles), most);
+            if (tags != null)
+                capture.Add(new StateBuffer(SnapshotSection.Tags, tags.Current, StateExtent.Particles), most);
+            return capture;
+        }
+
+        /// <summary>Why a snapshot does not fit this solver, with what to do; null where it does.</summary>
+        public string ProblemOf(SnapshotContents contents)
+        {
+            SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
+            if (record.spacing != Layout.Spacing)
+                return $"it is of a fluid with a particle spacing of {record.spacing} m, but this one has {Layout.Spacing} m. Set the Particle Spacing to {record.spacing}.";
+            if (math.any(record.domainSize != Layout.DomainSize))
+                return $"it is of a box of {Text(record.domainSize * record.spacing)} m, but this one is {Text(Layout.DomainSize * Layout.Spacing)} m. Set the Domain Size to that of the snapshot.";
+            if (record.particles > Layout.Capacity)
+                return $"it has {record.particles:N0} particles, more than the capacity of {Layout.Capacity:N0}. Raise the Capacity to at least {record.particles:N0}.";
+            if (contents.Has(SnapshotSection.Rest) && !RestingRegions.Fits(Layout, contents))
+                return "its resting regions are not those of its own box, so it is damaged. Use another.";
+            if (contents.Has(SnapshotSection.Coarse) && !CoarseFits(contents))
+                return "its coarse grid is none of its own box, so it is damaged. Use another.";
+            return null;
+        }
+
+        /// <summary>Puts a snapshot in the place of the present state, at once.</summary>
+        /// <param name="contents">One that fits, see <see cref="ProblemOf"/>.</param>
+        /// <param name="stages">Those that may be made: the scene asks for them, and device and build have them.</param>
+        public void Restore(SnapshotContents contents, StageSet stages)
+        {
+            Clear();
+            Load(contents);
+            MakeStages(contents, stages);
+            var state = new List<StateBuffer>();
+            ListState(state);
+            foreach (StateBuffer buffer in state)
+                Upload(buffer.Buffer, contents.Bytes(buffer.Section));
+            hasLists = contents.Has(SnapshotSection.NeighborCounts) && implicitViscosity != null;
+            if (hasLists)
+                densityConstraint.Lists.Upload(Layout, contents.Values<uint>(SnapshotSection.Neighbors), contents.Values<uint>(SnapshotSection.NeighborCounts));
+            using (var cmd = new CommandBuffer { name = "Rill.Restore" })
+            {
+                particleUpload.RecordArguments(cmd, particles, Layout.Capacity);
+                Graphics.ExecuteCommandBuffer(cmd);
+            }
+            isRestored = true;
+        }
+
+        /// <summary>What the colliders of the next step were to what rests: no change.</summary>
+        public void AdoptColliders(ColliderSet set)
+        {
+            if (restingRegions == null)
+                return;
+            colliders ??= new Colliders(Layout);
+            colliders.Adopt(set);
+        }
+
+        // The buffers that the next step depends on, but for the neighbor lists.
+        void ListState(List<StateBuffer> state)
+        {
+            state.Add(new StateBuffer(SnapshotSection.Counters, particles.Counters, StateExtent.All));
+            state.Add(new StateBuffer(SnapshotSection.Positions, particles.Current, StateExtent.Particles));
+            state.Add(new StateBuffer(SnapshotSection.Velocities, particles.Velocities, StateExtent.Particles));
+            state.Add(new StateBuffer(SnapshotSection.Ids, particles.Ids, StateExtent.Particles));
+            state.Add(new StateBuffer(SnapshotSection.StartPositions, particles.Start, StateExtent.Moved));
+            tags?.ListState(state);
+            restingRegions?.ListState(state);
+            coarseCorrection?.ListState(state);
+            velocityExtrapolation?.ListState(state);
+            viscoelasticity?.ListState(state);
+            emitters?.States.ListState(state);
+            drains?.ListState(state);
+        }
+
+        // All that is no buffer.
+        void Save(SnapshotContents contents, int most)
+        {
+            contents.Set(SnapshotSection.Solver, new SolverRecord
+            {
+                spacing = Layout.Spacing,
+                domainSize = Layout.DomainSize,
+                mostParticles = (uint)most,
+                stepIndex = stepIndex,
+                lastSubsteps = lastSubsteps,
+                minAdded = minAdded,
+                maxAdded = maxAdded,
+                hasNew = hasNew ? 1u : 0u,
+                hasLifetimes = hasLifetimes ? 1u : 0u,
+            });
+            if (restingRegions != null)
+                contents.Set(SnapshotSection.Rest, restingRegions.Save());
+            if (coarseCorrection != null)
+                contents.Set(SnapshotSection.Coarse, new CoarseRecord { wantedSize = coarseCorrection.Grid.WantedSize });
+            if (velocityExtrapolation != null)
+                contents.Set(SnapshotSection.Extrapolation, velocityExtrapolation.Record);
+            if (forceFields != null)
+                contents.SetValues(SnapshotSection.Fields, forceFields.Last);
+        }
+
+        void Load(SnapshotContents contents)
+        {
+            SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
+            mostParticles = record.mostParticles;
+            stepIndex = record.stepIndex;
+            lastSubsteps = record.lastSubsteps;
+            minAdded = record.minAdded;
+            maxAdded = record.maxAdded;
+            hasNew = record.hasNew != 0;
+            hasLifetimes = record.hasLifetimes != 0;
+        }
+
+        // Those of which the snapshot has a state. What a step then does not need it gives back, as ever.
+        void MakeStages(SnapshotContents contents, StageSet stages)
+        {
+            if (contents.Has(SnapshotSection.Tags))
+                tags = new ParticleTags(Layout.Capacity);
+            hasLifetimes &= (stages & StageSet.Drains) != 0;
+            if (contents.Has(SnapshotSection.Rest) && (stages & StageSet.Sleep) != 0)
+            {
+                restingRegions ??= new RestingRegions(Layout);
+                restingRegions.Load(contents.Get<RestRecord>(SnapshotSection.Rest));
+            }
+            if (contents.Has(SnapshotSection.Coarse) && (stages & StageSet.DeepWater) != 0)
+                coarseCorrection = new CoarseCorrection(Layout, contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize, limits);
+            if (contents.Has(SnapshotSection.Extrapolation))
+            {
+                velocityExtrapolation = new VelocityExtrapolation(Layout.Capacity);
+                velocityExtrapolation.Record = contents.Get<ExtrapolationRecord>(SnapshotSection.Extrapolation);
+            }
+            if (contents.Has(SnapshotSection.Conformation) && (stages & StageSet.Viscoelasticity) != 0)
+                viscoelasticity = new Viscoelasticity(Layout.Capacity);
+            if (contents.Has(SnapshotSection.NeighborCounts) && (stages & StageSet.ImplicitViscosity) != 0)
+                implicitViscosity = new ImplicitViscosity(Layout.Capacity);
+            if (contents.Has(SnapshotSection.EmitterStates) && (stages & StageSet.Emitters) != 0)
+                emitters ??= new Emitters(limits);
+            if (contents.Has(SnapshotSection.DrainStates) && (stages & StageSet.Drains) != 0)
+                drains ??= new Drains();
+            if (contents.Has(SnapshotSection.Fields) && (stages & StageSet.ForceFields) != 0)
+            {
+                forceFields ??= new ForceFields();
+                forceFields.Last = contents.Values<FieldRegion>(SnapshotSection.Fields);
+            }
+        }
+
+        bool CoarseFits(SnapshotContents contents)
+        {
+            float size = contents.Get<CoarseRecord>(SnapshotSection.Coarse).wantedSize;
+            if (size != CoarseGrid.CellSizeFor(Layout.DomainSize, 0f, 0f) && size != CoarseGrid.CellSizeFor(Layout.DomainSize, float.MaxValue, 0f))
+                return false;
+            long bytes = sizeof(float) * (long)new CoarseGrid(Layout.DomainSize, size).Total;
+            foreach (SnapshotSection section in new[] { SnapshotSection.CoarseSurface, SnapshotSection.CoarseErrors, SnapshotSection.FlowPotential, SnapshotSection.ErrorPotential })
+                if (contents.Bytes(section).Length != bytes)
+                    return false;
+            return true;
+        }
+
+        static void Upload(GraphicsBuffer buffer, byte[] bytes)
+        {
+            if (bytes.Length > 0)
+                buffer.SetData(MemoryMarshal.Cast<byte, uint>(bytes).ToArray(), 0, 0, bytes.Length / sizeof(uint));
+        }
+
+        static string Text(float3 v) => $"{v.x} x {v.y} x {v.z}";
+    }
+}

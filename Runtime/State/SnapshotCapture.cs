@@ -1,0 +1,204 @@
+using System;
+using System.Collections.Generic;
+using Unity.Collections;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>A snapshot on its way from the GPU: asks for each buffer as the commands executed so far leave it, and waits for nothing.</summary>
+    /// <remarks>A buffer that its owner releases meanwhile is released when all have come: whether Unity brings back one that is gone it does not say.</remarks>
+    sealed class SnapshotCapture
+    {
+        static List<SnapshotCapture> pending = new List<SnapshotCapture>();
+        static List<GraphicsBuffer> released = new List<GraphicsBuffer>();
+
+        readonly SnapshotContents contents;
+        readonly SolverLayout layout;
+        readonly List<Part> parts = new List<Part>();
+        Action<SnapshotContents, string> done;
+        int coming;
+        bool failed;
+
+        /// <param name="contents">With all that is no buffer; its <see cref="SolverRecord"/> gets the numbers of particles.</param>
+        public SnapshotCapture(SolverLayout layout, SnapshotContents contents)
+        {
+            this.layout = layout;
+            this.contents = contents;
+        }
+
+        sealed class Part
+        {
+            public StateBuffer state;
+            public int bytes;
+            public bool isList;
+            public byte[] data = Array.Empty<byte>();
+            public AsyncGPUReadbackRequest request;
+        }
+
+        /// <summary>The buffers that are asked for.</summary>
+        public IEnumerable<GraphicsBuffer> Buffers
+        {
+            get
+            {
+                foreach (Part part in parts)
+                    yield return part.state.Buffer;
+            }
+        }
+
+        /// <param name="mostParticles">As many as there can be.</param>
+        /// <exception cref="InvalidOperationException">More than can be read back at once.</exception>
+        public void Add(in StateBuffer state, long mostParticles)
+        {
+            long elements = state.Extent == StateExtent.All ? state.Buffer.count : mostParticles;
+            Add(state, elements * state.Buffer.stride, false);
+        }
+
+        /// <summary>Adds neighbor lists as they lie on the GPU, the second buffer after the first.</summary>
+        /// <param name="entries">Of a buffer, from its start.</param>
+        public void AddLists(GraphicsBuffer buffer, long entries) => Add(new StateBuffer(SnapshotSection.Neighbors, buffer, StateExtent.Moved), entries * sizeof(uint), true);
+
+        /// <summary>Asks for all of them.</summary>
+        /// <param name="onDone">Gets the contents, or null and what went wrong.</param>
+        public void Request(Action<SnapshotContents, string> onDone)
+        {
+            done = onDone;
+            coming = 1;         // this call
+            pending.Add(this);
+            foreach (Part part in parts)
+            {
+                if (part.bytes == 0)
+                    continue;
+                coming++;
+                part.request = AsyncGPUReadback.Request(part.state.Buffer, part.bytes, 0, arrived => OnRead(part, arrived));
+            }
+            CountDown();
+        }
+
+        /// <summary>Whether a snapshot that is on its way has a buffer, which its owner gives up by this call.</summary>
+        public static bool Keeps(GraphicsBuffer buffer)
+        {
+            if (!IsPending(buffer))
+                return false;
+            released.Add(buffer);
+            return true;
+        }
+
+        /// <summary>Waits for all that are on their way: as play ends and before scripts are loaded again.</summary>
+        public static void End()
+        {
+            for (int i = pending.Count - 1; i >= 0; i--)
+                foreach (Part part in pending[i].parts.ToArray())
+                    if (part.bytes > 0 && !part.request.done)
+                        part.request.WaitForCompletion();
+        }
+
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        static void Begin()
+        {
+            End();
+            pending = new List<SnapshotCapture>();
+            released = new List<GraphicsBuffer>();
+        }
+
+        void Add(in StateBuffer state, long bytes, bool isList)
+        {
+            if (bytes > int.MaxValue)
+                throw new InvalidOperationException($"A snapshot of {layout.Capacity:N0} particles reads {bytes:N0} bytes of one buffer, more than the {int.MaxValue:N0} of a request. Lower the capacity.");
+            parts.Add(new Part { state = state, bytes = (int)bytes, isList = isList });
+        }
+
+        static bool IsPending(GraphicsBuffer buffer)
+        {
+            foreach (SnapshotCapture capture in pending)
+                foreach (Part part in capture.parts)
+                    if (part.bytes > 0 && ReferenceEquals(part.state.Buffer, buffer))
+                        return true;
+            return false;
+        }
+
+        void OnRead(Part part, AsyncGPUReadbackRequest arrived)
+        {
+            failed |= arrived.hasError;
+            if (!arrived.hasError)
+                part.data = arrived.GetData<byte>().ToArray();
+            CountDown();
+        }
+
+        void CountDown()
+        {
+            if (--coming > 0)
+                return;
+            pending.Remove(this);
+            ReleaseKept();
+            string problem = failed ? "the GPU did not give the particles back. Ask again." : Finish();
+            done(problem == null ? contents : null, problem);
+        }
+
+        static void ReleaseKept()
+        {
+            for (int i = released.Count - 1; i >= 0; i--)
+            {
+                if (IsPending(released[i]))
+                    continue;
+                released[i].Release();
+                released.RemoveAt(i);
+            }
+        }
+
+        // Cuts all to the particles that are there.
+        string Finish()
+        {
+            ReadOnlySpan<uint> counters = CountersOf(parts);
+            SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
+            record.particles = counters[(int)ParticleCounter.Alive];
+            record.moved = Math.Min(counters[(int)ParticleCounter.Moved], record.particles);
+            if (record.particles > record.mostParticles)
+                return $"{record.particles:N0} particles came back where {record.mostParticles:N0} were expected at most. Ask again.";
+            contents.Set(SnapshotSection.Solver, record);
+            var lists = new List<byte[]>();
+            foreach (Part part in parts)
+            {
+                if (part.isList)
+                    lists.Add(part.data);
+                else
+                    contents.Set(part.state.Section, Cut(part, record));
+            }
+            uint[] changed = contents.Values<uint>(SnapshotSection.Counters).ToArray();
+            changed[(int)ParticleCounter.Moved] = record.moved;
+            contents.SetValues<uint>(SnapshotSection.Counters, changed);
+            if (lists.Count > 0)
+                contents.SetValues<uint>(SnapshotSection.Neighbors, NeighborLists.Pack(layout, Join(lists), contents.Values<uint>(SnapshotSection.NeighborCounts)));
+            return null;
+        }
+
+        static ReadOnlySpan<uint> CountersOf(List<Part> parts)
+        {
+            foreach (Part part in parts)
+                if (part.state.Section == SnapshotSection.Counters)
+                    return System.Runtime.InteropServices.MemoryMarshal.Cast<byte, uint>(part.data);
+            throw new InvalidOperationException("A snapshot without counters.");
+        }
+
+        static byte[] Cut(Part part, in SolverRecord record)
+        {
+            long bytes = part.state.Elements(record.particles, record.moved) * part.state.Buffer.stride;
+            return part.data.AsSpan(0, (int)bytes).ToArray();
+        }
+
+        static uint[] Join(List<byte[]> lists)
+        {
+            long bytes = 0;
+            foreach (byte[] list in lists)
+                bytes += list.Length;
+            var words = new uint[bytes / sizeof(uint)];
+            int at = 0;
+            foreach (byte[] list in lists)
+            {
+                Buffer.BlockCopy(list, 0, words, at, list.Length);
+                at += list.Length;
+            }
+            return words;
+        }
+    }
+}

@@ -1,0 +1,61 @@
+namespace Rill
+{
+    /// <summary>Parts of a snapshot. The numbers stand in files: new ones go to the end, and none changes its meaning without a new version.</summary>
+    enum SnapshotSection : uint
+    {
+        /// <summary>A <see cref="SolverRecord"/>.</summary>
+        Solver = 1,
+        /// <summary>A <see cref="TimeRecord"/>; not in the snapshot of a solver without a component.</summary>
+        Time,
+        /// <summary>uint [16], by <see cref="ParticleCounter"/>.</summary>
+        Counters,
+        /// <summary>float4 [particles], d.</summary>
+        Positions,
+        /// <summary>float4 [moved], d.</summary>
+        StartPositions,
+        /// <summary>float4 [particles], d/s; w density.</summary>
+        Velocities,
+        /// <summary>uint [particles].</summary>
+        Ids,
+        /// <summary>uint [particles], see ParticleTags.hlsl.</summary>
+        Tags,
+        /// <summary>uint [moved], entries of each particle's list.</summary>
+        NeighborCounts,
+        /// <summary>uint, the entries one after the other, particle by particle.</summary>
+        Neighbors,
+        /// <summary>A <see cref="RestRecord"/>.</summary>
+        Rest,
+        /// <summary>uint [regions * 5].</summary>
+        RegionMotion,
+        /// <summary>uint [regions].</summary>
+        QuietSteps,
+        /// <summary>A <see cref="CoarseRecord"/>.</summary>
+        Coarse,
+        /// <summary>uint [coarse cells].</summary>
+        CoarseSurface,
+        /// <summary>float [coarse cells].</summary>
+        CoarseErrors,
+        /// <summary>float [coarse cells], d².</summary>
+        FlowPotential,
+        /// <summary>float [coarse cells], d².</summary>
+        ErrorPotential,
+        /// <summary>An <see cref="ExtrapolationRecord"/>.</summary>
+        Extrapolation,
+        /// <summary>uint4 [moved].</summary>
+        Means,
+        /// <summary>Symmetric tensors [moved], six floats each.</summary>
+        Conformation,
+        /// <summary>uint [emitters * 8].</summary>
+        EmitterStates,
+        /// <summary>uint [drains * 4].</summary>
+        DrainStates,
+        /// <summary><see cref="FieldRegion"/> [fields].</summary>
+        Fields,
+        /// <summary><see cref="EmitterRecord"/> [emitters].</summary>
+        Emitters,
+        /// <summary><see cref="DrainRecord"/> [drains].</summary>
+        Drains,
+        /// <summary><see cref="ColliderRecord"/> [colliders].</summary>
+        Colliders,
+    }
+}

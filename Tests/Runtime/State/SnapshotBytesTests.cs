@@ -1,0 +1,272 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill.Tests
+{
+    /// <summary>Snapshots as bytes: what is no snapshot is refused in words, and nothing else comes of it.</summary>
+    public class SnapshotBytesTests
+    {
+        static readonly SnapshotCase Small = new SnapshotCase { name = "small", depth = 0.1f, emitter = true, drain = true, colliders = true, dynamicViscosity = 0.5f, sleepSpeed = 0.02f, deepWater = DeepWater.On, numericalDamping = 0.5f };
+
+        byte[] bytes;
+        FluidSnapshot snapshot;
+
+        [OneTimeSetUp]
+        public void TakeOne()
+        {
+            using (SnapshotScene scene = new SnapshotScene(Small).Run(3))
+                snapshot = scene.Take();
+            bytes = snapshot.ToBytes();
+        }
+
+        [Test]
+        public void The_checksum_is_CRC_32C()
+        {
+            Assert.That(Crc32C.Of(Encoding.ASCII.GetBytes("123456789")), Is.EqualTo(0xE3069283u));     // the check value of its definition
+            Assert.That(Crc32C.Of(new byte[32]), Is.EqualTo(0x8A9136AAu));     // RFC 3720, B.4
+            Assert.That(Crc32C.Append(Crc32C.Of(Encoding.ASCII.GetBytes("1234")), Encoding.ASCII.GetBytes("56789")), Is.EqualTo(0xE3069283u));
+        }
+
+        [Test]
+        public void Bytes_there_and_back_are_the_same()
+        {
+            FluidSnapshot back = FluidSnapshot.FromBytes(bytes);
+            Assert.That(back.ToBytes(), Is.EqualTo(bytes));
+            Assert.That((back.ParticleCount, back.StepCount, back.FluidTime, back.ParticleSpacing, back.DomainSize), Is.EqualTo((snapshot.ParticleCount, snapshot.StepCount, snapshot.FluidTime, snapshot.ParticleSpacing, snapshot.DomainSize)));
+            Assert.That(back.StepCount, Is.EqualTo(3));
+        }
+
+        [Test]
+        public void Every_change_of_a_byte_is_refused()
+        {
+            var changed = (byte[])bytes.Clone();
+            var random = new System.Random(1);
+            // All of the header, the table and what is at the end; some of the particles.
+            for (int i = 0; i < bytes.Length; i += i < 800 || i > bytes.Length - 300 ? 1 : 997)
+            {
+                changed[i] ^= (byte)(1 << random.Next(8));
+                Assert.That(Refusal(changed), Is.Not.Null, $"byte {i}");
+                changed[i] = bytes[i];
+            }
+            Assert.That(Refusal(changed), Is.Null);
+        }
+
+        [Test]
+        public void Every_truncation_is_refused()
+        {
+            for (int length = 0; length < bytes.Length; length += length < 800 ? 1 : 997)
+                Assert.That(Refusal(bytes.Take(length).ToArray()), Is.Not.Null, $"{length} bytes");
+            Assert.That(Refusal(bytes.Concat(new byte[] { 0 }).ToArray()), Does.Contain("no more"));
+        }
+
+        [Test]
+        public void Random_bytes_are_refused()
+        {
+            var random = new System.Random(2);
+            for (int i = 0; i < 2000; i++)
+            {
+                var noise = new byte[random.Next(300)];
+                random.NextBytes(noise);
+                if (i % 2 == 0 && noise.Length > 12)
+                    Array.Copy(bytes, noise, 12);       // with the right beginning
+                Assert.That(Refusal(noise), Is.Not.Null);
+            }
+        }
+
+        // A checksum does not keep out who can compute one.
+        [Test]
+        public void Damage_below_a_right_checksum_is_refused_or_harmless()
+        {
+            var random = new System.Random(3);
+            int refused = 0, taken = 0;
+            using (SnapshotScene scene = new SnapshotScene(Small).Run(1))
+            {
+                for (int i = 0; i < 120; i++)
+                {
+                    var changed = (byte[])bytes.Clone();
+                    for (int n = random.Next(1, 4); n > 0; n--)
+                    {
+                        // Mostly numbers of sections, lengths, counts and scalars.
+                        int at = random.Next(8, i % 3 == 0 ? bytes.Length - 4 : 1200);
+                        changed[at] = i % 2 == 0 ? (byte)random.Next(256) : (byte)0xFF;
+                    }
+                    if (Refusal(Sealed(changed)) != null)
+                    {
+                        refused++;
+                        continue;
+                    }
+                    try
+                    {
+                        scene.Fluid.Restore(FluidSnapshot.FromBytes(Sealed(changed)));
+                    }
+                    catch (ArgumentException)
+                    {
+                        refused++;
+                        continue;
+                    }
+                    if (taken++ < 15)
+                        scene.Run(1);
+                }
+                scene.GoTo(3).Fluid.Restore(snapshot);
+                scene.Run(2);
+                Assert.That(scene.Fluid.IsRunning);
+                Assert.That(scene.Read().positions.All(p => math.all(math.isfinite(p.xyz))));
+            }
+            TestContext.Out.WriteLine($"{refused} refused, {taken} harmless");
+            Assert.That(refused, Is.GreaterThan(20));
+            Assert.That(taken, Is.GreaterThan(20));
+        }
+
+        [Test]
+        public void Huge_lengths_take_no_memory()
+        {
+            foreach (int at in new[] { 12, 24 + 8, 24 + 16, 24 + 24 + 16 })
+                foreach (ulong value in new[] { 0xFFFFFFFFul, 0x7FFFFFFFul, 0x40000000ul })
+                {
+                    var changed = (byte[])bytes.Clone();
+                    BitConverter.GetBytes((uint)value).CopyTo(changed, at);
+                    long before = GC.GetAllocatedBytesForCurrentThread();
+                    byte[] whole = Sealed(changed);
+                    Assert.That(Refusal(whole), Is.Not.Null, $"{value} at {at}");
+                    Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.LessThan(5L * bytes.Length));
+                }
+        }
+
+        static IEnumerable<TestCaseData> Refusals()
+        {
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => Encoding.ASCII.GetBytes("PNG and so on")), "do not begin with 'RillSnap'").SetName("no snapshot");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => new byte[0]), "do not begin with 'RillSnap'").SetName("nothing");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => b.Take(b.Length - 5).ToArray()), "Read all of the file").SetName("truncated");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 2)), "have version 2, but this package reads up to 1. Update").SetName("newer version");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, b.Length - 400, 77, false)), "checksum is another").SetName("changed");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 24, 99)), "section 99 is unknown").SetName("unknown section");
+            yield return new TestCaseData(new Func<byte[], byte[]>(TwoOfOneId), "two particles have the id").SetName("two of one id");
+            yield return new TestCaseData(new Func<byte[], byte[]>(FarNeighbor), "a neighbor has index").SetName("a neighbor that is not there");
+            yield return new TestCaseData(new Func<byte[], byte[]>(TooMuchEmitted), "more than was due").SetName("more emitted than was due");
+        }
+
+        [TestCaseSource(nameof(Refusals))]
+        public void A_refusal_says_what_is_wrong(Func<byte[], byte[]> change, string expected) => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
+
+        [Test]
+        public void Another_box_spacing_or_capacity_is_refused_by_name_and_the_fluid_stays()
+        {
+            foreach ((Vector3 box, float spacing, int capacity, string expected) in new[]
+            {
+                (new Vector3(1f, 1f, 0.8f), 0.04f, 6000, "particle spacing of 0.05 m, but this one has 0.04 m. Set the Particle Spacing to 0.05"),
+                (new Vector3(1f, 1.5f, 0.8f), 0.05f, 6000, "is of a box of 1 x 1 x 0.8 m, but this one is 1 x 1.5 x 0.8 m"),
+                (new Vector3(1f, 1f, 0.8f), 0.05f, 200, $"has {snapshot.ParticleCount} particles, more than the capacity of 200. Raise the Capacity to at least {snapshot.ParticleCount}"),
+            })
+                using (SourceScene scene = new SourceScene(box, spacing, capacity).Fill(0.05f).Step())
+                {
+                    ParticleState before = scene.Read();
+                    ArgumentException refusal = Assert.Throws<ArgumentException>(() => scene.Fluid.Restore(snapshot));
+                    Assert.That(refusal.Message, Does.Contain(expected).And.Contain("'Fluid'"));
+                    TestFluid.AssertSame(scene.Read(), before);
+                }
+        }
+
+        [Test]
+        public void A_larger_capacity_goes_on_the_same()
+        {
+            using (SourceScene small = new SourceScene(Vector3.one, 0.05f, 3000).Fill(0.3f).Step(3), large = new SourceScene(Vector3.one, 0.05f, 5000))
+            {
+                FluidSnapshotRequest request = small.Fluid.RequestSnapshot();
+                AsyncGPUReadback.WaitAllRequests();
+                large.Fluid.Restore(request.Snapshot);
+                TestFluid.AssertSame(large.Step(4).Read(), small.Step(4).Read());
+            }
+        }
+
+        [Test]
+        public void Positions_that_are_no_numbers_are_culled_as_ever()
+        {
+            SnapshotContents contents = FluidSnapshot.FromBytes(bytes).Contents;
+            float4[] positions = contents.Values<float4>(SnapshotSection.Positions).ToArray();
+            positions[5].x = float.NaN;
+            contents.SetValues<float4>(SnapshotSection.Positions, positions);
+            using (var scene = new SnapshotScene(Small))
+            {
+                int before = scene.Count(ParticleCounter.NonFinite);
+                scene.GoTo(3).Fluid.Restore(FluidSnapshot.FromBytes(new FluidSnapshot(contents).ToBytes()));
+                scene.Run(1);
+                Assert.That(scene.Count(ParticleCounter.NonFinite), Is.EqualTo(before + 1));
+            }
+        }
+
+        [Test]
+        public void A_fluid_that_does_not_run_says_so()
+        {
+            using (SourceScene scene = new SourceScene(Vector3.one, 0.05f, 100))
+            {
+                scene.Fluid.enabled = false;
+                Assert.That(Assert.Throws<InvalidOperationException>(() => scene.Fluid.Restore(snapshot)).Message, Does.Contain("enable it before"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => scene.Fluid.RequestSnapshot()).Message, Does.Contain("enable it before"));
+                Assert.Throws<ArgumentNullException>(() => scene.Fluid.Restore(null));
+                Assert.Throws<ArgumentNullException>(() => FluidSnapshot.FromBytes(null));
+            }
+        }
+
+        // Null where they are taken.
+        static string Refusal(byte[] given)
+        {
+            try
+            {
+                FluidSnapshot.FromBytes(given);
+                return null;
+            }
+            catch (InvalidDataException refusal)
+            {
+                return refusal.Message;
+            }
+        }
+
+        static byte[] With(byte[] source, int at, byte value, bool seal = true)
+        {
+            var changed = (byte[])source.Clone();
+            changed[at] = value;
+            return seal ? Sealed(changed) : changed;
+        }
+
+        static byte[] TwoOfOneId(byte[] source)
+        {
+            SnapshotContents contents = FluidSnapshot.FromBytes(source).Contents;
+            uint[] ids = contents.Values<uint>(SnapshotSection.Ids).ToArray();
+            ids[3] = ids[8];
+            contents.SetValues<uint>(SnapshotSection.Ids, ids);
+            return SnapshotFormat.Write(contents);
+        }
+
+        static byte[] FarNeighbor(byte[] source)
+        {
+            SnapshotContents contents = FluidSnapshot.FromBytes(source).Contents;
+            uint[] neighbors = contents.Values<uint>(SnapshotSection.Neighbors).ToArray();
+            neighbors[20] = 1u << 30;
+            contents.SetValues<uint>(SnapshotSection.Neighbors, neighbors);
+            return SnapshotFormat.Write(contents);
+        }
+
+        static byte[] TooMuchEmitted(byte[] source)
+        {
+            SnapshotContents contents = FluidSnapshot.FromBytes(source).Contents;
+            EmitterRecord[] emitters = contents.Values<EmitterRecord>(SnapshotSection.Emitters).ToArray();
+            emitters[0].clock.due = long.MaxValue;
+            contents.SetValues<EmitterRecord>(SnapshotSection.Emitters, emitters);
+            return SnapshotFormat.Write(contents);
+        }
+
+        // With the checksum that belongs to it.
+        static byte[] Sealed(byte[] changed)
+        {
+            BitConverter.GetBytes(Crc32C.Of(changed.AsSpan(0, changed.Length - 4))).CopyTo(changed, changed.Length - 4);
+            return changed;
+        }
+    }
+}
