@@ -111,6 +111,7 @@ namespace Rill
             stepIndex = 0;
             lastSubsteps = 0;
             InvalidateSurface();
+            InvalidateParticles(true);
             statistics?.Invalidate();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided again
@@ -168,6 +169,7 @@ namespace Rill
         {
             stepIndex++;
             SurfaceIsCurrent = false;
+            InvalidateParticles(false);
             UploadConstants(cmd, input);
             PrepareSources(input);
             CoarseCorrection coarse = CoarseFor(input);
@@ -177,6 +179,7 @@ namespace Rill
             ImplicitViscosity viscous = ViscosityFor(input);
             Viscoelasticity elastic = ViscoelasticityFor(input);
             VelocityExtrapolation extrapolation = ExtrapolationFor(input);
+            RecordKills(cmd, input, resting);
             RecordDrains(cmd, input, resting);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
@@ -246,6 +249,7 @@ namespace Rill
             return new List<StageDescription>
             {
                 state,
+                ParticleAccess.Describe(input, noTags, restingRegions),
                 Drains.Describe(drains, input.sources, TagsWithLifetimes, restingRegions),
                 RestingRegions.Describe(restingRegions, input),
                 ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
@@ -283,6 +287,7 @@ namespace Rill
             ReleaseSources();
             ReleaseStatistics();
             ReleaseSurface();
+            GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);
         }
 
