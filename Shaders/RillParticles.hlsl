@@ -139,7 +139,7 @@ struct RillNeighbors
     uint2 range;            // of the order
 };
 
-// world, radius: m. The time taken grows with the particles in the cells that the ball touches; a cell is two spacings wide.
+// world, radius: m. The time taken grows with the particles in the cells that the ball touches.
 RillNeighbors RillFindNeighbors(float3 world, float radius)
 {
     RillNeighbors neighbors;

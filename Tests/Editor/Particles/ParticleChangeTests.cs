@@ -209,7 +209,11 @@ namespace Rill.Editor.Tests
                 }
                 Assert.That(tagged, Is.GreaterThan(1000));
                 if (withLifetimes)
-                    Assert.That(scene.AssertConserved().drained, Is.GreaterThan(5), "their time is over");
+                {
+                    Assert.That(before.Values.Count(p => p.phase == 1 && math.distance(p.position, center) < 0.35f), Is.GreaterThan(5), "with a lifetime and tagged");
+                    Assert.That(pass.See().Any(p => before.TryGetValue(p.id, out ParticlePass.Particle was) && was.phase == 1), Is.False, "their time is over");
+                    scene.AssertConserved();
+                }
                 scene.Fluid.TrackPhases = false;
                 scene.Fluid.Restart();
                 Assert.That(pass.See().All(p => p.phase == 0));
@@ -282,6 +286,19 @@ namespace Rill.Editor.Tests
                 Assert.That(scene.Fluid.IsRunning, Is.False);
                 scene.Fluid.enabled = true;
                 Assert.That(scene.Fluid.IsRunning);
+            }
+        }
+
+        [Test]
+        public void The_snippet_of_the_manual_turns_and_removes_particles()
+        {
+            using (SourceScene scene = Apart(out float3[] places))
+            {
+                ManualSnippets.ChangeParticles(scene.Fluid, LayoutProbes.Load("Turn"), new Vector4(places[0].x, places[0].y, places[0].z, 0f));
+                scene.Step(3);
+                Assert.That(scene.AssertConserved().drained, Is.EqualTo(1));
+                int turned = scene.Read().velocities.Count(v => math.length(v.xyz) > 0f);
+                Assert.That(turned, Is.EqualTo(2), "a neighbor on its side of each horizontal axis; none above, on the axis");
             }
         }
 
