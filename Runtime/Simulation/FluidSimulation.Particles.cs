@@ -7,9 +7,7 @@ namespace Rill
     // The particles for a project's own passes, draws and readbacks.
     public sealed partial class FluidSimulation
     {
-        static readonly Action<CommandBuffer, FluidParticles>[] NoPasses = Array.Empty<Action<CommandBuffer, FluidParticles>>();
-
-        Action<CommandBuffer, FluidParticles>[] passes = NoPasses;
+        Action<CommandBuffer, FluidParticles>[] passes = Array.Empty<Action<CommandBuffer, FluidParticles>>();
         bool isRecordingPasses;
 
         /// <summary>

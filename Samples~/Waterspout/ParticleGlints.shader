@@ -21,8 +21,12 @@ Shader "Rill Samples/Particle Glints"
             #pragma target 5.0
             #pragma vertex GlintVertex
             #pragma fragment GlintFragment
-            #include "UnityCG.cginc"
             #include "Packages/com.rill.fluids/Shaders/RillParticles.hlsl"
+
+            // The camera, by the names that both pipelines give it.
+            float4x4 unity_MatrixVP;
+            float4x4 unity_MatrixV;
+            float3 _WorldSpaceCameraPos;
 
             float4 _Color;
             float _Radius;
@@ -43,12 +47,12 @@ Shader "Rill Samples/Particle Glints"
                 Glint glint;
                 glint.corner = float2(k == 0 || k == 2 || k == 3 ? -1.0 : 1.0, k == 0 || k == 1 || k == 4 ? -1.0 : 1.0);
                 glint.brightness = saturate(length(RillVelocity(i)) / _FullSpeed);
-                float3 right = UNITY_MATRIX_V[0].xyz;
-                float3 up = UNITY_MATRIX_V[1].xyz;
+                float3 right = unity_MatrixV[0].xyz;
+                float3 up = unity_MatrixV[1].xyz;
                 float3 toEye = normalize(_WorldSpaceCameraPos - RillDrawnPosition(i));
                 float3 world = RillDrawnPosition(i) + (right * glint.corner.x + up * glint.corner.y) * (_Radius * RillSpacing()) + toEye * RillSpacing();
                 bool isDrawn = i < RillCount() && RillPhase(i) == (uint)_Phase;
-                glint.clip = isDrawn ? mul(UNITY_MATRIX_VP, float4(world, 1.0)) : float4(2.0, 2.0, 2.0, 1.0);
+                glint.clip = isDrawn ? mul(unity_MatrixVP, float4(world, 1.0)) : float4(2.0, 2.0, 2.0, 1.0);
                 return glint;
             }
 
