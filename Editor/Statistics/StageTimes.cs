@@ -29,6 +29,7 @@ namespace Rill.Editor
         /// <summary>Names of the markers, in the order of the step, and of drawing what it left.</summary>
         internal static readonly (string marker, string label)[] Stages =
         {
+            ("Rill.Kill", "Kills by scripts"),
             ("Rill.Drain", "Drains"),
             ("Rill.Rest", "Water at rest"),
             ("Rill.Fields", "Force fields"),

@@ -19,7 +19,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -112,8 +112,13 @@ namespace Host.Tests
                 "+1 FoamSources.compute FindPotentials", "+1 FoamSources.compute CountSpawned", "+1 Foam.compute AverageCells", "+1 Foam.compute Move", "+1 PrefixSum.compute SumTiles",
                 "+1 PrefixSum.compute ScanFewTiles", "+1 Foam.compute Compact", "+1 Foam.compute Spawn", "+1 Foam.compute Commit", "+1 FoamParticles.shader", "+1 Rill.Foam.*", "+1 Rill.PrefixSum.TileSums *",
             }),
+            ("a pass of a script", null, s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilled" }),
+            ("a pass of a script where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilledAsleep" }),
+            ("phases for a script", null, s => s.TrackPhases = true, new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *" }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute ApplyDeltaP" }),
         };
+
+        static void Nothing(CommandBuffer commands, FluidParticles particles) { }
 
         public static IEnumerable<string> FeatureNames => Features.Select(feature => feature.Name);
 
@@ -137,6 +142,8 @@ namespace Host.Tests
                 UnityEngine.Object.DestroyImmediate(part.gameObject);
             foreach (FluidEmitter emitter in simulation.GetComponentsInChildren<FluidEmitter>())
                 emitter.Lifetime = 0f;
+            simulation.BeforeStep -= Nothing;
+            simulation.TrackPhases = false;
             if (simulation.Solver.Tags != null)
                 simulation.Restart();       // until then there may be particles with tags
             simulation.Settings = settings;

@@ -96,6 +96,26 @@ namespace Host.Tests
         }
 
         [Test]
+        public void The_ball_holds_what_the_spout_took_out_of_the_pool()
+        {
+            using (new SampleScene("Waterspout"))
+            {
+                var fluid = Object.FindObjectOfType<FluidSimulation>();
+                fluid.Configure(fluid.DomainSize, 0.04f, 7000);
+                var spout = Object.FindObjectOfType<Waterspout>();
+                int most = 0;
+                Play(75, _ => most = Math.Max(most, spout.Held));
+                float radius = 0.5f * spout.transform.localScale.x;
+                FluidStatistics s = IsWhole(fluid, 0.05f);
+                TestContext.WriteLine($"the ball holds {spout.Held} particles, at most {most}; its radius is {radius:0.000} m");
+                Assert.That(most, Is.GreaterThan(50));
+                Assert.That(s.drained, Is.GreaterThanOrEqualTo(most), "the readback is of an earlier step");
+                Assert.That(s.added - s.particles, Is.EqualTo(s.drained));
+                Assert.That(radius, Is.GreaterThan(0.07f), "the empty ball's");
+            }
+        }
+
+        [Test]
         public void The_flood_fills_the_harbour_and_stays_out_of_the_houses()
         {
             using (new SampleScene("Flooded Quay"))

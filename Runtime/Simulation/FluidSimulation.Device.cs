@@ -85,6 +85,8 @@ namespace Rill
                 input.settings.numericalDamping = 1f;
             if ((refused & DeviceFeature.Foam) != 0)
                 input.foam.budget = 0;
+            if ((refused & DeviceFeature.Tags) != 0)
+                input.tracksPhases = false;
             LimitSources(refused);
         }
 
@@ -131,6 +133,7 @@ namespace Rill
             Want(Foam.IsNeeded(input), DeviceFeature.Foam);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);
+            Want(input.tracksPhases, DeviceFeature.Tags);
             if (sources != null)
             {
                 Want(sources.keepsEmitters, DeviceFeature.Emitters);

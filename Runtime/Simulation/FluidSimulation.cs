@@ -170,8 +170,10 @@ namespace Rill
         }
 
         /// <summary>Removes all particles, fills the volumes again, or takes the start state, and sets fluid time to 0.</summary>
+        /// <exception cref="InvalidOperationException">Called in a pass of <see cref="BeforeStep"/>.</exception>
         public void Restart()
         {
+            ThrowInPass();
             if (pbf == null)
                 return;
             pbf.Clear();
@@ -346,6 +348,8 @@ namespace Rill
                     input.frameTo = (i + 1) / (float)steps;
                     input.sources = TakeSources();
                     LimitToDevice();
+                    if (!RecordPasses())
+                        return false;
                     input.needsDensity |= input.sources != null && input.sources.hasWind;
                     budgeted?.BeginStep(commands);
                     pbf.Step(commands, input);
@@ -382,6 +386,7 @@ namespace Rill
                 material = material,
                 needsDensity = NeedsDensity,
                 colliders = colliders,
+                tracksPhases = TrackPhases,
                 foam = NeedsFoam ?? default,
                 foamSeed = seed,
             };

@@ -117,6 +117,16 @@ namespace Rill
             RecordOrder(cmd, particles);
         }
 
+        /// <summary>Records a kernel that asks for the order of the particles, by OrderedSlot.hlsl.</summary>
+        public void DispatchOrdered(CommandBuffer cmd, ComputeShader asks, int kernel, ParticleBuffers particles)
+        {
+            cmd.SetComputeBufferParam(asks, kernel, Ids.CellRanks, cellRanks);
+            cmd.SetComputeBufferParam(asks, kernel, Ids.CellStarts, CellStarts);
+            cmd.SetComputeBufferParam(asks, kernel, Ids.Order, Order);
+            cmd.SetComputeBufferParam(asks, kernel, Ids.Counters, particles.Counters);
+            particles.DispatchSorted(cmd, asks, kernel);
+        }
+
         public void Dispose()
         {
             prefixSum.Dispose();
@@ -152,15 +162,7 @@ namespace Rill
         /// <summary>The kernels of <see cref="RecordOrderAtRest"/>'s prefix sum, which runs outside the step.</summary>
         public void DescribePrefixSum(StageDescription stage) => prefixSum.DescribeKernels(stage, 0);
 
-        // A kernel that asks for the order of the particles, by OrderedSlot.
-        void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel)
-        {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellRanks, cellRanks);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, CellStarts);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, Order);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            particles.DispatchSorted(cmd, shader, kernel);
-        }
+        void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel) => DispatchOrdered(cmd, shader, kernel, particles);
 
         void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)
         {

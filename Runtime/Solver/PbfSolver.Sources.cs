@@ -35,6 +35,7 @@ namespace Rill
         void PrepareSources(in StepInput input)
         {
             StepSources sources = input.sources;
+            PreparePhases(input);
             if (sources != null && sources.needsTags)
                 tags ??= new ParticleTags(Layout.Capacity);
             hasLifetimes |= sources != null && sources.needsLifetimes;

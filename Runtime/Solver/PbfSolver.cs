@@ -115,6 +115,7 @@ namespace Rill
             hasLists = isRestored = false;
             mostParticles = 0;
             InvalidateSurface();
+            InvalidateParticles(true);
             statistics?.Invalidate();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided again
@@ -173,6 +174,7 @@ namespace Rill
         {
             stepIndex++;
             SurfaceIsCurrent = false;
+            InvalidateParticles(false);
             UploadConstants(cmd, input);
             PrepareSources(input);
             CoarseCorrection coarse = CoarseFor(input);
@@ -182,6 +184,7 @@ namespace Rill
             ImplicitViscosity viscous = ViscosityFor(input);
             Viscoelasticity elastic = ViscoelasticityFor(input);
             VelocityExtrapolation extrapolation = ExtrapolationFor(input);
+            RecordKills(cmd, input, resting);
             RecordDrains(cmd, input, resting);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
@@ -252,6 +255,7 @@ namespace Rill
             return new List<StageDescription>
             {
                 state,
+                ParticleAccess.Describe(input, noTags, restingRegions),
                 Drains.Describe(drains, input.sources, TagsWithLifetimes, restingRegions),
                 RestingRegions.Describe(restingRegions, input),
                 ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
@@ -289,6 +293,7 @@ namespace Rill
             ReleaseSources();
             ReleaseStatistics();
             ReleaseSurface();
+            GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);
         }
 

@@ -21,6 +21,10 @@ namespace Rill
         public float frameFrom, frameTo;
         /// <summary>Emitters, drains and force fields; null for none.</summary>
         public StepSources sources;
+        /// <summary>Whether a pass before the step may have marked particles to remove.</summary>
+        public bool removesKilled;
+        /// <summary>Whether particles have phases also where no emitter gives any.</summary>
+        public bool tracksPhases;
         /// <summary>Validated; a budget of 0 is no foam.</summary>
         public FoamSettings foam;
         /// <summary>Of the random numbers of foam.</summary>

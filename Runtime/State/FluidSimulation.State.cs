@@ -44,11 +44,12 @@ namespace Rill
         /// <param name="snapshot">Of a fluid with the same box and particle spacing, and of no more particles than this capacity.</param>
         /// <exception cref="ArgumentNullException">There is none.</exception>
         /// <exception cref="ArgumentException">It does not fit this fluid; the message says why. The fluid stays as it was.</exception>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
         public void Restore(FluidSnapshot snapshot)
         {
             if (snapshot == null)
                 throw new ArgumentNullException(nameof(snapshot));
+            ThrowInPass();
             if (pbf == null && HasNoGraphics)
                 return;
             if (pbf != null && layoutChanged)

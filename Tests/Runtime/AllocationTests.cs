@@ -80,6 +80,44 @@ namespace Rill.Tests
             Assert.That(statistics.drained, NUnit.Framework.Is.GreaterThan(100));
         }
 
+        [UnityTest]
+        public IEnumerator Sixty_frames_with_passes_and_readbacks_of_a_script_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Basin();
+            simulation.TrackPhases = true;
+            var properties = new MaterialPropertyBlock();
+            int passes = 0, copies = 0;
+            simulation.BeforeStep += (commands, particles) =>
+            {
+                particles.SortNeighbors(commands);
+                passes++;
+            };
+            using (var readback = new ParticleReadback())
+            {
+                TestDelegate frame = () =>
+                {
+                    copies += simulation.RequestParticles(readback) ? 1 : 0;
+                    simulation.Advance(Step);
+                    simulation.TryGetParticles(out FluidParticles particles);
+                    particles.Bind(properties);
+                };
+                yield return null;
+                for (int i = 0; i < WarmUp; i++)
+                {
+                    frame();
+                    yield return null;
+                }
+                for (int i = 0; i < 60; i++)
+                {
+                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                    yield return null;
+                }
+                Assert.That(passes, NUnit.Framework.Is.GreaterThanOrEqualTo(90));
+                Assert.That(copies, NUnit.Framework.Is.GreaterThan(20));
+                Assert.That(readback.HasData);
+            }
+        }
+
         FluidSimulation Basin()
         {
             fluid = new GameObject("Fluid");

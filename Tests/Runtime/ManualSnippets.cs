@@ -76,6 +76,30 @@ namespace Rill.Tests
             #endregion
         }
 
+        internal static void ChangeParticles(FluidSimulation fluid, ComputeShader shader, Vector4 center)
+        {
+            #region Change the particles before each step
+            int kernel = shader.FindKernel("Turn");
+            fluid.BeforeStep += (commands, particles) =>            // once for each fixed step
+            {
+                commands.SetComputeVectorParam(shader, "_Center", center);
+                particles.Dispatch(commands, shader, kernel);       // binds the particles and runs the kernel for all of them
+            };
+            #endregion
+        }
+
+        static float ReadParticles(FluidSimulation fluid, ParticleReadback readback)
+        {
+            float highest = float.MinValue;
+            #region Read the particles on the CPU
+            if (readback.HasData)
+                foreach (float3 position in readback.Positions)                 // world space, m
+                    highest = Mathf.Max(highest, position.y);
+            fluid.RequestParticles(readback, ParticleFields.Positions);         // false while one is under way
+            #endregion
+            return highest;
+        }
+
         static void MoveCollider(FluidCollider paddle, bool isAnotherPlace)
         {
             #region Move a collider
@@ -213,11 +237,17 @@ namespace Rill.Tests
             Recycle(drain, jet);
             MoveCollider(collider, true);
             AddSplash(fluid, new Vector3(0.3f, 0f, 0f));
-            for (int i = 0; i < 25; i++)
+            float highest = float.MinValue;
+            using (var readback = new ParticleReadback())
             {
-                ReadForce(collider);
-                yield return null;
+                for (int i = 0; i < 25; i++)
+                {
+                    ReadForce(collider);
+                    highest = Mathf.Max(highest, ReadParticles(fluid, readback));
+                    yield return null;
+                }
             }
+            Assert.That(highest, Is.InRange(0f, 1f), "the splash, in the box");
             Assert.That(ReadStatistics(fluid), Does.Contain("particles").And.EndWith("0 refused"));
             fluid.TryGetStatistics(out FluidStatistics statistics);
             Assert.That(statistics.added, Is.EqualTo(8 * 12 * 10 + 125));

@@ -30,6 +30,7 @@ namespace Rill
                 case "DensityConstraint":
                 case "ParticleUpload":
                 case "NeighborSearch":
+                case "ParticleAccess":
                 case "PrefixSum":
                 case "VelocityUpdate": return DeviceFeature.None;
                 case "CoarseGrid":
@@ -89,6 +90,7 @@ namespace Rill
                 case "PHASES":
                 case "PROJECTION":
                 case "REDUCE":
+                case "REMOVE":
                 case "RESIDUAL":
                 case "RILL_BUILD_LIST":
                 case "RILL_RAW":

@@ -1,0 +1,120 @@
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What passes and readbacks of a project need of the particles. Made when first needed.</summary>
+    sealed class ParticleAccess
+    {
+        /// <summary>threads of a kernel over the particles</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int Threads = ParticleBuffers.Group;
+
+        /// <summary>along x; more fold into y</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int MaxGroups = ThreadGroups.MaxGroups;
+
+        /// <summary>word of _RillCounters: particles alive</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int Alive = (int)ParticleCounter.Alive;
+
+        /// <summary>word of _RillCounters: particles that took part in the last step, the first of those alive</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int Moved = (int)ParticleCounter.Moved;
+
+        /// <summary>of the phase in a tag</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const int PhaseShift = ParticleTags.PhaseShift;
+
+        /// <summary>bits of a tag that are not the phase</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const uint TagStepMask = ParticleTags.StepMask;
+
+        /// <summary>in place of the density of a particle that goes</summary>
+        [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const float Killed = -1f;
+
+        /// <summary>words before the first field of a copy</summary>
+        [SharedWithHlsl("ParticleAccess")] public const int CopyHeader = 4;
+
+        /// <summary>in place of the first word of a field that is not copied</summary>
+        [SharedWithHlsl("ParticleAccess")] public const uint NotCopied = uint.MaxValue;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Kill");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("ParticleAccess");
+        readonly int removeKilled, removeKilledAsleep, orderById, copyOut;
+
+        public ParticleAccess()
+        {
+            removeKilled = shader.FindKernel("RemoveKilled");
+            removeKilledAsleep = shader.FindKernel("RemoveKilledAsleep");
+            orderById = shader.FindKernel("OrderById");
+            copyOut = shader.FindKernel("CopyOut");
+        }
+
+        /// <summary>Records the removal of the particles that a pass has marked.</summary>
+        /// <param name="resting">Null for none.</param>
+        public void RecordKills(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, RestingRegions resting)
+        {
+            int kernel = resting != null ? removeKilledAsleep : removeKilled;
+            cmd.BeginSample(Marker);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            resting?.BindMotion(cmd, shader, kernel);
+            particles.DispatchAlive(cmd, shader, kernel);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Records which particles lie in each cell of the search at the current positions: its cell starts, and the particles by cell into SortedIds, which is free between steps.</summary>
+        public void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search)
+        {
+            search.RecordOrderAtRest(cmd, constants, particles);
+            cmd.SetComputeBufferParam(shader, orderById, Ids.OrderById, particles.SortedIds);
+            search.DispatchOrdered(cmd, shader, orderById, particles);
+        }
+
+        /// <summary>Records a copy of the particles in world space.</summary>
+        /// <param name="hasTags">Whether <paramref name="tags"/> are those of the particles, and not what stands for them.</param>
+        public void RecordCopy(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, Matrix4x4 domainToWorld, in ParticleCopyLayout layout, GraphicsBuffer copy)
+        {
+            cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
+            cmd.SetComputeIntParam(shader, Ids.HasTags, hasTags ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.PositionsAt, layout.PositionsAt);
+            cmd.SetComputeIntParam(shader, Ids.VelocitiesAt, layout.VelocitiesAt);
+            cmd.SetComputeIntParam(shader, Ids.IdsAt, layout.IdsAt);
+            cmd.SetComputeIntParam(shader, Ids.PhasesAt, layout.PhasesAt);
+            cmd.SetComputeBufferParam(shader, copyOut, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, copyOut, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, copyOut, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, copyOut, ParticleTags.Ids.Tags, tags);
+            cmd.SetComputeBufferParam(shader, copyOut, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, copyOut, Ids.Copy, copy);
+            particles.DispatchAlive(cmd, shader, copyOut);
+        }
+
+        /// <param name="noTags">What stands for the tags; null while no script has read the particles.</param>
+        /// <param name="resting">Null for none.</param>
+        public static StageDescription Describe(in StepInput input, GraphicsBuffer noTags, RestingRegions resting)
+        {
+            bool needed = input.removesKilled || noTags != null;
+            var description = new StageDescription("Particle access", needed, input.removesKilled ? "a pass of a script may remove particles" : needed ? "a script reads the particles" : "no script reads the particles");
+            if (input.removesKilled)
+                description.Kernel("ParticleAccess", resting != null ? "RemoveKilledAsleep" : "RemoveKilled", 1);
+            description.Buffer("Rill.NoTags", noTags);
+            return description;
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int OrderById = Shader.PropertyToID("_OrderById");
+            public static readonly int Copy = Shader.PropertyToID("_Copy");
+            public static readonly int DomainToWorld = Shader.PropertyToID("_DomainToWorld");
+            public static readonly int HasTags = Shader.PropertyToID("_HasTags");
+            public static readonly int PositionsAt = Shader.PropertyToID("_PositionsAt");
+            public static readonly int VelocitiesAt = Shader.PropertyToID("_VelocitiesAt");
+            public static readonly int IdsAt = Shader.PropertyToID("_IdsAt");
+            public static readonly int PhasesAt = Shader.PropertyToID("_PhasesAt");
+        }
+    }
+}

@@ -1,0 +1,33 @@
+namespace Rill
+{
+    /// <summary>Where the fields of a copy of the particles begin in it, words; <see cref="ParticleAccess.NotCopied"/>, as an int, for one that is not in it.</summary>
+    readonly struct ParticleCopyLayout
+    {
+        const int Missing = unchecked((int)ParticleAccess.NotCopied);
+
+        public readonly int PositionsAt, VelocitiesAt, IdsAt, PhasesAt;
+
+        /// <summary>Of the whole copy.</summary>
+        public readonly long Words;
+
+        /// <param name="capacity">Particles that each field holds.</param>
+        public ParticleCopyLayout(ParticleFields fields, int capacity)
+        {
+            Words = ParticleAccess.CopyHeader;
+            PositionsAt = Place(fields, ParticleFields.Positions, 3L * capacity, ref Words);
+            VelocitiesAt = Place(fields, ParticleFields.Velocities, 3L * capacity, ref Words);
+            IdsAt = Place(fields, ParticleFields.Ids, capacity, ref Words);
+            PhasesAt = Place(fields, ParticleFields.Phases, capacity, ref Words);
+        }
+
+        // Capacity is at most 2^24, so that all fields end far below 2^31 words.
+        static int Place(ParticleFields fields, ParticleFields field, long words, ref long end)
+        {
+            if ((fields & field) == 0)
+                return Missing;
+            var at = (int)end;
+            end += words;
+            return at;
+        }
+    }
+}

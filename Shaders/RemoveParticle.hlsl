@@ -1,0 +1,14 @@
+// Takes a particle out at the start of a step. Include after Solver.hlsl and RestingRegions.hlsl; _Positions and _Counters are writable.
+#ifndef RILL_REMOVE_PARTICLE_INCLUDED
+#define RILL_REMOVE_PARTICLE_INCLUDED
+
+// Its position is no number from here on. The sort counts every such as not finite, which is taken back in advance.
+void Remove(uint i, float3 p)
+{
+    _Positions[i] = asfloat(0x7fc00000u);
+    InterlockedAdd(_Counters[kDrained], 1);
+    InterlockedAdd(_Counters[kNonFinite], 0xFFFFFFFFu);
+    WakeRegion(p);
+}
+
+#endif
