@@ -131,6 +131,7 @@ namespace Rill
             Want(Foam.IsNeeded(input), DeviceFeature.Foam);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);
+            Want(queryPartCount > 0, DeviceFeature.Queries);
             if (sources != null)
             {
                 Want(sources.keepsEmitters, DeviceFeature.Emitters);

@@ -183,6 +183,7 @@ namespace Rill
             StandStill();
             ClearMotions();
             RestartSources();
+            RestartQueries();
             FillVolumes();
         }
 
@@ -316,6 +317,7 @@ namespace Rill
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
+            int queries = RecordQueries();      // before statistics too
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
             if (measures)
@@ -327,6 +329,7 @@ namespace Rill
             ReadSources(steps);
 
             reactions?.Request();
+            RequestQueries(queries);
             if (measures)
             {
                 pbf.Foam?.Request();

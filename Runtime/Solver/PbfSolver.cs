@@ -112,6 +112,7 @@ namespace Rill
             lastSubsteps = 0;
             InvalidateSurface();
             statistics?.Invalidate();
+            queries?.Invalidate();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided again
             ReleaseViscosity();
@@ -262,6 +263,7 @@ namespace Rill
                 Rill.Foam.Describe(foam, input, densityConstraint.Lists),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions, coarseCorrection != null),
+                Rill.Queries.Describe(queries, queried, tags),
                 StatisticsPass.Describe(statistics, statisticsInterval, neighborSearch, colliders),
             };
         }
@@ -282,6 +284,7 @@ namespace Rill
             ReleaseFoam();
             ReleaseSources();
             ReleaseStatistics();
+            ReleaseQueries();
             ReleaseSurface();
             GpuBuffer.Release(ref constants);
         }

@@ -24,9 +24,11 @@ namespace Rill
         Foam = 1 << 13,
         ImplicitViscosity = 1 << 14,
         MeshBaking = 1 << 15,
+        /// <summary>Probes and detectors.</summary>
+        Queries = 1 << 16,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
-        OfFluids = (1 << 15) - 1,
-        All = (1 << 16) - 1,
+        OfFluids = All & ~MeshBaking,
+        All = (1 << 17) - 1,
     }
 
     static class StageSets
@@ -85,6 +87,7 @@ namespace Rill
                 case StageSet.ParticleRenderer: return "ParticleRenderer";
                 case StageSet.DomainRenderer: return "DomainRenderer";
                 case StageSet.MeshBaking: return "MeshSdf";
+                case StageSet.Queries: return "Queries";
                 default: return null;
             }
         }
