@@ -26,7 +26,7 @@ namespace Rill
         int queryPartCount;
 
         /// <summary>
-        /// Waits for the GPU, and then hands the results of the newest step to probes and detectors. For tests and tools in the Editor: it holds
+        /// Waits for the GPU and hands all results that are on their way to probes and detectors. For tests and tools in the Editor: it holds
         /// the frame up, and in the game a result that is a few frames old is there without waiting.
         /// </summary>
         public void FlushQueries()

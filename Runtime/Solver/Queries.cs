@@ -109,12 +109,18 @@ namespace Rill
         /// <summary>particles that a thread of the detectors visits</summary>
         [SharedWithHlsl("Queries")] const int ParticlesPerThread = 8;
 
+        /// <summary>threads of a probe</summary>
+        [SharedWithHlsl("Queries")] const int ProbeGroup = 512;
+
+        /// <summary>densities along gravity that a probe finds at a time</summary>
+        [SharedWithHlsl("Queries")] const int Samples = 128;
+
         /// <summary>Requests that may be on their way: an answer to each frame, though it comes some frames later.</summary>
         public const int RingSize = 4;
 
         const int FirstDetectorWord = MaxProbes * ProbeWords;
         const int Words = FirstDetectorWord + MaxDetectors * DetectorWords;
-        const float ChunkLength = 0.5f * (ParticleBuffers.Group - 1);        // as in Queries.compute, d
+        const float ChunkLength = 0.5f * (Samples - 1);        // as in Queries.compute, d
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Queries");
 
