@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Rill
 {
@@ -24,9 +25,41 @@ namespace Rill
         [Tooltip("Height of the capsule from end to end, m. Less than twice the radius is a sphere.")]
         [SerializeField] float height = 1f;
 
+        [Tooltip("Fill from which water has entered. 0.001 to 1. It has left below half of it.")]
+        [Range(0.001f, 1f)]
+        [SerializeField] float enterFill = 0.01f;
+
+        [Tooltip("Fill from which the shape counts as filled. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float fillLevel = 0.5f;
+
+        [Tooltip("By how much the fill has to fall below the level until the shape counts as emptied. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float hysteresis = 0.05f;
+
+        [Tooltip("Mean speed of the water from which it counts as an impact, m/s. It can be one again below four fifths of it.")]
+        [SerializeField] float impactSpeed = 2f;
+
+        [Tooltip("Called when water has entered.")]
+        [SerializeField] UnityEvent entered = new UnityEvent();
+
+        [Tooltip("Called when the water has left.")]
+        [SerializeField] UnityEvent left = new UnityEvent();
+
+        [Tooltip("Called when the fill has risen to the level.")]
+        [SerializeField] UnityEvent filled = new UnityEvent();
+
+        [Tooltip("Called when the fill has fallen below the level by the hysteresis.")]
+        [SerializeField] UnityEvent emptied = new UnityEvent();
+
+        [Tooltip("Called when the water has become as fast as the impact speed.")]
+        [SerializeField] UnityEvent impact = new UnityEvent();
+
         const int NoSize = FirstOwnProblem;
+        const float LeaveFraction = 0.5f, CalmFraction = 0.8f;
 
         FluidDetectorSample latest;
+        bool isNew, isEntered, isFilled, isImpact;
 
         /// <summary>A box, a sphere or a capsule.</summary>
         public DetectorShape Shape { get => shape; set => shape = value; }
@@ -36,6 +69,26 @@ namespace Rill
         public float Radius { get => radius; set { radius = value; Validate(); } }
         /// <summary>Height of the capsule from end to end, m. Out-of-range values are clamped with a warning.</summary>
         public float Height { get => height; set { height = value; Validate(); } }
+
+        /// <summary>Fill from which water has entered; it has left below half of it. Out-of-range values are clamped with a warning.</summary>
+        public float EnterFill { get => enterFill; set { enterFill = value; Validate(); } }
+        /// <summary>Fill from which the shape counts as filled. Out-of-range values are clamped with a warning.</summary>
+        public float FillLevel { get => fillLevel; set { fillLevel = value; Validate(); } }
+        /// <summary>By how much the fill has to fall below the level until the shape counts as emptied. Out-of-range values are clamped with a warning.</summary>
+        public float Hysteresis { get => hysteresis; set { hysteresis = value; Validate(); } }
+        /// <summary>Mean speed of the water from which it counts as an impact, m/s. Out-of-range values are clamped with a warning.</summary>
+        public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Validate(); } }
+
+        /// <summary>Called when water has entered, in the frame in which the result comes. <see cref="Latest"/> is then of that state.</summary>
+        public UnityEvent Entered => entered;
+        /// <summary>Called when the water has left.</summary>
+        public UnityEvent Left => left;
+        /// <summary>Called when the fill has risen to the level.</summary>
+        public UnityEvent Filled => filled;
+        /// <summary>Called when the fill has fallen below the level by the hysteresis.</summary>
+        public UnityEvent Emptied => emptied;
+        /// <summary>Called when the water has become as fast as the impact speed.</summary>
+        public UnityEvent Impact => impact;
 
         /// <summary>Volume of the shape, m³, whether it is within the fluid's box or not.</summary>
         public float ShapeVolume
@@ -85,6 +138,7 @@ namespace Rill
         {
             base.OnRestart();
             latest = default;
+            isNew = isEntered = isFilled = isImpact = false;       // without a call: the water did not leave
         }
 
         /// <summary>What is asked of the state of this frame.</summary>
@@ -123,7 +177,7 @@ namespace Rill
         {
             double particle = (double)frame.spacing * frame.spacing * frame.spacing, count = 0.0;
             latest = default;
-            latest.valid = true;
+            latest.valid = isNew = true;
             latest.step = frame.step;
             latest.time = frame.time;
             latest.position = pose.position;
@@ -144,6 +198,25 @@ namespace Rill
             latest.momentum = latest.velocity * latest.mass;
         }
 
+        /// <summary>Calls what the newest result has changed; after all results of a frame are set.</summary>
+        internal void RaiseEvents()
+        {
+            if (!isNew)
+                return;
+            isNew = false;
+            FluidDetectorSample now = latest;
+            bool wasEntered = isEntered, wasFilled = isFilled, wasImpact = isImpact;
+            isEntered = now.fill >= (wasEntered ? LeaveFraction * enterFill : enterFill) && now.volume > 0f;
+            isFilled = now.fill >= (wasFilled ? fillLevel - hysteresis : fillLevel) && now.volume > 0f;
+            isImpact = isEntered && now.velocity.magnitude >= (wasImpact ? CalmFraction * impactSpeed : impactSpeed);
+            // What a listener changes, such as restarting the fluid, is of the next result.
+            Raise(entered, !wasEntered && isEntered);
+            Raise(filled, !wasFilled && isFilled);
+            Raise(impact, !wasImpact && isImpact);
+            Raise(emptied, wasFilled && !isFilled);
+            Raise(left, wasEntered && !isEntered);
+        }
+
         private protected override StageSet UsedStages => StageSet.Queries;
 
         private protected override string ValidateValues()
@@ -152,10 +225,20 @@ namespace Rill
             Limit.Finite("size", ref size, Vector3.one * 0.5f, ref problem);
             Limit.Clamp("radius", ref radius, 0f, 1e6f, 0.25f, ref problem);
             Limit.Clamp("height", ref height, 0f, 1e6f, 1f, ref problem);
+            Limit.Clamp("enter fill", ref enterFill, 0.001f, 1f, 0.01f, ref problem);
+            Limit.Clamp("fill level", ref fillLevel, 0f, 1f, 0.5f, ref problem);
+            Limit.Clamp("hysteresis", ref hysteresis, 0f, 1f, 0.05f, ref problem);
+            Limit.Clamp("impact speed", ref impactSpeed, 0f, 1e4f, 2f, ref problem);
             return problem;
         }
 
         private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems) => problems.AddIfAny(IsEmpty ? SizeProblem : null);
+
+        static void Raise(UnityEvent happened, bool hasHappened)
+        {
+            if (hasHappened)
+                happened.Invoke();
+        }
 
         bool IsEmpty => shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
 

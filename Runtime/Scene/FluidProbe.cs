@@ -15,6 +15,8 @@ namespace Rill
         [Tooltip("Radius of the ball whose submerged fraction is given, m. Above 0.")]
         [SerializeField] float radius = 0.1f;
 
+        const float MinSteepness = 0.2f;        // of the normal along gravity: a steeper surface rises no faster
+
         FluidProbeSample latest;
 
         /// <summary>Radius of the ball whose submerged fraction is given, m. Out-of-range values are clamped with a warning.</summary>
@@ -81,6 +83,7 @@ namespace Rill
             latest.height = Vector3.Dot(latest.surfacePoint, frame.up);
             latest.normal = frame.rotation * queries.ProbeVector(slot, index, ProbeWord.Normal);
             latest.surfaceVelocity = frame.rotation * (queries.ProbeVector(slot, index, ProbeWord.SurfaceVelocity) * frame.spacing);
+            latest.heightRate = Vector3.Dot(latest.surfaceVelocity, latest.normal) / math.max(Vector3.Dot(latest.normal, frame.up), MinSteepness);
             latest.submerged = FractionOfBall(above * Vector3.Dot(latest.normal, frame.up) / radius);
         }
 

@@ -29,6 +29,8 @@ namespace Rill
         public Vector3 surfacePoint;
         /// <summary>Height of that point against gravity over the world's origin, m: its y where gravity points down.</summary>
         public float height;
+        /// <summary>How fast that height grows by the velocity of the water there, m/s.</summary>
+        public float heightRate;
         /// <summary>How far the probe is below that point along gravity, m; negative above it.</summary>
         public float depth;
         /// <summary>Normal of the surface there, out of the water, length 1.</summary>
@@ -37,5 +39,8 @@ namespace Rill
         public Vector3 surfaceVelocity;
         /// <summary>Fraction of a ball around the probe, of its <see cref="FluidProbe.Radius"/>, that lies below the plane of the surface: 0 to 1.</summary>
         public float submerged;
+
+        /// <summary>The height that <see cref="heightRate"/> makes of <see cref="height"/> until the frame in which the sample was asked for, m: without the lag, and wrong by what changed its course since.</summary>
+        public float ExtrapolatedHeight => height + heightRate * age;
     }
 }

@@ -128,6 +128,10 @@ namespace Rill
                 if (detector != null && ReferenceEquals(detector.Simulation, this) && detector.Number >= 0)
                     detector.SetResult(of.frame, of.poses[i], queries, slot, i);
             }
+            // After all are set; a listener may restart or disable the fluid.
+            for (int i = 0; i < of.detectorCount; i++)
+                if (of.detectors[i] != null)
+                    of.detectors[i].RaiseEvents();
         }
 
         void RestartQueries()

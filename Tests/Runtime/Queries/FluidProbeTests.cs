@@ -308,6 +308,27 @@ namespace Rill.Tests
             }
         }
 
+        // A block that rises evenly: the late sample says where its surface is by now.
+        [Test]
+        public void The_extrapolated_height_makes_up_for_the_lag()
+        {
+            using (var scene = new SourceScene(new Vector3(0.8f, 1f, 0.8f), Spacing, 4000))
+            {
+                scene.Fluid.Gravity = new Vector3(0f, -1e-3f, 0f);
+                scene.AddWhere(place => place.y < -0.1f && place.y > -0.4f && Math.Abs(place.x) < 0.35f && Math.Abs(place.z) < 0.35f, 1.2f * Vector3.up);
+                FluidProbe probe = scene.Probe(Vector3.zero);
+                scene.Run(5);
+                FluidProbeSample then = probe.Flushed();
+                scene.Step(4);
+                Assert.That(probe.TryGetSample(out FluidProbeSample late));
+                Assert.That(late.step, Is.EqualTo(then.step), "the results of the last steps have not come");
+                FluidProbeSample now = probe.Flushed();
+                TestContext.Out.WriteLine($"{then.height:0.0000} m, {late.ExtrapolatedHeight:0.0000} m after {late.age:0.000} s, then {now.height:0.0000} m");
+                Assert.That(now.height - then.height, Is.GreaterThan(1.4f * Spacing));
+                Assert.That(late.ExtrapolatedHeight, Is.EqualTo(now.height).Within(0.15f * Spacing));
+            }
+        }
+
         [Test]
         public void The_submerged_fraction_is_that_of_the_ball_below_the_surface()
         {
