@@ -42,6 +42,28 @@ namespace Rill.Tests
             }
         }
 
+        // Water that does not yet lie as gravity has it: the normal is that of the water.
+        [TestCase(14f)]
+        [TestCase(-25f)]
+        public void The_normal_of_a_slope_is_the_slopes(float degrees)
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 8000))
+            {
+                Vector3 slope = Quaternion.Euler(degrees, 40f, 0f) * Vector3.up;
+                scene.Fluid.Gravity = 1e-3f * Vector3.down;
+                scene.AddWhere(place => Vector3.Dot(place, slope) < 0f);
+                FluidProbe[] probes = Around().Select(at => scene.Probe(OnPlane(0.3f * at.x, 0.3f * at.z, slope))).ToArray();
+                scene.Step();
+                foreach (FluidProbe probe in probes)
+                {
+                    FluidProbeSample sample = probe.Flushed();
+                    TestContext.Out.WriteLine($"{probe.transform.position}: depth {sample.depth / Spacing:0.000} d, normal off by {Vector3.Angle(sample.normal, slope):0.00} degrees");
+                }
+                Assert.That(probes.Max(probe => Vector3.Angle(probe.Latest.normal, slope)), Is.LessThan(2f));
+                Assert.That(probes.Max(probe => Math.Abs(probe.Latest.depth)), Is.LessThan(0.5f * Spacing));
+            }
+        }
+
         static Vector3 OnPlane(float x, float z, Vector3 up) => new Vector3(x, -(up.x * x + up.z * z) / up.y, z);
 
         // At the middle, near one wall, and near two; above and below the surface. Of half the box.
