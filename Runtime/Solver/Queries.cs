@@ -110,7 +110,7 @@ namespace Rill
         [SharedWithHlsl("Queries")] const int ParticlesPerThread = 8;
 
         /// <summary>threads of a probe</summary>
-        [SharedWithHlsl("Queries")] const int ProbeGroup = 512;
+        [SharedWithHlsl("Queries")] const int ProbeGroup = 256;
 
         /// <summary>densities along gravity that a probe finds at a time</summary>
         [SharedWithHlsl("Queries")] const int Samples = 128;

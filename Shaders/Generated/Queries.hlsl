@@ -41,7 +41,7 @@ static const uint kDetectorWords = 22;    // words of a detector's result: 64-bi
 static const float kVolumeScale = 65536.0;    // steps of a particle's volume
 static const float kVelocityScale = 256.0;    // steps of a particle's velocity times its volume, 1 d/s
 static const uint kParticlesPerThread = 8;    // particles that a thread of the detectors visits
-static const uint kProbeGroup = 512;    // threads of a probe
+static const uint kProbeGroup = 256;    // threads of a probe
 static const uint kSamples = 128;    // densities along gravity that a probe finds at a time
 
 #endif

@@ -52,7 +52,7 @@ namespace Rill.Tests
                 Vector3 slope = Quaternion.Euler(degrees, 40f, 0f) * Vector3.up;
                 scene.Fluid.Gravity = 1e-3f * Vector3.down;
                 scene.AddWhere(place => Vector3.Dot(place, slope) < 0f);
-                FluidProbe[] probes = Around().Select(at => scene.Probe(OnPlane(0.3f * at.x, 0.3f * at.z, slope))).ToArray();
+                FluidProbe[] probes = Around().Select(at => scene.Probe(OnPlane(0.24f * at.x, 0.24f * at.z, slope))).ToArray();
                 scene.Step();
                 foreach (FluidProbe probe in probes)
                 {
