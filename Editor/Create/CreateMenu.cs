@@ -54,5 +54,11 @@ namespace Rill.Editor
 
         [MenuItem(Folder + "Collider", false, Priority + 5)]
         static void Collider(MenuCommand command) => Run(command, SceneSetup.CreateCollider);
+
+        [MenuItem(Folder + "Probe", false, Priority + 8)]
+        static void Probe(MenuCommand command) => Run(command, SceneSetup.CreateProbe);
+
+        [MenuItem(Folder + "Detector", false, Priority + 9)]
+        static void Detector(MenuCommand command) => Run(command, SceneSetup.CreateDetector);
     }
 }

@@ -86,6 +86,27 @@ namespace Rill.Editor
             });
         }
 
+        /// <summary>A probe in the middle.</summary>
+        public static GameObject CreateProbe(GameObject parent)
+        {
+            return CreatePart<FluidProbe>(parent, "Fluid Probe", true, (probe, fluid) =>
+            {
+                probe.Radius = 2f * fluid.ParticleSpacing;
+                Place(probe, fluid, Vector3.zero, Quaternion.identity);
+            });
+        }
+
+        /// <summary>A detector on the floor, a quarter of the box along each side.</summary>
+        public static GameObject CreateDetector(GameObject parent)
+        {
+            return CreatePart<FluidDetector>(parent, "Fluid Detector", true, (detector, fluid) =>
+            {
+                Vector3 box = fluid.DomainSize;
+                detector.Size = 0.25f * box;
+                Place(detector, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
+            });
+        }
+
         /// <summary>A ball that the water goes around, in the middle of the fluid that the parent belongs to.</summary>
         public static GameObject CreateCollider(GameObject parent) => CreateColliderObject(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
 

@@ -83,6 +83,31 @@ namespace Rill.Editor
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawProbe(FluidProbe probe, GizmoType type)
+        {
+            DrawSphere(probe.transform, probe.Radius, GizmoColors.Query);
+            if (!Application.isPlaying || !probe.TryGetSample(out FluidProbeSample sample) || !sample.hasSurface)
+                return;
+            Gizmos.matrix = Matrix4x4.identity;
+            Gizmos.DrawLine(sample.position, sample.surfacePoint);
+            Gizmos.DrawLine(sample.surfacePoint, sample.surfacePoint + 2f * probe.Radius * sample.normal);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
+        static void DrawDetector(FluidDetector detector, GizmoType type)
+        {
+            if (detector.Shape == DetectorShape.Box)
+                DrawBox(detector.transform, detector.Size, GizmoColors.Query);
+            else
+                DrawSphere(detector.transform, detector.Radius, GizmoColors.Query);
+            if (detector.Shape != DetectorShape.Capsule)
+                return;
+            float straight = Mathf.Max(0.5f * detector.Height - detector.Radius, 0f);
+            Gizmos.DrawWireSphere(straight * Vector3.up, detector.Radius);
+            Gizmos.DrawWireSphere(straight * Vector3.down, detector.Radius);
+        }
+
+        [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
         static void DrawCollider(FluidCollider collider, GizmoType type)
         {
             Transform at = collider.transform;

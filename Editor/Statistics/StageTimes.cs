@@ -55,6 +55,7 @@ namespace Rill.Editor
             ("Rill.Surface.Thickness", "Surface: thickness"),
             ("Rill.Surface.Blur", "Surface: thickness blur"),
             ("Rill.Surface.Foam", "Surface: foam"),
+            ("Rill.Queries", "Probes and detectors"),
             ("Rill.Statistics", "Statistics"),
         };
 

@@ -27,7 +27,7 @@ namespace Host.Tests
         [Test]
         public void The_menu_has_what_scenes_are_made_of()
         {
-            Assert.That(Items.Select(item => item.Split('/').Last()), Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Floating Body" }));
+            Assert.That(Items.Select(item => item.Split('/').Last()), Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector", "Floating Body" }));
         }
 
         [TestCaseSource(nameof(Items))]

@@ -19,7 +19,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam", "Queries" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -106,6 +106,10 @@ namespace Host.Tests
             {
                 "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *", "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous",     // which has the density
             }),
+            ("a probe", null, Part<FluidProbe>(), new[] { "+1 Queries.compute Probe", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a detector", null, Part<FluidDetector>(), new[] { "+1 Queries.compute Detect", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a second probe and a detector beside one", Part<FluidProbe>(), s => { Part<FluidProbe>()(s); Part<FluidDetector>()(s); }, new[] { "+1 Queries.compute Detect" }),
+            ("a probe beside a phase", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), Part<FluidProbe>(), new[] { $"+1 Queries.compute Probe {ParticleTags.Keyword}", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
             ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still), new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}", "+1 Rill.Emitters.*" }),
             ("foam", null, s => { s.gameObject.AddComponent<FluidFoam>(); PlayerLoop.Frame(FrameTime); }, new[]      // it asks for foam in its first frame
             {
@@ -231,6 +235,8 @@ namespace Host.Tests
         [TestCase("an emitter with a phase")]
         [TestCase("a drain")]
         [TestCase("a force field")]
+        [TestCase("a probe")]
+        [TestCase("a detector")]
         public void What_a_shallow_pool_leaves_out_would_be_seen_if_it_ran(string name)
         {
             FluidSimulation simulation = Pool();

@@ -133,6 +133,7 @@ namespace Rill
             Want(Foam.IsNeeded(input), DeviceFeature.Foam);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);
+            Want(queryPartCount > 0, DeviceFeature.Queries);
             Want(input.tracksPhases, DeviceFeature.Tags);
             if (sources != null)
             {

@@ -25,7 +25,7 @@ namespace Rill
                     continue;
                 kind[number] = part;
                 part.Number = number;
-                partCount++;
+                CountPart(part, 1);
                 part.OnRestart();
                 break;
             }
@@ -41,7 +41,7 @@ namespace Rill
             if (part.Number < 0 || kind[part.Number] != part)
                 return;
             kind[part.Number] = null;
-            partCount--;
+            CountPart(part, -1);
             if (part is FluidEmitter)
                 goneEmitters |= 1u << part.Number;
             else if (part is FluidDrain)
@@ -58,7 +58,20 @@ namespace Rill
         {
             if (part is FluidEmitter)
                 return emitters;
+            if (part is FluidProbe)
+                return probes;
+            if (part is FluidDetector)
+                return detectors;
             return part is FluidDrain ? (FluidPart[])drains : fields;
+        }
+
+        // What only asks is no part of a step.
+        void CountPart(FluidPart part, int change)
+        {
+            if (part is FluidProbe || part is FluidDetector)
+                queryPartCount += change;
+            else
+                partCount += change;
         }
 
         /// <summary>What acts in the next step; null where there is nothing.</summary>

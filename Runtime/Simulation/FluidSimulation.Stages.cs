@@ -99,6 +99,7 @@ namespace Rill
                 case StageSet.Emitters: return "emitters";
                 case StageSet.Drains: return "drains and lifetimes";
                 case StageSet.ForceFields: return "force fields";
+                case StageSet.Queries: return "probes and detectors";
                 case StageSet.ParticleAccess: return "the removal and the readback of particles by scripts";
                 case StageSet.Surface: return "the water's surface";
                 default: return group.ToString();

@@ -185,6 +185,7 @@ namespace Rill
             StandStill();
             ClearMotions();
             RestartSources();
+            RestartQueries();
             if (!TryStartFromState())
                 FillVolumes();
         }
@@ -319,6 +320,7 @@ namespace Rill
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
+            int queries = RecordQueries();      // before statistics too
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
             if (measures)
@@ -330,6 +332,7 @@ namespace Rill
             ReadSources(steps);
 
             reactions?.Request();
+            RequestQueries(queries);
             if (measures)
             {
                 pbf.Foam?.Request();

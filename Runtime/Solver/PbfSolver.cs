@@ -117,6 +117,7 @@ namespace Rill
             InvalidateSurface();
             InvalidateParticles(true);
             statistics?.Invalidate();
+            queries?.Invalidate();
             foam?.Clear();
             ReleaseCoarse();        // whether the next water is deep is decided again
             ReleaseViscosity();
@@ -272,6 +273,7 @@ namespace Rill
                 Rill.Foam.Describe(foam, input, densityConstraint.Lists),
                 Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
                 SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions, coarseCorrection != null),
+                Rill.Queries.Describe(queries, queried, tags),
                 StatisticsPass.Describe(statistics, statisticsInterval, neighborSearch, colliders),
             };
         }
@@ -292,6 +294,7 @@ namespace Rill
             ReleaseFoam();
             ReleaseSources();
             ReleaseStatistics();
+            ReleaseQueries();
             ReleaseSurface();
             GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);

@@ -26,9 +26,11 @@ namespace Rill
         MeshBaking = 1 << 15,
         /// <summary>What passes and readbacks of scripts need.</summary>
         ParticleAccess = 1 << 16,
+        /// <summary>Probes and detectors.</summary>
+        Queries = 1 << 17,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
-        OfFluids = (1 << 15) - 1 | ParticleAccess,
-        All = (1 << 17) - 1,
+        OfFluids = All & ~MeshBaking,
+        All = (1 << 18) - 1,
     }
 
     static class StageSets
@@ -88,6 +90,7 @@ namespace Rill
                 case StageSet.DomainRenderer: return "DomainRenderer";
                 case StageSet.MeshBaking: return "MeshSdf";
                 case StageSet.ParticleAccess: return "ParticleAccess";
+                case StageSet.Queries: return "Queries";
                 default: return null;
             }
         }

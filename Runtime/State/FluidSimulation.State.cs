@@ -205,6 +205,7 @@ namespace Rill
             StandStill();
             ClearMotions();
             RestartSources();
+            RestartQueries();
 
             GetPose(out Vector3 place, out Quaternion rotation);
             if (time.box.IsAt(new RigidPose(place, rotation), SamePlace * particleSpacing))

@@ -144,6 +144,8 @@ namespace Rill.Tests
             drain.RateLimit = 0.01f;
             drain.RecycleTo = fountain;
             Part<FluidForceField>(Vector3.zero).Kind = ForceFieldKind.Wind;
+            Part<FluidProbe>(Vector3.zero);
+            Part<FluidDetector>(Vector3.zero);
         }
 
         T Part<T>(Vector3 position) where T : FluidPart

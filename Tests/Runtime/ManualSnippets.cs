@@ -145,6 +145,25 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void AskTheWater(FluidProbe probe, Transform buoy)
+        {
+            #region Ask the water
+            if (probe.TryGetSample(out FluidProbeSample water) && water.hasSurface)     // false before the first result
+                buoy.position = new Vector3(buoy.position.x, water.ExtrapolatedHeight, buoy.position.z);
+            #endregion
+        }
+
+        static void WatchABasin(FluidDetector basin, FluidEmitter tap)
+        {
+            #region Watch a basin
+            basin.FillLevel = 0.8f;
+            basin.Filled.AddListener(() => tap.StopEmission());
+            basin.Emptied.AddListener(() => tap.StartEmission());
+            if (basin.TryGetSample(out FluidDetectorSample inside))
+                Debug.Log($"{1000f * inside.volume:0.0} litres, {inside.momentum.magnitude:0.0} kg m/s, {inside.age:0.000} s ago");
+            #endregion
+        }
+
         static void StartAgain(FluidSimulation fluid)
         {
             #region Pause and start again
@@ -235,6 +254,10 @@ namespace Rill.Tests
             OpenTap(jet);
             Assert.That(jet.Rate, Is.EqualTo(0.0005f));
             Recycle(drain, jet);
+            FluidProbe probe = Part<FluidProbe>();
+            probe.transform.localPosition = new Vector3(-0.6f, 0f, 0f);
+            FluidDetector basin = Part<FluidDetector>();
+            WatchABasin(basin, jet);
             MoveCollider(collider, true);
             AddSplash(fluid, new Vector3(0.3f, 0f, 0f));
             float highest = float.MinValue;
@@ -253,6 +276,11 @@ namespace Rill.Tests
             Assert.That(statistics.added, Is.EqualTo(8 * 12 * 10 + 125));
             Assert.That(collider.transform.position, Is.EqualTo(Vector3.up));
             Assert.That(fluid.Budget.mode, Is.EqualTo(BudgetMode.Milliseconds));
+            var buoy = new GameObject("Buoy").transform;
+            buoy.SetParent(root.transform, false);
+            AskTheWater(probe, buoy);
+            Assert.That(buoy.position.y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
+            Assert.That(basin.Latest.valid);
 
             StartAgain(fluid);
             Assert.That(fluid.StepCount, Is.EqualTo(0));

@@ -69,7 +69,7 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
-            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess")] string stage)
+            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
             fluid.StatisticsInterval = 0;
@@ -114,7 +114,7 @@ namespace Rill.Tests
             fluid.ShadersInBuild = ShadersInBuild.AllFeatures;
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
-            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess" })
+            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "Queries" })
                 SwitchOn(stage, fluid);
             fluid.gameObject.AddComponent<ParticleRenderer>();
             fluid.gameObject.AddComponent<DomainRenderer>();
@@ -203,6 +203,7 @@ namespace Rill.Tests
                 case "Colliders": Add<FluidCollider>(null); break;
                 case "Emitters": Add<FluidEmitter>(fluid.transform); break;
                 case "Drains": Add<FluidDrain>(fluid.transform); break;
+                case "Queries": Add<FluidProbe>(fluid.transform); break;
                 case "ForceFields": Add<FluidForceField>(fluid.transform, field => field.Bounds = ForceFieldBounds.Sphere); break;
                 default: throw new ArgumentException(stage);
             }

@@ -30,9 +30,11 @@ namespace Rill
         /// <summary>Foam, spray and bubbles.</summary>
         Foam = 1 << 14,
         Statistics = 1 << 15,
-        /// <summary>What has to be drawn of the water's surface, found once a frame. The last that a scene can ask for.</summary>
+        /// <summary>What has to be drawn of the water's surface, found once a frame.</summary>
         Surface = 1 << 16,
+        /// <summary>Probes and detectors. The last that a scene can ask for.</summary>
+        Queries = 1 << 17,
         /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
-        Baking = 1 << 17,
+        Baking = 1 << 18,
     }
 }

@@ -79,7 +79,7 @@ namespace Rill
             Refused = DeviceFeature.None;
             refusals.Clear();
             DeviceFeature granted = wanted & DeviceFeature.TwoLists;
-            for (var feature = DeviceFeature.Colliders; feature <= DeviceFeature.Surface; feature = (DeviceFeature)((int)feature << 1))
+            for (var feature = DeviceFeature.Colliders; feature <= DeviceFeature.Queries; feature = (DeviceFeature)((int)feature << 1))
             {
                 if ((wanted & feature) == 0)
                     continue;
@@ -174,6 +174,7 @@ namespace Rill
                 case DeviceFeature.Foam: return "foam";
                 case DeviceFeature.Statistics: return "statistics";
                 case DeviceFeature.Surface: return "the water's surface";
+                case DeviceFeature.Queries: return "probes and detectors";
                 default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
             }
         }
@@ -198,6 +199,7 @@ namespace Rill
                 case DeviceFeature.Foam: return "disable its FluidFoam";
                 case DeviceFeature.Statistics: return "set the statistics interval to 0";
                 case DeviceFeature.Surface: return "draw it with a ParticleRenderer";
+                case DeviceFeature.Queries: return "disable its probes and detectors";
                 default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
             }
         }

@@ -43,6 +43,7 @@ namespace Rill
                 case "FoamSources": return DeviceFeature.Foam;
                 case "ForceFields": return DeviceFeature.ForceFields;
                 case "MeshSdf": return DeviceFeature.Baking;
+                case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
                 case "SurfaceFoam": return DeviceFeature.Foam | DeviceFeature.Surface;

@@ -276,7 +276,7 @@ namespace Rill.Editor.Tests
             {
                 Action<CommandBuffer, FluidParticles> restart = (commands, particles) => scene.Fluid.Restart();
                 scene.Fluid.BeforeStep += restart;
-                LogAssert.Expect(LogType.Exception, new Regex("cannot start again in a pass of BeforeStep.*call Restart in Update"));
+                LogAssert.Expect(LogType.Exception, new Regex("cannot start again in a pass of BeforeStep.*call Restart or Restore in Update"));
                 scene.Step();
                 scene.Fluid.BeforeStep -= restart;
                 Assert.That(scene.Fluid.StepCount, Is.EqualTo(1));

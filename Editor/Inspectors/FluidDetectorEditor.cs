@@ -1,0 +1,54 @@
+using System.Collections.Generic;
+using UnityEditor;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidDetector))]
+    [CanEditMultipleObjects]
+    sealed class FluidDetectorEditor : RillEditor
+    {
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Shape", true,
+                new InspectorField("simulation"),
+                new InspectorField("shape"),
+                new InspectorField("size", "m", When.Is("shape", DetectorShape.Box)),
+                new InspectorField("radius", "m", When.IsNot("shape", DetectorShape.Box)),
+                new InspectorField("height", "m", When.Is("shape", DetectorShape.Capsule))),
+            new InspectorSection("Thresholds", true,
+                new InspectorField("enterFill"),
+                new InspectorField("fillLevel"),
+                new InspectorField("hysteresis"),
+                new InspectorField("impactSpeed", "m/s")),
+            new InspectorSection("Events", false,
+                new InspectorField("entered"),
+                new InspectorField("left"),
+                new InspectorField("filled"),
+                new InspectorField("emptied"),
+                new InspectorField("impact")),
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        internal override void ListLive(List<(string label, string text)> live)
+        {
+            if (!((FluidDetector)target).TryGetSample(out FluidDetectorSample sample))
+            {
+                live.Add(("Sample", "none: before the first result"));
+                return;
+            }
+            live.Add(("Sample", $"step {sample.step:N0}, {1000f * sample.age:0} ms old"));
+            live.Add(("Volume", $"{1000f * sample.volume:0.000} litres, fill {100f * sample.fill:0.0} %"));
+            live.Add(("Velocity", sample.hasVelocity ? $"{sample.velocity.x:0.00}, {sample.velocity.y:0.00}, {sample.velocity.z:0.00} m/s" : "no water inside"));
+        }
+
+        void OnSceneGUI()
+        {
+            var detector = (FluidDetector)target;
+            if (detector.Shape == DetectorShape.Box)
+                ShapeHandles.Box(detector, "size", false, GizmoColors.Query);
+            else if (detector.Shape == DetectorShape.Sphere)
+                ShapeHandles.Sphere(detector, "radius", false, GizmoColors.Query);
+        }
+    }
+}

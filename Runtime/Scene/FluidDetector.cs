@@ -1,0 +1,256 @@
+using System.Collections.Generic;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Rill
+{
+    /// <summary>Measures the water in a shape: volume, fill level, mean velocity and momentum, and how much there is of each phase.</summary>
+    /// <remarks>
+    /// Measured after the last step of each frame; the result comes two or three frames later, without waiting, and says of which step it
+    /// is. A simulation takes 32 detectors. A particle on the shape's surface counts by the part of it that is inside.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Detector")]
+    public sealed class FluidDetector : FluidPart
+    {
+        [Tooltip("A box, a sphere or a capsule along the y axis, around this object.")]
+        [SerializeField] DetectorShape shape = DetectorShape.Box;
+
+        [Tooltip("Size of the box, m.")]
+        [SerializeField] Vector3 size = new Vector3(0.5f, 0.5f, 0.5f);
+
+        [Tooltip("Radius of the sphere or capsule, m.")]
+        [SerializeField] float radius = 0.25f;
+
+        [Tooltip("Height of the capsule from end to end, m. Less than twice the radius is a sphere.")]
+        [SerializeField] float height = 1f;
+
+        [Tooltip("Fill from which water has entered. 0.001 to 1. It has left below half of it.")]
+        [Range(0.001f, 1f)]
+        [SerializeField] float enterFill = 0.01f;
+
+        [Tooltip("Fill from which the shape counts as filled. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float fillLevel = 0.5f;
+
+        [Tooltip("By how much the fill has to fall below the level until the shape counts as emptied. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float hysteresis = 0.05f;
+
+        [Tooltip("Mean speed of the water from which it counts as an impact, m/s. It can be one again below four fifths of it.")]
+        [SerializeField] float impactSpeed = 2f;
+
+        [Tooltip("Called when water has entered.")]
+        [SerializeField] UnityEvent entered = new UnityEvent();
+
+        [Tooltip("Called when the water has left.")]
+        [SerializeField] UnityEvent left = new UnityEvent();
+
+        [Tooltip("Called when the fill has risen to the level.")]
+        [SerializeField] UnityEvent filled = new UnityEvent();
+
+        [Tooltip("Called when the fill has fallen below the level by the hysteresis.")]
+        [SerializeField] UnityEvent emptied = new UnityEvent();
+
+        [Tooltip("Called when the water has become as fast as the impact speed.")]
+        [SerializeField] UnityEvent impact = new UnityEvent();
+
+        const int NoSize = FirstOwnProblem;
+        const float LeaveFraction = 0.5f, CalmFraction = 0.8f;
+
+        FluidDetectorSample latest;
+        bool isNew, isEntered, isFilled, isImpact;
+
+        /// <summary>A box, a sphere or a capsule.</summary>
+        public DetectorShape Shape { get => shape; set => shape = value; }
+        /// <summary>Size of the box, m.</summary>
+        public Vector3 Size { get => size; set { size = value; Validate(); } }
+        /// <summary>Radius of the sphere or capsule, m. Out-of-range values are clamped with a warning.</summary>
+        public float Radius { get => radius; set { radius = value; Validate(); } }
+        /// <summary>Height of the capsule from end to end, m. Out-of-range values are clamped with a warning.</summary>
+        public float Height { get => height; set { height = value; Validate(); } }
+
+        /// <summary>Fill from which water has entered; it has left below half of it. Out-of-range values are clamped with a warning.</summary>
+        public float EnterFill { get => enterFill; set { enterFill = value; Validate(); } }
+        /// <summary>Fill from which the shape counts as filled. Out-of-range values are clamped with a warning.</summary>
+        public float FillLevel { get => fillLevel; set { fillLevel = value; Validate(); } }
+        /// <summary>By how much the fill has to fall below the level until the shape counts as emptied. Out-of-range values are clamped with a warning.</summary>
+        public float Hysteresis { get => hysteresis; set { hysteresis = value; Validate(); } }
+        /// <summary>Mean speed of the water from which it counts as an impact, m/s. Out-of-range values are clamped with a warning.</summary>
+        public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Validate(); } }
+
+        /// <summary>Called when water has entered, in the frame in which the result comes. <see cref="Latest"/> is then of that state.</summary>
+        public UnityEvent Entered => entered;
+        /// <summary>Called when the water has left.</summary>
+        public UnityEvent Left => left;
+        /// <summary>Called when the fill has risen to the level.</summary>
+        public UnityEvent Filled => filled;
+        /// <summary>Called when the fill has fallen below the level by the hysteresis.</summary>
+        public UnityEvent Emptied => emptied;
+        /// <summary>Called when the water has become as fast as the impact speed.</summary>
+        public UnityEvent Impact => impact;
+
+        /// <summary>Volume of the shape, m³, whether it is within the fluid's box or not.</summary>
+        public float ShapeVolume
+        {
+            get
+            {
+                float ball = 4f / 3f * Mathf.PI * radius * radius * radius;
+                switch (shape)
+                {
+                    case DetectorShape.Sphere: return ball;
+                    case DetectorShape.Capsule: return ball + Mathf.PI * radius * radius * Mathf.Max(height - 2f * radius, 0f);
+                    default: return size.x * size.y * size.z;
+                }
+            }
+        }
+
+        /// <summary>The newest sample, whether it is valid or not.</summary>
+        public FluidDetectorSample Latest
+        {
+            get
+            {
+                TryGetSample(out FluidDetectorSample sample);
+                return sample;
+            }
+        }
+
+        /// <summary>The newest sample, a few frames old; its age is that of this call.</summary>
+        /// <returns>Whether it is valid: false before the first since the fluid started, and while this or the fluid is off.</returns>
+        public bool TryGetSample(out FluidDetectorSample sample)
+        {
+            sample = default;
+            if (Simulation == null || !Simulation.IsRunning || Number < 0)
+                return false;
+            sample = latest;
+            sample.age = latest.valid ? (float)(Simulation.FrameTime - latest.time) : 0f;
+            return sample.valid;
+        }
+
+        /// <summary>Waits for the GPU until the newest step's sample is there. For tests and tools in the Editor: see <see cref="FluidSimulation.FlushQueries"/>.</summary>
+        public void Flush()
+        {
+            if (Simulation != null)
+                Simulation.FlushQueries();
+        }
+
+        internal override void OnRestart()
+        {
+            base.OnRestart();
+            latest = default;
+            isNew = isEntered = isFilled = isImpact = false;       // without a call: the water did not leave
+        }
+
+        /// <summary>What is asked of the state of this frame.</summary>
+        /// <returns>Whether there is anything to ask.</returns>
+        internal bool TryGetRegion(in DomainFrame frame, float spacing, out DetectorRegion region, out DetectorPose pose)
+        {
+            region = default;
+            pose = default;
+            if (MustSay(NoSize, IsEmpty))
+                Say(SizeProblem);
+            if (IsEmpty || !TryGetPose(frame, out PoseInDomain place))
+            {
+                latest.valid = false;
+                return false;
+            }
+            pose = new DetectorPose { position = transform.position, volume = ShapeVolume };
+            float straight = shape == DetectorShape.Capsule ? math.max(0.5f * height - radius, 0f) : 0f;
+            float3 half = shape == DetectorShape.Box ? (float3)size * 0.5f / spacing : new float3(radius, straight, 0f) / spacing;
+            float3 reach = shape == DetectorShape.Box
+                ? math.abs(place.axisX) * half.x + math.abs(place.axisY) * half.y + math.abs(place.axisZ) * half.z
+                : half.x + math.abs(place.axisY) * half.y;
+            const float OfParticle = 0.9f;      // half the diagonal of its cube, d
+            region = new DetectorRegion
+            {
+                rotation = ((quaternion)frame.Rotation(transform.rotation)).value,
+                center = place.position,
+                shape = (uint)shape,
+                size = half,
+                low = place.position - reach - OfParticle,
+                high = place.position + reach + OfParticle,
+            };
+            return true;
+        }
+
+        internal void SetResult(in QueryFrame frame, in DetectorPose pose, Queries queries, int slot, int index)
+        {
+            double particle = (double)frame.spacing * frame.spacing * frame.spacing, count = 0.0;
+            latest = default;
+            latest.valid = isNew = true;
+            latest.step = frame.step;
+            latest.time = frame.time;
+            latest.position = pose.position;
+            for (int phase = 0; phase < Queries.Phases; phase++)
+            {
+                double volume = queries.DetectorSum(slot, index, 3 + phase);
+                latest.phases[phase] = (float)(volume * particle);
+                count += volume;
+            }
+            var sum = new double3(queries.DetectorSum(slot, index, 0), queries.DetectorSum(slot, index, 1), queries.DetectorSum(slot, index, 2));
+            latest.volume = (float)(count * particle);
+            latest.fill = math.saturate(latest.volume / pose.volume);
+            latest.mass = latest.volume * frame.density;
+            latest.hasVelocity = count > 0.0;
+            if (!latest.hasVelocity)
+                return;
+            latest.velocity = frame.rotation * (Vector3)(float3)(sum * (frame.spacing / count));
+            latest.momentum = latest.velocity * latest.mass;
+        }
+
+        /// <summary>Calls what the newest result has changed; after all results of a frame are set.</summary>
+        internal void RaiseEvents()
+        {
+            if (!isNew)
+                return;
+            isNew = false;
+            FluidDetectorSample now = latest;
+            bool wasEntered = isEntered, wasFilled = isFilled, wasImpact = isImpact;
+            isEntered = now.fill >= (wasEntered ? LeaveFraction * enterFill : enterFill) && now.volume > 0f;
+            isFilled = now.fill >= (wasFilled ? fillLevel - hysteresis : fillLevel) && now.volume > 0f;
+            isImpact = isEntered && now.velocity.magnitude >= (wasImpact ? CalmFraction * impactSpeed : impactSpeed);
+            // What a listener changes, such as restarting the fluid, is of the next result.
+            Raise(entered, !wasEntered && isEntered);
+            Raise(filled, !wasFilled && isFilled);
+            Raise(impact, !wasImpact && isImpact);
+            Raise(emptied, wasFilled && !isFilled);
+            Raise(left, wasEntered && !isEntered);
+        }
+
+        private protected override StageSet UsedStages => StageSet.Queries;
+
+        private protected override string ValidateValues()
+        {
+            string problem = null;
+            Limit.Finite("size", ref size, Vector3.one * 0.5f, ref problem);
+            Limit.Clamp("radius", ref radius, 0f, 1e6f, 0.25f, ref problem);
+            Limit.Clamp("height", ref height, 0f, 1e6f, 1f, ref problem);
+            Limit.Clamp("enter fill", ref enterFill, 0.001f, 1f, 0.01f, ref problem);
+            Limit.Clamp("fill level", ref fillLevel, 0f, 1f, 0.5f, ref problem);
+            Limit.Clamp("hysteresis", ref hysteresis, 0f, 1f, 0.05f, ref problem);
+            Limit.Clamp("impact speed", ref impactSpeed, 0f, 1e4f, 2f, ref problem);
+            return problem;
+        }
+
+        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems) => problems.AddIfAny(IsEmpty ? SizeProblem : null);
+
+        static void Raise(UnityEvent happened, bool hasHappened)
+        {
+            if (hasHappened)
+                happened.Invoke();
+        }
+
+        bool IsEmpty => shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
+
+        string SizeProblem => $"its {(shape == DetectorShape.Box ? $"box of {size.x} x {size.y} x {size.z} m" : $"{(shape == DetectorShape.Sphere ? "sphere" : "capsule")} of radius {radius} m")} has no size, so it measures nothing. Set its size above 0.";
+    }
+
+    /// <summary>Where a detector was when it asked.</summary>
+    struct DetectorPose
+    {
+        /// <summary>World space, m.</summary>
+        public Vector3 position;
+        /// <summary>Of its shape, m³.</summary>
+        public float volume;
+    }
+}

@@ -1,0 +1,77 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>What a <see cref="FluidDetector"/> found in its shape at the end of one step. World space, SI units.</summary>
+    public struct FluidDetectorSample
+    {
+        /// <summary>Whether all below was measured. False before the first result since a restart; a volume of 0 that is valid is an empty shape.</summary>
+        public bool valid;
+        /// <summary>Fixed step since the restart after which it was measured.</summary>
+        public int step;
+        /// <summary>Fluid time of that step, s.</summary>
+        public double time;
+        /// <summary>Fluid time from there to the current frame when this sample was asked for, s.</summary>
+        public float age;
+        /// <summary>Where the detector's centre was, m.</summary>
+        public Vector3 position;
+        /// <summary>Volume of the water in the shape at rest, m³: each particle stands for a cube of the spacing.</summary>
+        public float volume;
+        /// <summary>Volume over that of the shape, 0 to 1.</summary>
+        public float fill;
+        /// <summary>Mass of the water in the shape, kg.</summary>
+        public float mass;
+        /// <summary>Whether <see cref="velocity"/> was measured: there is water in the shape.</summary>
+        public bool hasVelocity;
+        /// <summary>Mean velocity of the water relative to the box, m/s; 0 where <see cref="hasVelocity"/> is false.</summary>
+        public Vector3 velocity;
+        /// <summary>Momentum of the water relative to the box, kg m/s.</summary>
+        public Vector3 momentum;
+
+        internal PhaseVolumes phases;
+
+        /// <summary>Volume of the water of one phase in the shape, m³.</summary>
+        /// <param name="phase">As an emitter gives it, 0 to 7.</param>
+        /// <exception cref="System.ArgumentOutOfRangeException">No phase has this number.</exception>
+        public float VolumeOf(int phase) => phases[phase];
+    }
+
+    /// <summary>A volume for each phase, m³: an array that is no object.</summary>
+    struct PhaseVolumes
+    {
+        float v0, v1, v2, v3, v4, v5, v6, v7;
+
+        public float this[int phase]
+        {
+            get
+            {
+                switch (phase)
+                {
+                    case 0: return v0;
+                    case 1: return v1;
+                    case 2: return v2;
+                    case 3: return v3;
+                    case 4: return v4;
+                    case 5: return v5;
+                    case 6: return v6;
+                    case 7: return v7;
+                    default: throw new System.ArgumentOutOfRangeException(nameof(phase), phase, $"Phase {phase}: phases are 0 to {Queries.Phases - 1}.");
+                }
+            }
+            set
+            {
+                switch (phase)
+                {
+                    case 0: v0 = value; break;
+                    case 1: v1 = value; break;
+                    case 2: v2 = value; break;
+                    case 3: v3 = value; break;
+                    case 4: v4 = value; break;
+                    case 5: v5 = value; break;
+                    case 6: v6 = value; break;
+                    case 7: v7 = value; break;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,277 @@
+using System;
+using System.Runtime.InteropServices;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What a detector has the shape of.</summary>
+    [SharedWithHlsl("Queries")]
+    public enum DetectorShape
+    {
+        /// <summary>A box with sides along the axes of the object.</summary>
+        Box,
+        /// <summary>A sphere.</summary>
+        Sphere,
+        /// <summary>A capsule along the object's y axis.</summary>
+        Capsule,
+    }
+
+    /// <summary>A detector at the end of a step; lengths in d, in the domain's frame.</summary>
+    [SharedWithHlsl("Queries")]
+    [StructLayout(LayoutKind.Sequential)]
+    struct DetectorRegion
+    {
+        /// <summary>from its own frame to the domain's, quaternion</summary>
+        public float4 rotation;
+        /// <summary>d</summary>
+        public float3 center;
+        /// <summary>a <see cref="DetectorShape"/></summary>
+        public uint shape;
+        /// <summary>box: half sides; sphere and capsule: x radius, y half the straight part</summary>
+        public float3 size;
+        public float unused;
+        /// <summary>lowest corner of what it can find particles in, d</summary>
+        public float3 low;
+        public float unused2;
+        /// <summary>and the highest</summary>
+        public float3 high;
+        public float unused3;
+    }
+
+    /// <summary>Words of a probe's result; floats by their bits.</summary>
+    [SharedWithHlsl("Queries", Prefix = "Probe")]
+    enum ProbeWord
+    {
+        /// <summary>relative to rest</summary>
+        Density,
+        /// <summary>and 2, 3: d/s</summary>
+        Velocity,
+        Phase = Velocity + 3,
+        /// <summary>of the surface over the probe, against gravity, d</summary>
+        Height,
+        /// <summary>and 7, 8: out of the water, length 1</summary>
+        Normal,
+        /// <summary>and 10, 11: d/s</summary>
+        SurfaceVelocity = Normal + 3,
+        /// <summary>of <see cref="ProbeFlag"/></summary>
+        Flags = SurfaceVelocity + 3,
+    }
+
+    /// <summary>What a probe's result has.</summary>
+    [Flags, SharedWithHlsl("Queries")]
+    enum ProbeFlag
+    {
+        /// <summary>particles within the kernel's support</summary>
+        NearWater = 1,
+        /// <summary>on the line along gravity</summary>
+        HasSurface = 2,
+    }
+
+    /// <summary>What is asked of a state; lengths in d, in the domain's frame.</summary>
+    sealed class QueryInput
+    {
+        /// <summary>xyz within the domain.</summary>
+        public readonly float4[] points = new float4[Queries.MaxProbes];
+        public readonly DetectorRegion[] detectors = new DetectorRegion[Queries.MaxDetectors];
+        public int pointCount, detectorCount;
+        /// <summary>Against gravity, length 1; 0 without gravity.</summary>
+        public float3 up;
+    }
+
+    /// <summary>Answers what probes and detectors ask of the state that a step left, without waiting. Made when first needed.</summary>
+    sealed class Queries : IDisposable
+    {
+        /// <summary>Most probes of one simulation.</summary>
+        public const int MaxProbes = 64;
+
+        /// <summary>most detectors of one simulation</summary>
+        [SharedWithHlsl("Queries")] public const int MaxDetectors = 32;
+
+        /// <summary>phases of particles</summary>
+        [SharedWithHlsl("Queries")] public const int Phases = 8;
+
+        /// <summary>words of a probe's result</summary>
+        [SharedWithHlsl("Queries")] public const int ProbeWords = 16;
+
+        /// <summary>words of a detector's result: 64-bit sums, of the velocity along x, y, z and of the volume of each phase</summary>
+        [SharedWithHlsl("Queries")] public const int DetectorWords = 2 * (3 + Phases);
+
+        /// <summary>steps of a particle's volume</summary>
+        [SharedWithHlsl("Queries")] public const double VolumeScale = 65536.0;
+
+        /// <summary>steps of a particle's velocity times its volume, 1 d/s</summary>
+        [SharedWithHlsl("Queries")] public const double VelocityScale = 256.0;
+
+        /// <summary>particles that a thread of the detectors visits</summary>
+        [SharedWithHlsl("Queries")] const int ParticlesPerThread = 8;
+
+        /// <summary>threads of a probe</summary>
+        [SharedWithHlsl("Queries")] const int ProbeGroup = 256;
+
+        /// <summary>densities along gravity that a probe finds at a time</summary>
+        [SharedWithHlsl("Queries")] const int Samples = 128;
+
+        /// <summary>Requests that may be on their way: an answer to each frame, though it comes some frames later.</summary>
+        public const int RingSize = 4;
+
+        const int FirstDetectorWord = MaxProbes * ProbeWords;
+        const int Words = FirstDetectorWord + MaxDetectors * DetectorWords;
+        const float ChunkLength = 0.5f * (Samples - 1);        // as in Queries.compute, d
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Queries");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Queries");
+        readonly int probe, detect;
+        readonly LocalKeyword withTags;
+        readonly Readback[] ring = new Readback[RingSize];
+        readonly uint[] zeros = new uint[MaxDetectors * DetectorWords];
+        GraphicsBuffer points, detectors;
+
+        public Queries()
+        {
+            probe = shader.FindKernel("Probe");
+            detect = shader.FindKernel("Detect");
+            withTags = new LocalKeyword(shader, ParticleTags.Keyword);
+            points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
+            detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
+            for (int i = 0; i < RingSize; i++)
+            {
+                int slot = i;
+                ring[i] = new Readback(GpuBuffer.Structured<uint>("Rill.Queries.Results", Words)) { Arrived = () => Arrived?.Invoke(slot) };
+            }
+        }
+
+        /// <summary>Called with the slot of each result when it has come; in the order of the requests.</summary>
+        public Action<int> Arrived;
+
+        /// <summary>Slot of the next request; -1 while all are under way.</summary>
+        public int FreeSlot
+        {
+            get
+            {
+                for (int i = 0; i < RingSize; i++)
+                    if (!ring[i].IsPending)
+                        return i;
+                return -1;
+            }
+        }
+
+        /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran. Right after a step, before anything sorts again.</summary>
+        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, SolverLayout layout, ParticleTags tags, QueryInput input, int slot)
+        {
+            GraphicsBuffer results = ring[slot].Buffer;
+            cmd.BeginSample(Marker);
+            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            cmd.SetKeyword(shader, withTags, tags != null);
+            if (input.pointCount > 0)
+            {
+                bool hasUp = math.any(input.up != 0f);
+                float length = math.dot(math.abs(input.up), layout.DomainSize);     // at least that of any line through the box
+                cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
+                cmd.SetComputeVectorParam(shader, Ids.Up, new Vector4(input.up.x, input.up.y, input.up.z, hasUp ? 1f : 0f));
+                cmd.SetComputeIntParam(shader, Ids.ColumnChunks, hasUp ? math.max((int)math.ceil(length / ChunkLength), 1) : 1);
+                cmd.SetComputeBufferParam(shader, probe, Ids.CellStarts, search.CellStarts);
+                cmd.SetComputeBufferParam(shader, probe, Ids.Points, points);
+                Bind(cmd, probe, particles, tags, results);
+                cmd.DispatchCompute(shader, probe, input.pointCount, 1, 1);
+            }
+            if (input.detectorCount > 0)
+            {
+                const int PerGroup = ParticleBuffers.Group * ParticlesPerThread;
+                cmd.SetBufferData(detectors, input.detectors, 0, 0, input.detectorCount);
+                cmd.SetBufferData(results, zeros, 0, FirstDetectorWord, input.detectorCount * DetectorWords);
+                cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, FirstDetectorWord);
+                cmd.SetComputeIntParam(shader, Ids.DetectorCount, input.detectorCount);
+                cmd.SetComputeBufferParam(shader, detect, Ids.Detectors, detectors);
+                Bind(cmd, detect, particles, tags, results);
+                cmd.DispatchCompute(shader, detect, (layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
+            }
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Asks for what was recorded for a slot, after its command buffer was executed.</summary>
+        public void Request(int slot) => ring[slot].Request();
+
+        /// <summary>Results from before this call are dropped when they come.</summary>
+        public void Invalidate()
+        {
+            foreach (Readback readback in ring)
+                readback.Invalidate();
+        }
+
+        /// <summary>A word of a probe's result, of what has come to a slot.</summary>
+        public uint ProbeResult(int slot, int index, ProbeWord word) => ring[slot].Latest[index * ProbeWords + (int)word];
+
+        /// <summary>The same as a float.</summary>
+        public float ProbeValue(int slot, int index, ProbeWord word) => math.asfloat(ProbeResult(slot, index, word));
+
+        /// <summary>Three floats from a word on.</summary>
+        public Vector3 ProbeVector(int slot, int index, ProbeWord word) => new Vector3(ProbeValue(slot, index, word), ProbeValue(slot, index, word + 1), ProbeValue(slot, index, word + 2));
+
+        /// <summary>A sum of a detector's result: 0 to 2 velocity times volume in particles, d/s; from 3 on the volume of each phase, in particles.</summary>
+        public double DetectorSum(int slot, int index, int sum)
+        {
+            NativeArray<uint> words = ring[slot].Latest;
+            int at = FirstDetectorWord + index * DetectorWords + 2 * sum;
+            return (long)((ulong)words[at + 1] << 32 | words[at]) / (sum < 3 ? VelocityScale : VolumeScale);
+        }
+
+        public void Dispose()
+        {
+            Arrived = null;
+            foreach (Readback readback in ring)
+                readback?.Dispose();
+            GpuBuffer.Release(ref points);
+            GpuBuffer.Release(ref detectors);
+        }
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(Queries stage, QueryInput input, ParticleTags tags)
+        {
+            int probes = input?.pointCount ?? 0, regions = input?.detectorCount ?? 0;
+            bool needed = stage != null && probes + regions > 0;
+            var description = new StageDescription("Queries", needed, needed ? $"{probes} probes and {regions} detectors, once a frame, outside the step" : "no probe and no detector");
+            if (!needed)
+                return description;
+            string variant = tags != null ? ParticleTags.Keyword : null;
+            if (probes > 0)
+                description.Kernel("Queries", "Probe", 0, variant);
+            if (regions > 0)
+                description.Kernel("Queries", "Detect", 0, variant);
+            description.Buffer("Rill.Queries.Points", stage.points);
+            description.Buffer("Rill.Queries.Detectors", stage.detectors);
+            foreach (Readback readback in stage.ring)
+                description.Buffer("Rill.Queries.Results", readback.Buffer);
+            return description;
+        }
+
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, ParticleTags tags, GraphicsBuffer results)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Results, results);
+            if (tags != null)
+                cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int Points = Shader.PropertyToID("_Points");
+            public static readonly int Detectors = Shader.PropertyToID("_Detectors");
+            public static readonly int Results = Shader.PropertyToID("_Results");
+            public static readonly int Up = Shader.PropertyToID("_Up");
+            public static readonly int ColumnChunks = Shader.PropertyToID("_ColumnChunks");
+            public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");
+            public static readonly int DetectorCount = Shader.PropertyToID("_DetectorCount");
+        }
+    }
+}

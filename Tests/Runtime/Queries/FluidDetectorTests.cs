@@ -1,0 +1,248 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Rill.Tests
+{
+    /// <summary>What detectors say of the water in their shapes, against geometry and counts.</summary>
+    public class FluidDetectorTests
+    {
+        const float Spacing = QueryScene.Spacing;
+
+        // A block at rest without gravity, larger than the shapes: each finds its own volume, whichever way it is turned.
+        [Test]
+        public void The_volume_in_a_known_block_is_that_of_the_shape_within_one_percent([Values] DetectorShape shape, [Values(0f, 1f)] float turned)
+        {
+            using (var scene = new SourceScene(new Vector3(1.6f, 1.2f, 1.2f), Spacing, 25000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.AddWhere(place => place.x < 0.5f);
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(-0.1f, 0.02f, 0.01f), new Vector3(0.3f * turned, 0.2f * turned, 1f), d =>
+                {
+                    d.Shape = shape;
+                    d.Size = new Vector3(0.6f, 0.5f, 0.4f);
+                    d.Radius = 0.3f;
+                    d.Height = 0.9f;
+                });
+                scene.Step();
+                FluidDetectorSample sample = detector.Flushed();
+                TestContext.Out.WriteLine($"{sample.volume:0.00000} m³ of {detector.ShapeVolume:0.00000}: {100f * (sample.volume / detector.ShapeVolume - 1f):0.00} %");
+                Assert.That(sample.volume, Is.EqualTo(detector.ShapeVolume).Within(0.01f * detector.ShapeVolume));
+                Assert.That(sample.fill, Is.EqualTo(1f).Within(0.01f));
+                Assert.That(sample.mass, Is.EqualTo(sample.volume * 1000f).Within(1e-3f));
+            }
+        }
+
+        // Moved a tenth of a spacing at a time, a box in water never finds more or less.
+        [Test]
+        public void The_volume_does_not_jump_by_particles_as_the_shape_moves()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 9000))
+            {
+                scene.Fluid.Gravity = Vector3.zero;
+                scene.AddWhere(_ => true);
+                FluidDetector[] boxes = Enumerable.Range(0, 20).Select(i => scene.Add<FluidDetector>(new Vector3(0.1f, 0.05f, 0f) + 0.1f * i * Spacing * new Vector3(1f, 0.7f, 0.3f), Vector3.forward, d => d.Size = new Vector3(0.3f, 0.25f, 0.2f))).ToArray();
+                scene.Step();
+                float[] volumes = boxes.Select(box => box.Flushed().volume / box.ShapeVolume).ToArray();
+                TestContext.Out.WriteLine($"{volumes.Min():0.0000} to {volumes.Max():0.0000}");
+                Assert.That(volumes, Is.All.EqualTo(1f).Within(0.01f));
+            }
+        }
+
+        [Test]
+        public void A_detector_around_everything_finds_every_particle_once_with_its_phase_and_momentum()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 6000))
+            {
+                scene.AddWhere(place => place.y < -0.2f && place.x < 0.2f);
+                FluidEmitter emitter = scene.Add<FluidEmitter>(new Vector3(0.3f, 0.3f, 0f), Vector3.down, e =>
+                {
+                    e.Rate = 0.05f;
+                    e.Phase = 3;
+                });
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, new Vector3(0.1f, 0.2f, 1f), d => d.Size = Vector3.one * 3f);
+                FluidDetector half = scene.Add<FluidDetector>(new Vector3(-1f, 0f, 0f), Vector3.forward, d => d.Size = Vector3.one * 2f);
+                scene.Run(20);
+                FluidDetectorSample sample = detector.Flushed(), of = half.Flushed();
+                ParticleState state = scene.Read();
+                float particle = scene.ParticleVolume;
+                Assert.That(sample.volume, Is.EqualTo(state.Count * particle).Within(1e-5f * state.Count * particle));
+                int emitted = scene.Count(ParticleCounter.Emitted);
+                Assert.That(emitted, Is.GreaterThan(50));
+                Assert.That(sample.VolumeOf(3), Is.EqualTo(emitted * particle).Within(1e-5f * emitted * particle));
+                Assert.That(sample.VolumeOf(0), Is.EqualTo((state.Count - emitted) * particle).Within(1e-5f * state.Count * particle));
+                double3 momentum = state.velocities.Aggregate(new double3(0.0), (sum, v) => sum + (double3)v.xyz) * (Spacing * particle * 1000.0);
+                Assert.That(math.distance(momentum, (double3)(float3)sample.momentum), Is.LessThan(2e-3 * math.length(momentum)));
+                double left = state.positions.Sum(p => Math.Min(Math.Max(0.5 - (p.x - 0.5 * state.box.x), 0.0), 1.0));
+                Assert.That(of.volume, Is.EqualTo(left * particle).Within(1e-4 * left * particle));
+                Assert.Throws<ArgumentOutOfRangeException>(() => sample.VolumeOf(8));
+            }
+        }
+
+        // The velocity of water that a plunger lifts is known: the plunger's.
+        [Test]
+        public void Water_before_a_plunger_moves_as_the_plunger_within_three_percent()
+        {
+            const float Speed = 0.4f;
+            using (var scene = new SourceScene(new Vector3(1.6f, 0.4f, 0.4f), Spacing, 3000))
+            {
+                scene.Fluid.Gravity = 9.81f * Vector3.left;      // so that the water stays with it
+                scene.AddWhere(place => place.x > -0.5f && place.x < 0.1f);
+                var plunger = new GameObject("Plunger");
+                plunger.transform.SetParent(scene.Fluid.transform, false);
+                plunger.transform.localPosition = new Vector3(-0.6f, 0f, 0f);
+                plunger.AddComponent<FluidCollider>().Size = new Vector3(0.2f, 0.6f, 0.6f);
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d => d.Size = new Vector3(0.2f, 0.4f, 0.4f));
+                FluidProbe probe = scene.Probe(Vector3.zero);
+                for (int i = 0; i < 60; i++)
+                {
+                    plunger.transform.localPosition += Speed * SourceScene.Step60 * Vector3.right;
+                    scene.Run(1);
+                }
+                // What is left of the sloshing goes to and fro; a probe also sees what its particles do.
+                const int Frames = 20;
+                Vector3 mean = Vector3.zero, at = Vector3.zero;
+                for (int i = 0; i < Frames; i++)
+                {
+                    plunger.transform.localPosition += Speed * SourceScene.Step60 * Vector3.right;
+                    scene.Run(1);
+                    mean += detector.Flushed().velocity / Frames;
+                    at += probe.Flushed().velocity / Frames;
+                }
+                TestContext.Out.WriteLine($"plunger {Speed} m/s, detector {mean}, probe {at}");
+                Assert.That(Vector3.Distance(mean, Speed * Vector3.right), Is.LessThan(0.03f * Speed));
+                Assert.That(at.x, Is.EqualTo(Speed).Within(0.03f * Speed));     // aside, its few particles creep
+            }
+        }
+
+        [Test]
+        public void Events_come_once_for_each_crossing_and_not_again_within_the_hysteresis()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 3000))
+            {
+                // A block that falls through a box.
+                scene.AddWhere(place => place.y > 0.1f && place.y < 0.35f && Math.Abs(place.x) < 0.25f && Math.Abs(place.z) < 0.25f);
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.1f, 0f), Vector3.forward, d =>
+                {
+                    d.Size = new Vector3(0.4f, 0.2f, 0.4f);
+                    d.ImpactSpeed = 1.5f;
+                });
+                var said = new List<string>();
+                var fills = new List<float>();
+                detector.Entered.AddListener(() => said.Add("entered"));
+                detector.Filled.AddListener(() => said.Add("filled"));
+                detector.Impact.AddListener(() => said.Add("impact"));
+                detector.Emptied.AddListener(() => said.Add("emptied"));
+                detector.Left.AddListener(() => said.Add("left"));
+                detector.Entered.AddListener(() => Assert.That(detector.Latest.fill, Is.GreaterThanOrEqualTo(detector.EnterFill)));
+                for (int i = 0; i < 28; i++)       // until before the splash comes up again
+                {
+                    scene.Run(1);
+                    fills.Add(detector.Latest.fill);
+                }
+                TestContext.Out.WriteLine(string.Join(", ", said) + "; " + string.Join(" ", fills.Select(fill => $"{fill:0.00}")));
+                Assert.That(fills.Max(), Is.GreaterThan(0.6f));
+                Assert.That(said.Where(what => what != "impact"), Is.EqualTo(new[] { "entered", "filled", "emptied", "left" }));
+                Assert.That(said.Count(what => what == "impact"), Is.EqualTo(1));
+            }
+        }
+
+        // The fill that the detector says goes up and down by less than the hysteresis around the level.
+        [Test]
+        public void A_fill_that_trembles_about_the_level_calls_once()
+        {
+            using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), Spacing, 5000).Fill(0.3f))
+            {
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d =>
+                {
+                    d.Size = new Vector3(1f, 0.2f, 1f);
+                    d.FillLevel = 1f;
+                });
+                scene.Run(40);
+                int filled = 0, emptied = 0;
+                detector.Filled.AddListener(() => filled++);
+                detector.Emptied.AddListener(() => emptied++);
+                for (int i = 0; i < 30; i++)
+                {
+                    detector.transform.position = new Vector3(0f, -0.2f + 0.003f * (i % 3 - 1), 0f);     // the fill by 0.015 up and down
+                    scene.Run(1);
+                    if (i == 0)
+                        detector.FillLevel = detector.Latest.fill - 0.01f;
+                }
+                Assert.That(filled, Is.EqualTo(1));
+                Assert.That(emptied, Is.Zero);
+                detector.Hysteresis = 0f;
+                for (int i = 0; i < 12; i++)
+                {
+                    detector.transform.position = new Vector3(0f, -0.2f + 0.01f * (i % 3 - 1), 0f);
+                    scene.Run(1);
+                }
+                Assert.That(emptied, Is.GreaterThan(2), "without hysteresis it calls at every crossing");
+            }
+        }
+
+        [Test]
+        public void A_listener_may_restart_the_fluid_and_disable_the_detector()
+        {
+            using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000).Fill(0.3f))
+            {
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.1f), second = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.1f);
+                int calls = 0;
+                detector.Entered.AddListener(() =>
+                {
+                    calls++;
+                    scene.Fluid.Restart();
+                    detector.enabled = false;
+                });
+                scene.Run(1);
+                Assert.That(calls, Is.EqualTo(1));
+                Assert.That(second.TryGetSample(out _), Is.False, "what was of before the restart");
+                scene.Run(2);
+                Assert.That(calls, Is.EqualTo(1));
+                Assert.That(second.Flushed().step, Is.EqualTo(2));
+            }
+        }
+
+        [Test]
+        public void An_empty_shape_is_valid_with_no_volume_and_one_without_size_is_named_and_never_valid()
+        {
+            using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000).Fill(0.2f))
+            {
+                FluidDetector empty = scene.Add<FluidDetector>(new Vector3(0f, 0.25f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.1f);
+                FluidDetector flat = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d => d.Size = new Vector3(1f, 0f, 1f));
+                Assert.That(empty.TryGetSample(out _), Is.False, "before the first result");
+                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidDetector 'FluidDetector': its box of 1 x 0 x 1 m has no size, so it measures nothing. Set its size above 0."));
+                scene.Step();
+                FluidDetectorSample sample = empty.Flushed();
+                Assert.That(sample.volume, Is.Zero);
+                Assert.That(sample.hasVelocity, Is.False);
+                flat.Flush();
+                Assert.That(flat.TryGetSample(out _), Is.False);
+                scene.Fluid.Restart();
+                Assert.That(empty.TryGetSample(out _), Is.False, "after a restart");
+                scene.Step();
+                Assert.That(empty.Flushed().step, Is.EqualTo(1));
+            }
+        }
+
+        [Test]
+        public void One_detector_more_than_there_is_room_for_is_refused_by_name()
+        {
+            using (var scene = new SourceScene(new Vector3(0.4f, 0.4f, 0.4f), Spacing, 300).Fill(0.2f))
+            {
+                for (int i = 0; i < Queries.MaxDetectors; i++)
+                    scene.Add<FluidDetector>(Vector3.zero, Vector3.forward);
+                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidDetector 'FluidDetector': FluidSimulation 'Fluid' has 32 of its kind, the most it takes"));
+                scene.Add<FluidDetector>(Vector3.zero, Vector3.forward);
+                scene.Step();
+                List<FluidDetector> all = scene.Fluid.GetComponentsInChildren<FluidDetector>().ToList();
+                Assert.That(all.Count(detector => detector.Number >= 0 && detector.Flushed().volume > 0f), Is.EqualTo(32));
+            }
+        }
+    }
+}
