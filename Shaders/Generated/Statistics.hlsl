@@ -22,7 +22,6 @@ static const uint kMaxSpeedSquared = 17;
 static const uint kFurthest = 18;    // and 19, 20: largest x, y, z
 
 static const uint kBins = 4096;    // of C+ between 0 and kMaxBin, finer towards 0: bin ~ sqrt(C+)
-
 static const float kEscapedBeyond = 0.1;    // d: how far beyond the walls and inside colliders a particle counts as escaped
 
 #endif

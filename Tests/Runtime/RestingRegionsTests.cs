@@ -197,7 +197,7 @@ namespace Rill.Tests
         }
 
         // What does not change how particles at rest move: who else looks at them, and what wakes regions by itself.
-        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed" };
+        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed", "removesKilled", "tracksPhases" };     // those that are removed wake what is around them
 
         static IEnumerable<string> FieldsOfTheInput() => typeof(StepInput).GetFields().Where(field => !Others.Contains(field.Name))
             .SelectMany(field => field.FieldType == typeof(SolverSettings) || field.FieldType == typeof(FluidMaterial)

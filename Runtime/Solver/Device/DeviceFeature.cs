@@ -32,9 +32,11 @@ namespace Rill
         Statistics = 1 << 15,
         /// <summary>What has to be drawn of the water's surface, found once a frame.</summary>
         Surface = 1 << 16,
-        /// <summary>Probes and detectors. The last that a scene can ask for.</summary>
+        /// <summary>Probes and detectors.</summary>
         Queries = 1 << 17,
+        /// <summary>Passes of scripts before a step. The last that a scene can ask for.</summary>
+        ParticleAccess = 1 << 18,
         /// <summary>Distance fields of meshes, made on the GPU; no part of a simulation.</summary>
-        Baking = 1 << 18,
+        Baking = 1 << 19,
     }
 }

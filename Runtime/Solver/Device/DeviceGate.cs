@@ -79,7 +79,7 @@ namespace Rill
             Refused = DeviceFeature.None;
             refusals.Clear();
             DeviceFeature granted = wanted & DeviceFeature.TwoLists;
-            for (var feature = DeviceFeature.Colliders; feature <= DeviceFeature.Queries; feature = (DeviceFeature)((int)feature << 1))
+            for (var feature = DeviceFeature.Colliders; feature <= DeviceFeature.ParticleAccess; feature = (DeviceFeature)((int)feature << 1))
             {
                 if ((wanted & feature) == 0)
                     continue;
@@ -175,6 +175,7 @@ namespace Rill
                 case DeviceFeature.Statistics: return "statistics";
                 case DeviceFeature.Surface: return "the water's surface";
                 case DeviceFeature.Queries: return "probes and detectors";
+                case DeviceFeature.ParticleAccess: return "passes of scripts";
                 default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
             }
         }
@@ -200,6 +201,7 @@ namespace Rill
                 case DeviceFeature.Statistics: return "set the statistics interval to 0";
                 case DeviceFeature.Surface: return "draw it with a ParticleRenderer";
                 case DeviceFeature.Queries: return "disable its probes and detectors";
+                case DeviceFeature.ParticleAccess: return "let no script listen to BeforeStep";
                 default: throw new ArgumentOutOfRangeException(nameof(feature), feature, "Not a feature of a scene.");
             }
         }

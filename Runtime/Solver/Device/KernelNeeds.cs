@@ -30,7 +30,6 @@ namespace Rill
                 case "DensityConstraint":
                 case "ParticleUpload":
                 case "NeighborSearch":
-                case "ParticleAccess":
                 case "PrefixSum":
                 case "VelocityUpdate": return DeviceFeature.None;
                 case "CoarseGrid":
@@ -43,6 +42,7 @@ namespace Rill
                 case "FoamSources": return DeviceFeature.Foam;
                 case "ForceFields": return DeviceFeature.ForceFields;
                 case "MeshSdf": return DeviceFeature.Baking;
+                case "ParticleAccess": return DeviceFeature.ParticleAccess;
                 case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;

@@ -11,7 +11,7 @@ namespace Rill.Tests
     public class DeviceGateTests
     {
         const DeviceFeature Everything = DeviceFeature.Colliders | DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Tags | DeviceFeature.Drains
-            | DeviceFeature.ForceFields | DeviceFeature.DynamicViscosity | DeviceFeature.Elasticity | DeviceFeature.Vorticity | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Surface | DeviceFeature.Queries;
+            | DeviceFeature.ForceFields | DeviceFeature.DynamicViscosity | DeviceFeature.Elasticity | DeviceFeature.Vorticity | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Surface | DeviceFeature.Queries | DeviceFeature.ParticleAccess;
 
         static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384) => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
 
@@ -44,7 +44,7 @@ namespace Rill.Tests
         {
             DeviceGate gate = With(8);
             Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
-            gate.Decide(DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Drains | DeviceFeature.ForceFields | DeviceFeature.Vorticity | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Queries);
+            gate.Decide(DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Drains | DeviceFeature.ForceFields | DeviceFeature.Vorticity | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Queries | DeviceFeature.ParticleAccess);
             Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None), string.Join("\n", gate.Refusals));
         }
 
