@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -58,7 +57,8 @@ namespace Rill
                 if (outside > StatisticsPass.EscapedBeyond)
                     found.Add((ids[i], p * particleSpacing, outside * particleSpacing));
             }
-            return found.OrderByDescending(particle => particle.outside).Take(most).ToList();
+            found.Sort((a, b) => b.outside.CompareTo(a.outside));
+            return found.Count > most ? found.GetRange(0, most) : found;
         }
     }
 }

@@ -14,7 +14,7 @@ namespace Host.Check.Api
     sealed class NetStandardRule : Rule
     {
         // Sources that Unity compiles, as the projects name them.
-        static readonly string[] PackageFolders = { "$(PackageRoot)Runtime/", "$(PackageRoot)Editor/", "$(PackageRoot)Tests/" };
+        static readonly string[] PackageFolders = { "$(PackageRoot)Runtime/", "$(PackageRoot)Editor/", "$(PackageRoot)Testing/", "$(PackageRoot)Tests/" };
 
         // Which the compiler brings in by itself where .NET has them, and does without where not.
         static readonly HashSet<string> Compilers = new() { "RefSafetyRulesAttribute", "NullableAttribute", "NullableContextAttribute", "NullablePublicOnlyAttribute", "DefaultInterpolatedStringHandler" };

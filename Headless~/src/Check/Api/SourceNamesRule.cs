@@ -17,7 +17,7 @@ namespace Host.Check.Api
     /// </summary>
     sealed class SourceNamesRule : Rule
     {
-        static readonly string[] Folders = { "Runtime/", "Editor/", "Tests/" };
+        static readonly string[] Folders = { "Runtime/", "Editor/", "Testing/", "Tests/" };
         // Compiled and examined once for each version of the pipeline: PipelineAdaptersRule.
         internal static readonly string[] AdapterFolders = { "Runtime/Rendering.Universal/", "Runtime/Rendering.HighDefinition/" };
 

@@ -45,7 +45,6 @@ namespace Host.Check
             ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is cancelled"),
             ("FluidSimulation.MeasureNow", "WaitAllRequests", "for the assertions of Rill.Testing, which nothing of a game calls"),
             ("FluidSimulation.FindFurthestOut", "GetData", "the same"),
-            ("FluidSimulation.FindFurthestOut", AnyType, "the same"),
             ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of the package calls it but the Flush of probes and detectors"),
             ("Readback.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
             ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
