@@ -27,6 +27,21 @@ namespace Host.Tests
             Assert.That(wanted.Where(type => type != typeof(SignedDistanceField)), Is.SubsetOf(inspected));
         }
 
+        [Test]
+        public void The_inspector_of_a_snapshot_says_why_it_cannot_be_used()
+        {
+            var asset = ScriptableObject.CreateInstance<FluidSnapshotAsset>();
+            try
+            {
+                Draw(Inspect(asset));
+                Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.Contain("holds no snapshot: save one into it"));
+            }
+            finally
+            {
+                Object.DestroyImmediate(asset);
+            }
+        }
+
         [TestCaseSource(nameof(Inspected))]
         public void An_inspector_of_one_and_of_two_draws_the_fields_that_have_a_meaning(Type type)
         {
