@@ -1,36 +1,18 @@
 using System;
 using System.Collections;
-using System.Collections.Generic;
 using NUnit.Framework;
 using Rill.Testing;
-using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.TestTools;
-using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
     /// <summary>Assertions for users' own tests: each passes where it should, fails where it should, and says why.</summary>
-    public class FluidAssertTests
+    public class FluidAssertTests : PlayedFluidFixture
     {
         const float Spacing = 0.05f;
-
-        readonly List<GameObject> made = new List<GameObject>();
-
-        [SetUp]
-        public void OneStepAFrame() => Time.captureDeltaTime = 1f / 60f;
-
-        [UnityTearDown]
-        public IEnumerator LeaveNothing()
-        {
-            foreach (GameObject gameObject in made)
-                Object.Destroy(gameObject);
-            made.Clear();
-            Time.captureDeltaTime = 0f;
-            yield return null;
-        }
 
         [UnityTest]
         public IEnumerator A_whole_fluid_has_lost_nothing_and_nothing_has_escaped()
@@ -56,9 +38,7 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Pool();
             yield return Frames(2);
-            using (var positions = new NativeArray<float3>(new[] { new float3(float.NaN, 0f, 0f) }, Allocator.Temp))
-            using (var velocities = new NativeArray<float3>(1, Allocator.Temp))
-                fluid.AddParticles(positions, velocities);
+            Add(fluid, new float3(float.NaN, 0f, 0f), 0f);
             yield return Frames(2);
             Assert.That(Failure(() => FluidAssert.NothingLost(fluid)), Does.Contain("1 were removed, since their position was not finite"));
         }
@@ -233,27 +213,7 @@ namespace Rill.Tests
         }
 
         // Four layers of 10 x 10 particles.
-        FluidSimulation Pool(int capacity = 1000, Action<FluidSimulation> setUp = null)
-        {
-            var box = new GameObject("Pool");
-            made.Add(box);
-            box.SetActive(false);
-            FluidSimulation fluid = box.AddComponent<FluidSimulation>();
-            fluid.Configure(new Vector3(0.5f, 0.6f, 0.5f), Spacing, capacity);
-            setUp?.Invoke(fluid);
-            var water = new GameObject("Water");
-            water.transform.SetParent(box.transform, false);
-            water.transform.localPosition = new Vector3(0f, -0.2f, 0f);
-            water.AddComponent<FluidVolume>().Size = new Vector3(0.5f, 0.2f, 0.5f);
-            box.SetActive(true);
-            return fluid;
-        }
-
-        static IEnumerator Frames(int count)
-        {
-            for (int i = 0; i < count; i++)
-                yield return null;
-        }
+        FluidSimulation Pool(int capacity = 1000, Action<FluidSimulation> setUp = null) => Fluid("Pool", new Vector3(0.5f, 0.6f, 0.5f), Spacing, capacity, new Vector3(0.5f, 0.2f, 0.5f), setUp);
 
         sealed class TwoMilliseconds : IGpuTimeSource
         {

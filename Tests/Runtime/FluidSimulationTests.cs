@@ -14,25 +14,10 @@ using Object = UnityEngine.Object;
 namespace Rill.Tests
 {
     /// <summary>The component in a playing scene, a frame to each fixed step.</summary>
-    public class FluidSimulationTests
+    public class FluidSimulationTests : PlayedFluidFixture
     {
         static readonly Vector3 Box = new Vector3(1f, 0.6f, 0.5f);
         const float Spacing = 0.05f;
-
-        readonly List<GameObject> made = new List<GameObject>();
-
-        [SetUp]
-        public void OneStepAFrame() => Time.captureDeltaTime = 1f / 60f;
-
-        [UnityTearDown]
-        public IEnumerator LeaveNothing()
-        {
-            foreach (GameObject gameObject in made)
-                Object.Destroy(gameObject);
-            made.Clear();
-            Time.captureDeltaTime = 0f;
-            yield return null;
-        }
 
         [UnityTest]
         public IEnumerator A_volume_fills_its_box_and_every_frame_takes_a_step()
@@ -776,46 +761,10 @@ namespace Rill.Tests
 
         FluidSimulation Tank() => Fluid("Tank", new Vector3(1f, 1.2f, 0.5f), Spacing, 2000, new Vector3(0.5f, 1f, 0.4f));
 
-        // A simulation that starts after 'setUp'; the water stands in the domain's lowest corner.
-        FluidSimulation Fluid(string name, Vector3 box, float spacing, int capacity, Vector3 water, Action<FluidSimulation> setUp = null)
-        {
-            var gameObject = new GameObject(name);
-            made.Add(gameObject);
-            gameObject.SetActive(false);
-            var fluid = gameObject.AddComponent<FluidSimulation>();
-            fluid.Configure(box, spacing, capacity);
-            if (water != Vector3.zero)
-                AddWater(fluid, water, (water - box) * 0.5f);
-            setUp?.Invoke(fluid);
-            gameObject.SetActive(true);
-            return fluid;
-        }
-
-        static void AddWater(FluidSimulation fluid, Vector3 size, Vector3 center)
-        {
-            var child = new GameObject("Water");
-            child.transform.SetParent(fluid.transform, false);
-            child.transform.localPosition = center;
-            child.AddComponent<FluidVolume>().Size = size;
-        }
-
-        static void Add(FluidSimulation fluid, float3 position, float3 velocity)
-        {
-            using (var positions = new NativeArray<float3>(new[] { position }, Allocator.Persistent))
-            using (var velocities = new NativeArray<float3>(new[] { velocity }, Allocator.Persistent))
-                fluid.AddParticles(positions, velocities);
-        }
-
         // As a scene file or the inspector would.
         static void SetSerialized(FluidSimulation fluid, string field, object value)
         {
             typeof(FluidSimulation).GetField(field, BindingFlags.Instance | BindingFlags.NonPublic).SetValue(fluid, value);
-        }
-
-        static IEnumerator Frames(int count)
-        {
-            for (int i = 0; i < count; i++)
-                yield return null;
         }
 
         static ParticleState State(FluidSimulation fluid) => TestFluid.Read(fluid.Solver);
