@@ -11,7 +11,7 @@ using Unity.Mathematics;
 
 namespace Host.Tests
 {
-    /// <summary>Files of particles as programs read them that nobody here wrote: VTK's own readers, and meshio (Debian packages python3-vtk9 and python3-meshio).</summary>
+    /// <summary>Files of particles as programs read them that others wrote: VTK's own readers, and meshio (Debian packages python3-vtk9 and python3-meshio).</summary>
     public sealed class ParticleReaderTests
     {
         const string Python = "/usr/bin/python3";       // Debian's, which has Debian's packages

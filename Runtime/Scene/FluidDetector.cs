@@ -11,7 +11,7 @@ namespace Rill
     /// is. A simulation takes 32 detectors. A particle on the shape's surface counts by the part of it that is inside.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Detector")]
-    public sealed class FluidDetector : FluidPart
+    public sealed class FluidDetector : FluidQuery
     {
         [Tooltip("A box, a sphere or a capsule along the y axis, around this object.")]
         [SerializeField] DetectorShape shape = DetectorShape.Box;
@@ -120,18 +120,11 @@ namespace Rill
         public bool TryGetSample(out FluidDetectorSample sample)
         {
             sample = default;
-            if (Simulation == null || !Simulation.IsRunning || Number < 0)
+            if (!IsAnswered)
                 return false;
             sample = latest;
-            sample.age = latest.valid ? (float)(Simulation.FrameTime - latest.time) : 0f;
+            sample.age = latest.valid ? AgeOf(latest.time) : 0f;
             return sample.valid;
-        }
-
-        /// <summary>Waits for the GPU until the newest step's sample is there. For tests and tools in the Editor: see <see cref="FluidSimulation.FlushQueries"/>.</summary>
-        public void Flush()
-        {
-            if (Simulation != null)
-                Simulation.FlushQueries();
         }
 
         internal override void OnRestart()
@@ -216,8 +209,6 @@ namespace Rill
             Raise(emptied, wasFilled && !isFilled);
             Raise(left, wasEntered && !isEntered);
         }
-
-        private protected override StageSet UsedStages => StageSet.Queries;
 
         private protected override string ValidateValues()
         {

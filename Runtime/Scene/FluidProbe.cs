@@ -10,7 +10,7 @@ namespace Rill
     /// is. A simulation takes 64 probes. The surface is where half the rest density is, the highest such point on the line along gravity.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Probe")]
-    public sealed class FluidProbe : FluidPart
+    public sealed class FluidProbe : FluidQuery
     {
         [Tooltip("Radius of the ball whose submerged fraction is given, m. Above 0.")]
         [SerializeField] float radius = 0.1f;
@@ -37,18 +37,11 @@ namespace Rill
         public bool TryGetSample(out FluidProbeSample sample)
         {
             sample = default;
-            if (Simulation == null || !Simulation.IsRunning || Number < 0)
+            if (!IsAnswered)
                 return false;
             sample = latest;
-            sample.age = latest.step > 0 ? (float)(Simulation.FrameTime - latest.time) : 0f;
+            sample.age = latest.step > 0 ? AgeOf(latest.time) : 0f;
             return sample.valid;
-        }
-
-        /// <summary>Waits for the GPU until the newest step's sample is there. For tests and tools in the Editor: see <see cref="FluidSimulation.FlushQueries"/>.</summary>
-        public void Flush()
-        {
-            if (Simulation != null)
-                Simulation.FlushQueries();
         }
 
         internal override void OnRestart()
@@ -93,8 +86,6 @@ namespace Rill
             float h = math.clamp(above, -1f, 1f) + 1f;
             return h * h * (3f - h) * 0.25f;
         }
-
-        private protected override StageSet UsedStages => StageSet.Queries;
 
         private protected override string ValidateValues()
         {

@@ -68,7 +68,7 @@ namespace Rill
         // What only asks is no part of a step.
         void CountPart(FluidPart part, int change)
         {
-            if (part is FluidProbe || part is FluidDetector)
+            if (part is FluidQuery)
                 queryPartCount += change;
             else
                 partCount += change;

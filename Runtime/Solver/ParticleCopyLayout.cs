@@ -14,14 +14,14 @@ namespace Rill
         public ParticleCopyLayout(ParticleFields fields, int capacity)
         {
             Words = ParticleAccess.CopyHeader;
-            PositionsAt = Place(fields, ParticleFields.Positions, 3L * capacity, ref Words);
-            VelocitiesAt = Place(fields, ParticleFields.Velocities, 3L * capacity, ref Words);
-            IdsAt = Place(fields, ParticleFields.Ids, capacity, ref Words);
-            PhasesAt = Place(fields, ParticleFields.Phases, capacity, ref Words);
+            PositionsAt = AddField(fields, ParticleFields.Positions, 3L * capacity, ref Words);
+            VelocitiesAt = AddField(fields, ParticleFields.Velocities, 3L * capacity, ref Words);
+            IdsAt = AddField(fields, ParticleFields.Ids, capacity, ref Words);
+            PhasesAt = AddField(fields, ParticleFields.Phases, capacity, ref Words);
         }
 
         // Capacity is at most 2^24, so that all fields end far below 2^31 words.
-        static int Place(ParticleFields fields, ParticleFields field, long words, ref long end)
+        static int AddField(ParticleFields fields, ParticleFields field, long words, ref long end)
         {
             if ((fields & field) == 0)
                 return Missing;

@@ -54,7 +54,7 @@ namespace Rill
                 ReleaseFields();
             for (int e = 0; e < (sources?.emitterCount ?? 0); e++)
             {
-                mostParticles += sources.emitters[e].due;
+                maxParticles += sources.emitters[e].due;
                 if (sources.emitters[e].due > 0 || sources.recycles)
                     ReachDown(sources.emitters[e], input.gravity);
             }

@@ -113,7 +113,7 @@ namespace Rill
             stepIndex = 0;
             lastSubsteps = 0;
             hasLists = isRestored = false;
-            mostParticles = 0;
+            maxParticles = 0;
             InvalidateSurface();
             InvalidateParticles(true);
             statistics?.Invalidate();
@@ -161,7 +161,7 @@ namespace Rill
         public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high)
         {
             particleUpload.Append(particles, Layout.Capacity, positions, velocities, tags);
-            mostParticles += positions.Length;
+            maxParticles += positions.Length;
             minAdded = math.min(minAdded, low);
             maxAdded = math.max(maxAdded, high);
             particleUpload.Trim();

@@ -10,13 +10,13 @@ namespace Rill
     // Snapshots: all that the next step depends on, out of the solver and into it.
     sealed partial class PbfSolver
     {
-        long mostParticles;     // as far as is known without asking the GPU
+        long maxParticles;     // as far as is known without asking the GPU
 
         /// <summary>Prepares a snapshot of the state that the commands executed so far leave; its sections of the component are yet to be set.</summary>
         /// <exception cref="InvalidOperationException">More than can be read back.</exception>
         public SnapshotCapture Capture(SnapshotContents contents)
         {
-            int most = (int)Math.Min(mostParticles, Layout.Capacity);
+            int most = (int)Math.Min(maxParticles, Layout.Capacity);
             Save(contents, most);
             var capture = new SnapshotCapture(Layout, contents);
             var state = new List<StateBuffer>();
@@ -38,9 +38,9 @@ namespace Rill
         /// <exception cref="InvalidOperationException">More than can be read back.</exception>
         public SnapshotCapture CaptureParticles()
         {
-            int most = (int)Math.Min(mostParticles, Layout.Capacity);
+            int most = (int)Math.Min(maxParticles, Layout.Capacity);
             var contents = new SnapshotContents();
-            contents.Set(SnapshotSection.Solver, new SolverRecord { mostParticles = (uint)most });
+            contents.Set(SnapshotSection.Solver, new SolverRecord { maxParticles = (uint)most });
             var capture = new SnapshotCapture(Layout, contents);
             capture.Add(new StateBuffer(SnapshotSection.Counters, particles.Counters, StateExtent.All), most);
             capture.Add(new StateBuffer(SnapshotSection.Positions, particles.Current, StateExtent.Particles), most);
@@ -124,7 +124,7 @@ namespace Rill
             {
                 spacing = Layout.Spacing,
                 domainSize = Layout.DomainSize,
-                mostParticles = (uint)most,
+                maxParticles = (uint)most,
                 stepIndex = stepIndex,
                 lastSubsteps = lastSubsteps,
                 minAdded = minAdded,
@@ -145,7 +145,7 @@ namespace Rill
         void Load(SnapshotContents contents)
         {
             SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
-            mostParticles = record.mostParticles;
+            maxParticles = record.maxParticles;
             stepIndex = record.stepIndex;
             lastSubsteps = record.lastSubsteps;
             minAdded = record.minAdded;

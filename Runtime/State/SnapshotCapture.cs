@@ -46,11 +46,11 @@ namespace Rill
             }
         }
 
-        /// <param name="mostParticles">As many as there can be.</param>
+        /// <param name="maxParticles">As many as there can be.</param>
         /// <exception cref="InvalidOperationException">More than can be read back at once.</exception>
-        public void Add(in StateBuffer state, long mostParticles)
+        public void Add(in StateBuffer state, long maxParticles)
         {
-            long elements = state.Extent == StateExtent.All ? state.Buffer.count : mostParticles;
+            long elements = state.Extent == StateExtent.All ? state.Buffer.count : maxParticles;
             Add(state, elements * state.Buffer.stride, false);
         }
 
@@ -153,8 +153,8 @@ namespace Rill
             SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
             record.particles = counters[(int)ParticleCounter.Alive];
             record.moved = Math.Min(counters[(int)ParticleCounter.Moved], record.particles);
-            if (record.particles > record.mostParticles)
-                return $"{record.particles:N0} particles came back where {record.mostParticles:N0} were expected at most. Ask again.";
+            if (record.particles > record.maxParticles)
+                return $"{record.particles:N0} particles came back where {record.maxParticles:N0} were expected at most. Ask again.";
             contents.Set(SnapshotSection.Solver, record);
             var lists = new List<byte[]>();
             foreach (Part part in parts)

@@ -23,7 +23,7 @@ namespace Rill
         static void CheckSolver(in SolverRecord solver)
         {
             Require(solver.spacing > 0f && IsFinite(solver.spacing) && math.all(solver.domainSize > 0f) && IsFinite(solver.domainSize), "their particle spacing or box is no size");
-            Require(solver.particles <= SolverLayout.MaxCapacity && solver.moved <= solver.particles && solver.mostParticles >= solver.particles, $"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be");
+            Require(solver.particles <= SolverLayout.MaxCapacity && solver.moved <= solver.particles && solver.maxParticles >= solver.particles, $"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be");
             Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0), $"{solver.lastSubsteps} substeps cannot be");
             Require(IsFinite(solver.minAdded) && IsFinite(solver.maxAdded), "where particles were added is not finite");
             Require(solver.hasNew <= 1 && solver.hasLifetimes <= 1, "a flag is neither 0 nor 1");

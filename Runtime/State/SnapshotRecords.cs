@@ -16,7 +16,7 @@ namespace Rill
         /// <summary>Of those, the first that took part in the last step.</summary>
         public uint moved;
         /// <summary>Particles at most, as far as is known without asking the GPU.</summary>
-        public uint mostParticles;
+        public uint maxParticles;
         public uint stepIndex;
         public int lastSubsteps;
         public float3 minAdded, maxAdded;
