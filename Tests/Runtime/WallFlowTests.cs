@@ -59,26 +59,29 @@ namespace Rill.Tests
                 fluid.AddAround(cylinder, 0f, new float3(32f, 10f, 32f));
                 ColliderTests.Use(fluid, cylinder);
                 fluid.Step(60);
-                double still = Around(fluid, axis, radius), spun = 0.0;
+                (double still, double noise) = Around(fluid, axis, radius);
+                double spun = 0.0, stirred = 0.0;
                 for (int step = 0; step < 60; step++)
                 {
                     cylinder.start = cylinder.end;
                     cylinder.end.rotation = math.mul(quaternion.RotateY(turn), cylinder.end.rotation);
                     ColliderTests.Use(fluid, cylinder);
                     fluid.Step();
-                    spun += Around(fluid, axis, radius) / 60.0;
+                    (double around, double speed) = Around(fluid, axis, radius);
+                    spun += around / 60.0;
+                    stirred = Math.Max(stirred, speed);
                 }
                 double wall = radius * turn * Spacing / fluid.Input.timeStep;
-                TestContext.Out.WriteLine($"around the cylinder {still:0.0000} m/s as it stands and {spun:0.0000} m/s as its wall turns at {wall:0.0} m/s");
+                TestContext.Out.WriteLine($"around the cylinder {still:0.0000} m/s, {noise:0.000} rms, as it stands, and {spun:0.0000} m/s, {stirred:0.000} rms, as its wall turns at {wall:0.0} m/s");
                 Assert.That(spun / wall, Is.InRange(least, most));
             }
         }
 
-        // Mean velocity, m/s, in the sense of turning about y, of what is within 4 d of a cylinder.
-        static double Around(TestFluid fluid, float3 axis, float radius)
+        // Mean velocity in the sense of turning about y, and rms speed, m/s, of what is within 4 d of a cylinder.
+        static (double mean, double rms) Around(TestFluid fluid, float3 axis, float radius)
         {
             ParticleState state = fluid.Read();
-            double sum = 0.0;
+            double sum = 0.0, squares = 0.0;
             int count = 0;
             for (int i = 0; i < state.Count; i++)
             {
@@ -87,9 +90,10 @@ namespace Rill.Tests
                     continue;
                 float2 sense = new float2(away.y, -away.x) / math.length(away);
                 sum += math.dot(state.velocities[i].xz, sense) * Spacing;
+                squares += math.lengthsq(state.velocities[i].xyz) * Spacing * Spacing;
                 count++;
             }
-            return sum / Math.Max(count, 1);
+            return (sum / Math.Max(count, 1), Math.Sqrt(squares / Math.Max(count, 1)));
         }
 
         // A film of three layers, in a frame that leans as the floor does, slides along it. Its ends run out, so its middle third is looked at.
