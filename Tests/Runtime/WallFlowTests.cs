@@ -7,6 +7,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>Deep water and walls that lie across the coarse grid: what should stay still does, and what slides is neither braked nor driven.</summary>
+    [Category("LongRun")]
     public class WallFlowTests
     {
         const float Spacing = 0.05f, Gravity = 9.81f;
