@@ -25,9 +25,8 @@ namespace Rill
         static readonly ProfilerMarker DensityMarker = GpuMarker.Create("Rill.DensityCorrection");
 
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseGrid");
-        readonly int binFlow, findSurface, findDivergence, displaceFlow;
-        readonly int findErrors, displaceErrors, extendDisplacements;
-        readonly int binFlowWithColliders, findSurfaceWithColliders, findDivergenceWithColliders, displaceFlowWithColliders, findErrorsWithColliders, displaceErrorsWithColliders, reactToFlow, reactToErrors;
+        readonly KernelVariants binFlow, findSurface, findDivergence, displaceFlow, findErrors, displaceErrors;        // with colliders
+        readonly int extendDisplacements, reactToFlow, reactToErrors;
         CoarseColliders coarseColliders;
         GraphicsBuffer flow, fill, surface, weightedCounts, source, lastErrors, diagonal, flowPotential, errorPotential;
 
@@ -37,19 +36,13 @@ namespace Rill
         /// <param name="cellSize">Wanted side of a coarse cell, d.</param>
         public CoarseCorrection(SolverLayout layout, float cellSize, in DeviceLimits limits)
         {
-            binFlow = shader.FindKernel("BinFlow");
-            findSurface = shader.FindKernel("FindSurface");
-            findSurfaceWithColliders = shader.FindKernel("FindSurfaceWithColliders");
-            findDivergence = shader.FindKernel("FindDivergence");
-            displaceFlow = shader.FindKernel("DisplaceFlow");
-            findErrors = shader.FindKernel("FindErrors");
-            displaceErrors = shader.FindKernel("DisplaceErrors");
+            binFlow = new KernelVariants(shader, "BinFlow", "BinFlowWithColliders");
+            findSurface = new KernelVariants(shader, "FindSurface", "FindSurfaceWithColliders");
+            findDivergence = new KernelVariants(shader, "FindDivergence", "FindDivergenceWithColliders");
+            displaceFlow = new KernelVariants(shader, "DisplaceFlow", "DisplaceFlowWithColliders");
+            findErrors = new KernelVariants(shader, "FindErrors", "FindErrorsWithColliders");
+            displaceErrors = new KernelVariants(shader, "DisplaceErrors", "DisplaceErrorsWithColliders");
             extendDisplacements = shader.FindKernel("ExtendDisplacements");
-            binFlowWithColliders = shader.FindKernel("BinFlowWithColliders");
-            findDivergenceWithColliders = shader.FindKernel("FindDivergenceWithColliders");
-            displaceFlowWithColliders = shader.FindKernel("DisplaceFlowWithColliders");
-            findErrorsWithColliders = shader.FindKernel("FindErrorsWithColliders");
-            displaceErrorsWithColliders = shader.FindKernel("DisplaceErrorsWithColliders");
             reactToFlow = shader.FindKernel("ReactToFlow");
             reactToErrors = shader.FindKernel("ReactToErrors");
 
@@ -114,57 +107,58 @@ namespace Rill
         public const float StaysAboveLayers = 3f;
 
         /// <summary>Records what solid colliders leave open of the grid in this substep; before the rest of it.</summary>
-        /// <param name="colliders">Null for none.</param>
-        public void RecordColliders(CommandBuffer cmd, GraphicsBuffer constants, Colliders colliders)
+        public void RecordColliders(in StepContext step)
         {
-            if (colliders == null)
+            if (step.Colliders == null)
             {
                 coarseColliders?.Dispose();
                 coarseColliders = null;
                 return;
             }
             coarseColliders ??= new CoarseColliders(Grid);
-            coarseColliders.Record(cmd, constants, Constants, colliders);
+            coarseColliders.Record(step, Constants);
         }
 
         /// <summary>Records the projection: <see cref="Displacements"/> are what the prediction shall add to the flow.</summary>
-        public void RecordProjection(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
+        public void RecordProjection(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.BeginSample(ProjectionMarker);
-            BindConstants(cmd, constants);
-            int bin = coarseColliders == null ? binFlow : binFlowWithColliders;
+            BindConstants(step);
+            int bin = binFlow.For(WithColliders).Index;
             coarseColliders?.Bind(cmd, shader, bin);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, bin, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Velocities, step.Particles.Velocities);
+            cmd.SetComputeBufferParam(shader, bin, Ids.Counters, step.Particles.Counters);
             cmd.SetComputeBufferParam(shader, bin, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, bin, Ids.WeightedCounts, weightedCounts);
             cmd.SetComputeBufferParam(shader, bin, CoarseIds.Bins, Bins);
-            particles.DispatchAlive(cmd, shader, bin);
+            step.Particles.DispatchAlive(cmd, shader, bin);
 
-            int find = coarseColliders == null ? findSurface : findSurfaceWithColliders;
+            int find = findSurface.For(WithColliders).Index;
             BindCells(cmd, find, flowPotential);
             coarseColliders?.BindVolume(cmd, shader, find);
             cmd.SetComputeBufferParam(shader, find, Ids.WeightedCounts, weightedCounts);
             cmd.SetComputeBufferParam(shader, find, Ids.Source, source);
-            cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, find, Ids.Counters, step.Particles.Counters);
             Dispatch(cmd, find);
 
-            RecordSource(cmd, coarseColliders == null ? findDivergence : findDivergenceWithColliders, flowPotential);
+            RecordSource(cmd, findDivergence, flowPotential);
             Solver.Record(cmd, Constants, source, diagonal, flowPotential, coarseColliders);
-            RecordDisplacements(cmd, coarseColliders == null ? displaceFlow : displaceFlowWithColliders, flowPotential);
+            RecordDisplacements(cmd, displaceFlow, flowPotential);
             RecordReaction(cmd, reactToFlow, flowPotential);
             cmd.EndSample(ProjectionMarker);
         }
 
         /// <summary>Records the density correction: <see cref="Displacements"/> from the errors in <see cref="Bins"/>.</summary>
-        public void RecordDensity(CommandBuffer cmd, GraphicsBuffer constants)
+        public void RecordDensity(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.BeginSample(DensityMarker);
-            BindConstants(cmd, constants);
-            RecordSource(cmd, coarseColliders == null ? findErrors : findErrorsWithColliders, errorPotential);
+            BindConstants(step);
+            RecordSource(cmd, findErrors, errorPotential);
             Solver.Record(cmd, Constants, source, diagonal, errorPotential, coarseColliders);
-            RecordDisplacements(cmd, coarseColliders == null ? displaceErrors : displaceErrorsWithColliders, errorPotential);
+            RecordDisplacements(cmd, displaceErrors, errorPotential);
             RecordReaction(cmd, reactToErrors, errorPotential);
             cmd.EndSample(DensityMarker);
         }
@@ -202,9 +196,8 @@ namespace Rill
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            string variant = stage.coarseColliders == null ? "" : "WithColliders";
-            foreach (string kernel in new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" })
-                description.Kernel("CoarseGrid", kernel + variant, substeps);
+            foreach (KernelVariants kernel in new[] { stage.binFlow, stage.findSurface, stage.findDivergence, stage.displaceFlow, stage.findErrors, stage.displaceErrors })
+                description.Kernel("CoarseGrid", kernel.For(stage.WithColliders).Name, substeps);
             stage.coarseColliders?.Describe(description, substeps);
             if (stage.coarseColliders?.Reacting != null)
             {
@@ -212,7 +205,7 @@ namespace Rill
                 description.Kernel("CoarseGrid", "ReactToErrors", substeps);
             }
             description.Kernel("CoarseGrid", "ExtendDisplacements", 2 * substeps);
-            stage.Solver.Describe(description, 2 * substeps, stage.coarseColliders != null);
+            stage.Solver.Describe(description, 2 * substeps, stage.WithColliders);
             description.Buffer("Rill.Coarse.Bins", stage.Bins);
             description.Buffer("Rill.Coarse.Flow", stage.flow);
             description.Buffer("Rill.Coarse.Fill", stage.fill);
@@ -228,10 +221,12 @@ namespace Rill
             return description;
         }
 
-        void BindConstants(CommandBuffer cmd, GraphicsBuffer constants)
+        bool WithColliders => coarseColliders != null;
+
+        void BindConstants(in StepContext step)
         {
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Constants, 0, Constants.stride);
+            step.BindConstants(shader);
+            step.Commands.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Constants, 0, Constants.stride);
         }
 
         // What a kernel does not use is bound in vain and costs nothing.
@@ -245,8 +240,9 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Potential, potential);
         }
 
-        void RecordSource(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
+        void RecordSource(CommandBuffer cmd, KernelVariants variants, GraphicsBuffer potential)
         {
+            int kernel = variants.For(WithColliders).Index;
             BindCells(cmd, kernel, potential);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Source, source);
             cmd.SetComputeBufferParam(shader, kernel, Ids.LastErrors, lastErrors);
@@ -254,8 +250,9 @@ namespace Rill
             Dispatch(cmd, kernel);
         }
 
-        void RecordDisplacements(CommandBuffer cmd, int kernel, GraphicsBuffer potential)
+        void RecordDisplacements(CommandBuffer cmd, KernelVariants variants, GraphicsBuffer potential)
         {
+            int kernel = variants.For(WithColliders).Index;
             BindCells(cmd, kernel, potential);
             cmd.SetComputeBufferParam(shader, kernel, Ids.CellDisplacements, Displacements);
             Dispatch(cmd, kernel);

@@ -20,7 +20,8 @@ namespace Rill
         readonly ComputeShader shader = StageShader.LoadCompute("CoarseSolver");
         readonly CoarseGrid grid;
         readonly CoarseSolverPath path;
-        readonly int smooth, smoothWithColliders, correctAndSmooth, correctAndSmoothWithColliders, restrictGrid, restrictGridWithColliders, smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
+        readonly KernelVariants smooth, restrictGrid, correctAndSmooth;     // with colliders
+        readonly Kernel smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
         GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
 
         /// <param name="grid">With the tail of the path.</param>
@@ -28,16 +29,13 @@ namespace Rill
         {
             this.grid = grid;
             this.path = path;
-            smooth = Tiled("Smooth");
-            smoothWithColliders = Tiled("SmoothWithColliders");
-            restrictGrid = shader.FindKernel("RestrictGrid");
-            restrictGridWithColliders = shader.FindKernel("RestrictGridWithColliders");
-            smoothLevel = Tiled("SmoothLevel");
-            restrictLevel = shader.FindKernel("RestrictLevel");
-            correctAndSmoothLevel = Tiled("CorrectAndSmoothLevel");
-            solveTail = shader.FindKernel(path.Tail);
-            correctAndSmooth = Tiled("CorrectAndSmooth");
-            correctAndSmoothWithColliders = Tiled("CorrectAndSmoothWithColliders");
+            smooth = new KernelVariants(shader, path.Tiled("Smooth"), path.Tiled("SmoothWithColliders"));
+            restrictGrid = new KernelVariants(shader, "RestrictGrid", "RestrictGridWithColliders");
+            smoothLevel = new Kernel(shader, path.Tiled("SmoothLevel"));
+            restrictLevel = new Kernel(shader, "RestrictLevel");
+            correctAndSmoothLevel = new Kernel(shader, path.Tiled("CorrectAndSmoothLevel"));
+            solveTail = new Kernel(shader, path.Tail);
+            correctAndSmooth = new KernelVariants(shader, path.Tiled("CorrectAndSmooth"), path.Tiled("CorrectAndSmoothWithColliders"));
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
             residuals = GpuBuffer.Structured<float>("Rill.Coarse.Residuals", grid.LevelCells);
@@ -62,9 +60,8 @@ namespace Rill
 
         void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders)
         {
-            int first = coarseColliders == null ? smooth : smoothWithColliders;
-            int restrict = coarseColliders == null ? restrictGrid : restrictGridWithColliders;
-            int last = coarseColliders == null ? correctAndSmooth : correctAndSmoothWithColliders;
+            bool withColliders = coarseColliders != null;
+            int first = smooth.For(withColliders).Index, restrict = restrictGrid.For(withColliders).Index, last = correctAndSmooth.For(withColliders).Index;
             coarseColliders?.Bind(cmd, shader, first);
             coarseColliders?.Bind(cmd, shader, restrict);
             coarseColliders?.Bind(cmd, shader, last);
@@ -75,35 +72,34 @@ namespace Rill
 
             for (int level = 1; level < grid.FirstTailLevel; level++)
             {
-                RecordSmoothLevel(cmd, smoothLevel, level);
+                RecordSmoothLevel(cmd, smoothLevel.Index, level);
                 cmd.SetComputeIntParam(shader, Ids.Level, level + 1);
-                BindLevels(cmd, restrictLevel);
-                CoarseGrid.Dispatch(cmd, shader, restrictLevel, Children * grid.Cells(level + 1));
+                BindLevels(cmd, restrictLevel.Index);
+                CoarseGrid.Dispatch(cmd, shader, restrictLevel.Index, Children * grid.Cells(level + 1));
             }
-            BindLevels(cmd, solveTail);
-            cmd.DispatchCompute(shader, solveTail, 1, 1, 1);
+            BindLevels(cmd, solveTail.Index);
+            cmd.DispatchCompute(shader, solveTail.Index, 1, 1, 1);
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
-                RecordSmoothLevel(cmd, correctAndSmoothLevel, level);
+                RecordSmoothLevel(cmd, correctAndSmoothLevel.Index, level);
 
             cmd.SetComputeBufferParam(shader, last, Ids.Corrections, corrections);
             RecordSmooth(cmd, last, source, diagonal, smoothed, potential);
         }
 
-        public void Describe(StageDescription stage, int perStep, bool coarseColliders)
+        public void Describe(StageDescription stage, int perStep, bool withColliders)
         {
             int levels = grid.FirstTailLevel - 1;
-            string variant = coarseColliders ? "WithColliders" : "";
             perStep *= Cycles;
-            stage.Kernel("CoarseSolver", path.Tiled("Smooth" + variant), perStep);
-            stage.Kernel("CoarseSolver", "RestrictGrid" + variant, perStep);
+            stage.Kernel("CoarseSolver", smooth.For(withColliders).Name, perStep);
+            stage.Kernel("CoarseSolver", restrictGrid.For(withColliders).Name, perStep);
             if (levels > 0)
             {
-                stage.Kernel("CoarseSolver", path.Tiled("SmoothLevel"), levels * perStep);
-                stage.Kernel("CoarseSolver", "RestrictLevel", levels * perStep);
-                stage.Kernel("CoarseSolver", path.Tiled("CorrectAndSmoothLevel"), levels * perStep);
+                stage.Kernel("CoarseSolver", smoothLevel.Name, levels * perStep);
+                stage.Kernel("CoarseSolver", restrictLevel.Name, levels * perStep);
+                stage.Kernel("CoarseSolver", correctAndSmoothLevel.Name, levels * perStep);
             }
-            stage.Kernel("CoarseSolver", path.Tail, perStep);
-            stage.Kernel("CoarseSolver", path.Tiled("CorrectAndSmooth" + variant), perStep);
+            stage.Kernel("CoarseSolver", solveTail.Name, perStep);
+            stage.Kernel("CoarseSolver", correctAndSmooth.For(withColliders).Name, perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);
             stage.Buffer("Rill.Coarse.Residuals", residuals);
@@ -140,8 +136,6 @@ namespace Rill
             int3 tiles = (counts + tile - 1) / tile;
             cmd.DispatchCompute(shader, kernel, tiles.x, tiles.y, tiles.z);
         }
-
-        int Tiled(string kernel) => shader.FindKernel(path.Tiled(kernel));
 
         void BindGrid(CommandBuffer cmd, int kernel, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential)
         {

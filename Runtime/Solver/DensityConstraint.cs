@@ -13,21 +13,14 @@ namespace Rill
         static readonly ProfilerMarker DisplaceMarker = GpuMarker.Create("Rill.ApplyDeltaP");
 
         readonly ComputeShader shader = StageShader.LoadCompute("DensityConstraint");
-        readonly int buildList, buildListDeep, buildListWithColliders, buildListDeepWithColliders, solveLambda, solveLambdaWithColliders, applyDeltaP, applyDeltaPWithPressure, applyDeltaPDeep, applyDeltaPDeepWithPressure;
+        readonly KernelVariants buildList, solveLambda, applyDeltaP;      // deep, with colliders; with colliders; deep, with artificial pressure
         readonly LocalKeyword twoLists, sleep;
 
         public DensityConstraint(SolverLayout layout)
         {
-            buildList = shader.FindKernel("BuildList");
-            buildListDeep = shader.FindKernel("BuildListDeep");
-            buildListWithColliders = shader.FindKernel("BuildListWithColliders");
-            buildListDeepWithColliders = shader.FindKernel("BuildListDeepWithColliders");
-            solveLambda = shader.FindKernel("SolveLambda");
-            solveLambdaWithColliders = shader.FindKernel("SolveLambdaWithColliders");
-            applyDeltaP = shader.FindKernel("ApplyDeltaP");
-            applyDeltaPWithPressure = shader.FindKernel("ApplyDeltaPWithPressure");
-            applyDeltaPDeep = shader.FindKernel("ApplyDeltaPDeep");
-            applyDeltaPDeepWithPressure = shader.FindKernel("ApplyDeltaPDeepWithPressure");
+            buildList = new KernelVariants(shader, "BuildList", "BuildListDeep", "BuildListWithColliders", "BuildListDeepWithColliders");
+            solveLambda = new KernelVariants(shader, "SolveLambda", "SolveLambdaWithColliders");
+            applyDeltaP = new KernelVariants(shader, "ApplyDeltaP", "ApplyDeltaPDeep", "ApplyDeltaPWithPressure", "ApplyDeltaPDeepWithPressure");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             Lists = new NeighborLists(layout);
@@ -35,91 +28,91 @@ namespace Rill
 
         public NeighborLists Lists { get; }
 
-        /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up.</summary>
-        /// <param name="coarse">Adds its density correction to the first iteration; null for none.</param>
-        /// <param name="colliders">Add to the density and keep the particles outside; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int iterations, bool artificialPressure, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
+        /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up. The coarse grid's density correction joins the first.</summary>
+        public void Record(in StepContext step)
         {
-            RecordList(cmd, constants, particles, search, coarse, resting, colliders);
-            coarse?.RecordDensity(cmd, constants);
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            bool hasPressure = HasPressure(step.Input);
+            int iterations = step.Input.settings.iterations;
+            RecordList(step);
+            step.Coarse?.RecordDensity(step);
             for (int i = 0; i < iterations; i++)
             {
                 if (i > 0)
                 {
                     cmd.BeginSample(LambdaMarker);
-                    int solve = colliders != null ? solveLambdaWithColliders : solveLambda;
-                    colliders?.BindDensity(cmd, shader, solve);
-                    colliders?.BindVolume(cmd, shader, solve);
-                    Dispatch(cmd, solve, particles, particles.Predicted, particles.Current, resting);
+                    int solve = solveLambda.For(step.Colliders != null).Index;
+                    step.Colliders?.BindDensity(cmd, shader, solve);
+                    step.Colliders?.BindVolume(cmd, shader, solve);
+                    Dispatch(step, solve, particles.Predicted, particles.Current);
                     cmd.EndSample(LambdaMarker);
                 }
 
                 cmd.BeginSample(DisplaceMarker);
-                int kernel = artificialPressure ? applyDeltaPWithPressure : applyDeltaP;
-                if (i == 0 && coarse != null)
-                {
-                    kernel = artificialPressure ? applyDeltaPDeepWithPressure : applyDeltaPDeep;
-                    cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
-                }
-                Dispatch(cmd, kernel, particles, particles.Current, particles.Predicted, resting);
+                bool takesCorrection = i == 0 && step.Coarse != null;
+                int kernel = applyDeltaP.For(takesCorrection, hasPressure).Index;
+                if (takesCorrection)
+                    cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
+                Dispatch(step, kernel, particles.Current, particles.Predicted);
                 cmd.EndSample(DisplaceMarker);
-                colliders?.RecordPass(cmd, particles, i == iterations - 1, resting);
+                step.Colliders?.RecordPass(step, i == iterations - 1);
             }
         }
 
         /// <summary>Records the list and the first multipliers, at Predicted, into Current; their errors into the bins of the coarse grid.</summary>
-        public void RecordList(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null)
+        public void RecordList(in StepContext step)
         {
-            int build = colliders == null ? coarse != null ? buildListDeep : buildList : coarse != null ? buildListDeepWithColliders : buildListWithColliders;
+            CommandBuffer cmd = step.Commands;
+            int build = buildList.For(step.Coarse != null, step.Colliders != null).Index;
             cmd.BeginSample(ListMarker);
             Lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
-            colliders?.BindDensity(cmd, shader, build);
-            colliders?.BindVolume(cmd, shader, build);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            if (coarse != null)
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            step.Colliders?.BindDensity(cmd, shader, build);
+            step.Colliders?.BindVolume(cmd, shader, build);
+            step.BindConstants(shader);
+            if (step.Coarse != null)
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, coarse.Bins);
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, step.Coarse.Bins);
             }
-            cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, search.CellStarts);
-            Dispatch(cmd, build, particles, particles.Predicted, particles.Current, resting);
+            cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, step.Search.CellStarts);
+            Dispatch(step, build, step.Particles.Predicted, step.Particles.Current);
             cmd.EndSample(ListMarker);
         }
 
         public void Dispose() => Lists.Dispose();
 
-        /// <param name="deep">Whether a coarse correction runs.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="colliders">Null for none.</param>
-        public StageDescription Describe(in StepInput input, bool deep, RestingRegions resting, Colliders colliders)
+        public StageDescription Describe(in StepContext step)
         {
-            string variant = RestingRegions.Variant(Lists.Variant, resting);
-            int substeps = input.settings.substeps, iterations = input.settings.iterations;
+            bool deep = step.Coarse != null, withColliders = step.Colliders != null, hasPressure = HasPressure(step.Input);
+            string variant = RestingRegions.Variant(Lists.Variant, step.Resting);
+            int substeps = step.Substeps, iterations = step.Input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
-            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, neighbor lists in {lists}, artificial pressure is {input.material.artificialPressure}");
-            string withColliders = colliders != null ? "WithColliders" : "";
-            stage.Kernel("DensityConstraint", (deep ? "BuildListDeep" : "BuildList") + withColliders, substeps, variant);
+            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}");
+            stage.Kernel("DensityConstraint", buildList.For(deep, withColliders).Name, substeps, variant);
             if (iterations > 1)
-                stage.Kernel("DensityConstraint", "SolveLambda" + withColliders, substeps * (iterations - 1), variant);
-            string pressure = input.material.artificialPressure > 0f ? "WithPressure" : "";
+                stage.Kernel("DensityConstraint", solveLambda.For(withColliders).Name, substeps * (iterations - 1), variant);
             if (deep)
-                stage.Kernel("DensityConstraint", "ApplyDeltaPDeep" + pressure, substeps, variant);
+                stage.Kernel("DensityConstraint", applyDeltaP.For(true, hasPressure).Name, substeps, variant);
             if (!deep || iterations > 1)
-                stage.Kernel("DensityConstraint", "ApplyDeltaP" + pressure, substeps * (deep ? iterations - 1 : iterations), variant);
+                stage.Kernel("DensityConstraint", applyDeltaP.For(false, hasPressure).Name, substeps * (deep ? iterations - 1 : iterations), variant);
             Lists.Describe(stage);
             return stage;
         }
 
-        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer from, GraphicsBuffer to, RestingRegions resting)
+        static bool HasPressure(in StepInput input) => input.material.artificialPressure > 0f;
+
+        void Dispatch(in StepContext step, int kernel, GraphicsBuffer from, GraphicsBuffer to)
         {
+            CommandBuffer cmd = step.Commands;
             Lists.Bind(cmd, shader, kernel);
-            resting?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
+            step.Resting?.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, step.Particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, from);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, to);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            particles.DispatchSorted(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Particles.DispatchSorted(cmd, shader, kernel);
         }
 
         static class Ids

@@ -107,20 +107,22 @@ namespace Rill
         }
 
         /// <summary>Records what goes, from the particles at the start of a step.</summary>
-        /// <param name="substeps">Of the last step.</param>
+        /// <param name="lastSubsteps">Of the last step.</param>
         /// <param name="emitters">Null where nothing is recycled.</param>
         /// <param name="tags">Null where no particle has a lifetime.</param>
-        /// <param name="resting">Null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, StepSources sources, int substeps, EmitterStates emitters, ParticleTags tags, RestingRegions resting)
+        public void Record(in StepContext step, int lastSubsteps, EmitterStates emitters, ParticleTags tags)
         {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            StepSources sources = step.Input.sources;
             cmd.BeginSample(Marker);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
             cmd.SetKeyword(shader, lifetimes, tags != null);
             cmd.SetKeyword(shader, recycling, emitters != null);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             int count = sources?.drainCount ?? 0;
             cmd.SetComputeIntParam(shader, Ids.DrainCount, count);
-            cmd.SetComputeFloatParam(shader, Ids.Substeps, substeps);
+            cmd.SetComputeFloatParam(shader, Ids.Substeps, lastSubsteps);
             if (count > 0)
                 cmd.SetBufferData(regions, sources.drains, 0, 0, count);
             if (count > 0 && sources.limitsDrains)
@@ -138,7 +140,7 @@ namespace Rill
                 cmd.SetComputeBufferParam(shader, drain, ParticleTags.Ids.Tags, tags.Current);
             if (emitters != null)
                 cmd.SetComputeBufferParam(shader, drain, Ids.EmitterStates, emitters.Buffer);
-            resting?.BindMotion(cmd, shader, drain);
+            step.Resting?.BindMotion(cmd, shader, drain);
             cmd.DispatchCompute(shader, drain, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
             cmd.EndSample(Marker);
         }
@@ -157,16 +159,16 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        /// <param name="tags">Null for none.</param>
-        /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(Drains stage, StepSources sources, ParticleTags tags, RestingRegions resting)
+        /// <param name="tags">Null where no particle has a lifetime.</param>
+        public static StageDescription Describe(Drains stage, in StepContext step, ParticleTags tags)
         {
+            StepSources sources = step.Input.sources;
             bool needed = IsNeeded(sources, tags);
             int count = sources?.drainCount ?? 0;
             var description = new StageDescription("Drains", needed, !needed ? "no drain, and no particle has a lifetime" : $"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}");
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(tags != null ? LifetimesKeyword : null, resting);
+            string variant = RestingRegions.Variant(tags != null ? LifetimesKeyword : null, step.Resting);
             if (count > 0 && sources.recycles)
                 variant = variant == null ? RecyclingKeyword : variant + " " + RecyclingKeyword;
             if (count > 0 && sources.limitsDrains)

@@ -22,8 +22,9 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Emit");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Emitters");
-        readonly int findRoomAlone, findRoomWithColliders, emit, reset;
-        readonly string emitName;
+        readonly KernelVariants findRoom;     // with colliders
+        readonly Kernel emit;
+        readonly int reset;
         readonly LocalKeyword sleep, withTags;
         readonly GraphicsBuffer[] positionBuffers = new GraphicsBuffer[StepSources.MaxEmitters];
         readonly EmitterPositions[] uploaded = new EmitterPositions[StepSources.MaxEmitters];
@@ -33,10 +34,8 @@ namespace Rill
 
         public Emitters(in DeviceLimits limits)
         {
-            findRoomAlone = shader.FindKernel("FindRoom");
-            findRoomWithColliders = shader.FindKernel("FindRoomWithColliders");
-            emitName = limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small;
-            emit = shader.FindKernel(emitName);
+            findRoom = new KernelVariants(shader, "FindRoom", "FindRoomWithColliders");
+            emit = new Kernel(shader, limits.Holds("Emitters", "Emit") ? "Emit" : "Emit" + KernelNeed.Small);
             reset = shader.FindKernel("Reset");
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
@@ -50,20 +49,19 @@ namespace Rill
 
         /// <summary>Records what all emitters do in a step, one after the other, after its last substep.</summary>
         /// <param name="tags">Null for none.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="colliders">In which nothing has room; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, in StepInput input, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
+        public void Record(in StepContext step, uint stepIndex, ParticleTags tags)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
-            StepSources sources = input.sources;
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            StepSources sources = step.Input.sources;
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
             cmd.SetKeyword(shader, withTags, tags != null);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             for (int number = 0; number < StepSources.MaxEmitters; number++)
                 if ((sources.goneEmitters >> number & 1) != 0)
-                    RecordReset(cmd, particles, number);
+                    RecordReset(cmd, step.Particles, number);
             for (int e = 0; e < sources.emitterCount; e++)
-                Record(cmd, particles, search, sources, e, input.timeStep, stepIndex, tags, resting, colliders);
+                Record(step, e, stepIndex, tags);
             cmd.EndSample(Marker);
         }
 
@@ -78,17 +76,16 @@ namespace Rill
 
         /// <param name="stage">The stage, or null where none was made.</param>
         /// <param name="tags">Null for none.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="colliders">Null for none.</param>
-        public static StageDescription Describe(Emitters stage, StepSources sources, ParticleTags tags, RestingRegions resting, Colliders colliders)
+        public static StageDescription Describe(Emitters stage, in StepContext step, ParticleTags tags)
         {
+            StepSources sources = step.Input.sources;
             bool needed = IsNeeded(sources);
             var description = new StageDescription("Emitters", needed, needed ? $"{sources.emitterCount} emitters, each tried for room at the end of a step" : "no emitter");
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, resting);
-            description.Kernel("Emitters", colliders != null ? "FindRoomWithColliders" : "FindRoom", sources.emitterCount, variant);
-            description.Kernel("Emitters", stage.emitName, sources.emitterCount, variant);
+            string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, step.Resting);
+            description.Kernel("Emitters", stage.findRoom.For(step.Colliders != null).Name, sources.emitterCount, variant);
+            description.Kernel("Emitters", stage.emit.Name, sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
             foreach (GraphicsBuffer places in stage.positionBuffers)
@@ -96,22 +93,25 @@ namespace Rill
             return description;
         }
 
-        void Record(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search, StepSources sources, int index, float step, uint stepIndex, ParticleTags tags, RestingRegions resting, Colliders colliders)
+        void Record(in StepContext step, int index, uint stepIndex, ParticleTags tags)
         {
-            int findRoom = colliders != null ? findRoomWithColliders : findRoomAlone;
-            colliders?.BindShapes(cmd, shader, findRoom);
-            colliders?.BindVolume(cmd, shader, findRoom);
-            ref EmitterStep emitter = ref sources.emitters[index];
-            RecordParameters(cmd, emitter, step, SeesNew(sources, index, step), stepIndex);
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            int find = findRoom.For(step.Colliders != null).Index, emit = this.emit.Index;
+            step.Colliders?.BindShapes(cmd, shader, find);
+            step.Colliders?.BindVolume(cmd, shader, find);
+            ref EmitterStep emitter = ref step.Input.sources.emitters[index];
+            float duration = step.Input.timeStep;
+            RecordParameters(cmd, emitter, duration, SeesNew(step.Input.sources, index, duration), stepIndex);
             GraphicsBuffer places = PositionsOf(emitter);
 
-            cmd.SetComputeBufferParam(shader, findRoom, Ids.Places, places);
-            cmd.SetComputeBufferParam(shader, findRoom, Ids.CellStarts, search.CellStarts);
-            cmd.SetComputeBufferParam(shader, findRoom, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, findRoom, Ids.Free, free);
-            cmd.SetComputeBufferParam(shader, findRoom, Ids.EmitterStates, States.Buffer);
-            cmd.SetComputeBufferParam(shader, findRoom, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, findRoom, (emitter.candidates + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
+            cmd.SetComputeBufferParam(shader, find, Ids.Places, places);
+            cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, find, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, find, Ids.Free, free);
+            cmd.SetComputeBufferParam(shader, find, Ids.EmitterStates, States.Buffer);
+            cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
+            cmd.DispatchCompute(shader, find, (emitter.candidates + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
 
             cmd.SetComputeBufferParam(shader, emit, Ids.Places, places);
             cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Current);
@@ -123,7 +123,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, emit, Ids.AliveArguments, particles.AliveArguments);
             if (tags != null)
                 cmd.SetComputeBufferParam(shader, emit, ParticleTags.Ids.Tags, tags.Current);
-            resting?.BindMotion(cmd, shader, emit);
+            step.Resting?.BindMotion(cmd, shader, emit);
             cmd.DispatchCompute(shader, emit, 1, 1, 1);
         }
 

@@ -43,7 +43,8 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Foam");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Foam"), sources = StageShader.LoadCompute("FoamSources");
-        readonly int averageCells, move, moveWithColliders, compact, spawn, commit, findPotentials, countSpawned;
+        readonly KernelVariants move;     // with colliders
+        readonly int averageCells, compact, spawn, commit, findPotentials, countSpawned;
         readonly LocalKeyword twoLists;
         readonly int foamGroups, fluidGroups;
         readonly int cellTotal;
@@ -59,8 +60,7 @@ namespace Rill
         {
             Budget = budget;
             averageCells = shader.FindKernel("AverageCells");
-            move = shader.FindKernel("Move");
-            moveWithColliders = shader.FindKernel("MoveWithColliders");
+            move = new KernelVariants(shader, "Move", "MoveWithColliders");
             compact = shader.FindKernel("Compact");
             spawn = shader.FindKernel("Spawn");
             commit = shader.FindKernel("Commit");
@@ -134,15 +134,15 @@ namespace Rill
 
         /// <summary>Records the step of all foam, after the fluid's own. <see cref="Particles"/> is another buffer then.</summary>
         /// <param name="depth">Of the water, d.</param>
-        /// <param name="colliders">As the last substep left them; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborSearch search, NeighborLists lists, SolverLayout layout, in StepInput input, float depth, Colliders colliders = null)
+        public void Record(in StepContext step, float depth)
         {
-            Scales = new FoamScales(input.foam, math.length(input.gravity), depth, layout.Spacing, input.timeStep, input.settings.substeps);
+            CommandBuffer cmd = step.Commands;
+            Scales = new FoamScales(step.Input.foam, math.length(step.Input.gravity), depth, step.Layout.Spacing, step.Input.timeStep, step.Substeps);
             cmd.BeginSample(Marker);
-            RecordSources(cmd, constants, fluid, lists, input);
-            RecordAverages(cmd, constants, fluid, search, layout, input);
+            RecordSources(step);
+            RecordAverages(step);
 
-            RecordMove(cmd, colliders);
+            RecordMove(step);
             prefixSum.Record(cmd, groupCounts, sums, foamGroups + fluidGroups + 1);
 
             (particles, moved) = (moved, particles);
@@ -152,7 +152,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, compact, Ids.FoamCounters, readback.Buffer);
             cmd.DispatchCompute(shader, compact, arguments, GpuBuffer.DispatchArgumentsAt);
 
-            RecordSpawn(cmd, fluid);
+            RecordSpawn(cmd, step.Particles);
             cmd.EndSample(Marker);
         }
 
@@ -181,16 +181,17 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        public static StageDescription Describe(Foam stage, in StepInput input, NeighborLists lists)
+        public static StageDescription Describe(Foam stage, in StepContext step)
         {
+            StepInput input = step.Input;
             bool needed = IsNeeded(input);
             var description = new StageDescription("Foam", needed, needed ? $"at most {input.foam.budget:N0} particles of spray, foam and bubbles" : "no FluidFoam component");
             if (!needed || stage == null)
                 return description;
-            description.Kernel("FoamSources", "FindPotentials", 1, lists.Variant);
-            description.Kernel("FoamSources", "CountSpawned", 1, lists.Variant);
+            description.Kernel("FoamSources", "FindPotentials", 1, step.Lists.Variant);
+            description.Kernel("FoamSources", "CountSpawned", 1, step.Lists.Variant);
             description.Kernel("Foam", "AverageCells", 1);
-            description.Kernel("Foam", Colliders.IsNeeded(input) ? "MoveWithColliders" : "Move", 1);
+            description.Kernel("Foam", stage.move.For(step.Colliders != null).Name, 1);
             stage.prefixSum.Describe(description, 1);
             description.Kernel("Foam", "Compact", 1);
             description.Kernel("Foam", "Spawn", 1);
@@ -211,60 +212,65 @@ namespace Rill
 
         static int Groups(int count) => (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
 
-        void RecordSources(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborLists lists, in StepInput input)
+        void RecordSources(in StepContext step)
         {
-            lists.RecordKeyword(cmd, sources, twoLists);
-            cmd.SetComputeConstantBufferParam(sources, SolverIds.Constants, constants, 0, constants.stride);
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers fluid = step.Particles;
+            step.Lists.RecordKeyword(cmd, sources, twoLists);
+            step.BindConstants(sources);
             cmd.SetComputeVectorParam(sources, Ids.FoamLimits, Scales.Limits);
             cmd.SetComputeVectorParam(sources, Ids.FoamRates, Scales.Rates);
-            cmd.SetComputeIntParam(sources, Ids.FoamSeed, input.foamSeed);
+            cmd.SetComputeIntParam(sources, Ids.FoamSeed, step.Input.foamSeed);
             cmd.SetComputeIntParam(sources, Ids.FirstGroup, foamGroups);
             cmd.SetComputeIntParam(sources, Ids.FluidGroups, fluidGroups);
 
-            BindLists(cmd, findPotentials, fluid, lists);
+            BindLists(step, findPotentials);
             cmd.SetComputeBufferParam(sources, findPotentials, Ids.Velocities, fluid.Velocities);
             cmd.DispatchCompute(sources, findPotentials, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
 
-            BindLists(cmd, countSpawned, fluid, lists);
+            BindLists(step, countSpawned);
             cmd.SetComputeBufferParam(sources, countSpawned, Ids.ParticleIds, fluid.Ids);
             cmd.SetComputeBufferParam(sources, countSpawned, Ids.SpawnCounts, spawnCounts);
             cmd.SetComputeBufferParam(sources, countSpawned, Ids.GroupCounts, groupCounts);
             cmd.DispatchCompute(sources, countSpawned, fluid.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
-        void BindLists(CommandBuffer cmd, int kernel, ParticleBuffers fluid, NeighborLists lists)
+        void BindLists(in StepContext step, int kernel)
         {
-            lists.Bind(cmd, sources, kernel);
-            cmd.SetComputeBufferParam(sources, kernel, Ids.Positions, fluid.Current);
+            CommandBuffer cmd = step.Commands;
+            step.Lists.Bind(cmd, sources, kernel);
+            cmd.SetComputeBufferParam(sources, kernel, Ids.Positions, step.Particles.Current);
             cmd.SetComputeBufferParam(sources, kernel, Ids.Potentials, potentials);
-            cmd.SetComputeBufferParam(sources, kernel, Ids.Counters, fluid.Counters);
+            cmd.SetComputeBufferParam(sources, kernel, Ids.Counters, step.Particles.Counters);
         }
 
-        void RecordAverages(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers fluid, NeighborSearch search, SolverLayout layout, in StepInput input)
+        void RecordAverages(in StepContext step)
         {
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            cmd.SetComputeVectorParam(shader, Ids.FoamCellSize, new float4(cellSize, input.timeStep));
-            cmd.SetComputeVectorParam(shader, Ids.FoamGravity, new float4(input.gravity / layout.Spacing, (float)(FoamScales.Rise * Scales.Speed)));
+            CommandBuffer cmd = step.Commands;
+            step.BindConstants(shader);
+            cmd.SetComputeVectorParam(shader, Ids.FoamCellSize, new float4(cellSize, step.Input.timeStep));
+            cmd.SetComputeVectorParam(shader, Ids.FoamGravity, new float4(step.Input.gravity / step.Layout.Spacing, (float)(FoamScales.Rise * Scales.Speed)));
             cmd.SetComputeIntParams(shader, Ids.FoamCellCounts, cellCounts);
             cmd.SetComputeIntParams(shader, Ids.CellsPerFoamCell, cellsPerFoamCell);
-            cmd.SetComputeFloatParam(shader, Ids.FoamLifetime, input.foam.lifetime);
-            cmd.SetComputeIntParam(shader, Ids.FoamKinds, (int)input.foam.kinds);
+            cmd.SetComputeFloatParam(shader, Ids.FoamLifetime, step.Input.foam.lifetime);
+            cmd.SetComputeIntParam(shader, Ids.FoamKinds, (int)step.Input.foam.kinds);
             cmd.SetComputeIntParam(shader, Ids.FoamBudget, Budget);
             cmd.SetComputeIntParam(shader, Ids.FoamGroups, foamGroups);
             cmd.SetComputeIntParam(shader, Ids.FluidGroups, fluidGroups);
-            cmd.SetComputeIntParam(shader, Ids.FoamSeed, input.foamSeed);
+            cmd.SetComputeIntParam(shader, Ids.FoamSeed, step.Input.foamSeed);
 
-            cmd.SetComputeBufferParam(shader, averageCells, Ids.CellStarts, search.CellStarts);
-            cmd.SetComputeBufferParam(shader, averageCells, Ids.Velocities, fluid.Velocities);
+            cmd.SetComputeBufferParam(shader, averageCells, Ids.CellStarts, step.Search.CellStarts);
+            cmd.SetComputeBufferParam(shader, averageCells, Ids.Velocities, step.Particles.Velocities);
             cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCells, cells);
             cmd.SetComputeBufferParam(shader, averageCells, Ids.FoamCounters, readback.Buffer);
             CoarseGrid.Dispatch(cmd, shader, averageCells, cellTotal);
         }
 
-        void RecordMove(CommandBuffer cmd, Colliders colliders)
+        void RecordMove(in StepContext step)
         {
-            int kernel = colliders != null ? moveWithColliders : move;
-            colliders?.BindShapes(cmd, shader, kernel);
+            CommandBuffer cmd = step.Commands;
+            int kernel = move.For(step.Colliders != null).Index;
+            step.Colliders?.BindShapes(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.FoamParticles, particles);
             cmd.SetComputeBufferParam(shader, kernel, Ids.FoamCells, cells);
             cmd.SetComputeBufferParam(shader, kernel, Ids.GroupCounts, groupCounts);

@@ -87,12 +87,14 @@ namespace Rill
         }
 
         /// <summary>Records the acceleration of one substep.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, SolverLayout layout)
+        public void Record(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             cmd.SetComputeIntParam(shader, Ids.FieldCount, lastCount);
-            cmd.SetComputeFloatParam(shader, Ids.MaxAcceleration, MaxAcceleration / layout.Spacing);
+            cmd.SetComputeFloatParam(shader, Ids.MaxAcceleration, MaxAcceleration / step.Layout.Spacing);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, accelerate, Ids.Fields, regions);
@@ -104,13 +106,14 @@ namespace Rill
         public void Dispose() => GpuBuffer.Release(ref regions);
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        public static StageDescription Describe(ForceFields stage, StepSources sources, int substeps)
+        public static StageDescription Describe(ForceFields stage, in StepInput input)
         {
+            StepSources sources = input.sources;
             bool needed = IsNeeded(sources);
             var description = new StageDescription("Force fields", needed, needed ? $"{sources.fieldCount} fields" : "no force field");
             if (!needed || stage == null)
                 return description;
-            description.Kernel("ForceFields", "Accelerate", substeps);
+            description.Kernel("ForceFields", "Accelerate", input.settings.substeps);
             description.Buffer("Rill.Fields", stage.regions);
             return description;
         }

@@ -21,15 +21,15 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.ImplicitViscosity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ImplicitViscosity");
-        readonly int applyProjection, findCoefficients, findCoefficientsWithColliders, findResidual, firstPass, nextPass;
+        readonly int applyProjection, findResidual, firstPass, nextPass;
+        readonly KernelVariants findCoefficients;     // with colliders
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer solution, nextSolution, changes, holds;
 
         public ImplicitViscosity(int capacity)
         {
             applyProjection = shader.FindKernel("ApplyProjection");
-            findCoefficients = shader.FindKernel("FindCoefficients");
-            findCoefficientsWithColliders = shader.FindKernel("FindCoefficientsWithColliders");
+            findCoefficients = new KernelVariants(shader, "FindCoefficients", "FindCoefficientsWithColliders");
             findResidual = shader.FindKernel("FindResidual");
             firstPass = shader.FindKernel("FirstPass");
             nextPass = shader.FindKernel("NextPass");
@@ -46,8 +46,7 @@ namespace Rill
         /// <summary>ν Δt / d² of a substep; less where velocities are extrapolated, as of all that lasts.</summary>
         public static double Strength(in StepInput input, SolverLayout layout)
         {
-            double substep = (double)input.timeStep / input.settings.substeps;
-            return (double)VelocityExtrapolation.FractionAtOnce(input) * input.material.dynamicViscosity / input.material.density * substep / ((double)layout.Spacing * layout.Spacing);
+            return (double)VelocityExtrapolation.FractionAtOnce(input) * input.material.dynamicViscosity / input.material.density * ((double)input.timeStep / input.settings.substeps) / ((double)layout.Spacing * layout.Spacing);
         }
 
         /// <summary>Passes of Chebyshev's iteration that leave <see cref="Tolerance"/> of the error where no particle is braked more than twice as hard as in the lattice, <see cref="MaxPasses"/> at most.</summary>
@@ -76,44 +75,41 @@ namespace Rill
             return Math.Log(x + Math.Sqrt(x * x - 1.0));
         }
 
-        /// <summary>Records the solve: velocities of the particles that were in the last substep, where they are now.</summary>
-        /// <param name="lists">Of the last substep.</param>
-        /// <param name="coarse">Its projection is added to the velocities of all particles first; null for none.</param>
-        /// <param name="resting">Whose particles stay where they are; null for none.</param>
-        /// <param name="colliders">Where they are in this substep; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, SolverLayout layout, in StepInput input, CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null)
+        /// <summary>Records the solve: velocities of the particles that were in the last substep, whose lists there have to be, where they are now. The coarse grid's projection is added to the velocities of all first.</summary>
+        public void Record(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
-            lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            if (coarse != null)
+            step.Lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            step.BindConstants(shader);
+            if (step.Coarse != null)
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, applyProjection, CoarseIds.Displacements, coarse.Displacements);
-                Dispatch(cmd, applyProjection, particles);
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, applyProjection, CoarseIds.Displacements, step.Coarse.Displacements);
+                Dispatch(step, applyProjection);
             }
 
-            double strength = Strength(input, layout);
+            double strength = Strength(step.Input, step.Layout);
             cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * strength));
             cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
             cmd.SetComputeVectorParam(shader, Ids.Surface, new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
             cmd.SetComputeFloatParam(shader, Ids.MinMoment, (float)(MinFill * LatticeKernels.ViscosityMoment));
             cmd.SetComputeFloatParam(shader, Ids.MinReach, (float)(MinReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
 
-            cmd.SetComputeFloatParam(shader, Ids.WallFriction, input.material.wallFriction);
+            cmd.SetComputeFloatParam(shader, Ids.WallFriction, step.Input.material.wallFriction);
             cmd.SetComputeFloatParam(shader, Ids.WallHold, (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold));
             cmd.SetComputeVectorParam(shader, Ids.WallMissing, new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares, (float)LatticeKernels.ViscosityWallLean, 0f));
 
-            int coefficients = colliders != null ? findCoefficientsWithColliders : findCoefficients;
-            Bind(cmd, coefficients, particles, lists, resting);
-            colliders?.BindShapes(cmd, shader, coefficients);
+            int coefficients = findCoefficients.For(step.Colliders != null).Index;
+            Bind(step, coefficients);
+            step.Colliders?.BindShapes(cmd, shader, coefficients);
             cmd.SetComputeBufferParam(shader, coefficients, Ids.Solution, solution);
-            Dispatch(cmd, coefficients, particles);
-            Bind(cmd, findResidual, particles, lists, resting);
+            Dispatch(step, coefficients);
+            Bind(step, findResidual);
             cmd.SetComputeBufferParam(shader, findResidual, Ids.Solution, solution);
             cmd.SetComputeBufferParam(shader, findResidual, Ids.Changes, changes);
-            Dispatch(cmd, findResidual, particles);
+            Dispatch(step, findResidual);
 
             int passes = PassesFor(strength);
             for (int pass = 0; pass < passes; pass++)
@@ -121,7 +117,7 @@ namespace Rill
                 int kernel = pass == 0 ? firstPass : nextPass;
                 cmd.SetComputeIntParam(shader, Ids.Pass, pass);
                 cmd.SetComputeIntParam(shader, Ids.IsLast, pass == passes - 1 ? 1 : 0);
-                Bind(cmd, kernel, particles, lists, resting);
+                Bind(step, kernel);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Solution, solution);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.Changes, changes);
                 if (pass > 0)
@@ -129,7 +125,7 @@ namespace Rill
                     cmd.SetComputeBufferParam(shader, kernel, Ids.NextSolution, nextSolution);
                     (solution, nextSolution) = (nextSolution, solution);
                 }
-                Dispatch(cmd, kernel, particles);
+                Dispatch(step, kernel);
             }
             cmd.EndSample(Marker);
         }
@@ -143,20 +139,17 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        /// <param name="deep">Whether a coarse correction runs.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="colliders">Null for none.</param>
-        public static StageDescription Describe(ImplicitViscosity stage, in StepInput input, SolverLayout layout, NeighborLists lists, bool deep, RestingRegions resting, Colliders colliders)
+        public static StageDescription Describe(ImplicitViscosity stage, in StepContext step)
         {
-            bool needed = IsNeeded(input);
-            var description = new StageDescription("Implicit viscosity", needed, needed ? $"{input.material.dynamicViscosity} Pa s" : "the dynamic viscosity is 0");
+            bool needed = IsNeeded(step.Input);
+            var description = new StageDescription("Implicit viscosity", needed, needed ? $"{step.Input.material.dynamicViscosity} Pa s" : "the dynamic viscosity is 0");
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(lists.Variant, resting);
-            int substeps = input.settings.substeps, passes = PassesFor(Strength(input, layout));
-            if (deep)
+            string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
+            int substeps = step.Substeps, passes = PassesFor(Strength(step.Input, step.Layout));
+            if (step.Coarse != null)
                 description.Kernel("ImplicitViscosity", "ApplyProjection", substeps, variant);
-            description.Kernel("ImplicitViscosity", colliders != null ? "FindCoefficientsWithColliders" : "FindCoefficients", substeps, variant);
+            description.Kernel("ImplicitViscosity", stage.findCoefficients.For(step.Colliders != null).Name, substeps, variant);
             description.Kernel("ImplicitViscosity", "FindResidual", substeps, variant);
             description.Kernel("ImplicitViscosity", "FirstPass", substeps, variant);
             if (passes > 1)
@@ -172,19 +165,20 @@ namespace Rill
         // particles may resist: half as much for the reach that is left of Σ w r⁴ / Σ w r².
         const double MinFill = 0.25, MinReach = 0.5;
 
-        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, RestingRegions resting)
+        void Bind(in StepContext step, int kernel)
         {
-            lists.Bind(cmd, shader, kernel);
-            resting?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Holds, holds);
+            step.Lists.Bind(step.Commands, shader, kernel);
+            step.Resting?.Bind(step.Commands, shader, kernel);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Holds, holds);
         }
 
-        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles)
+        void Dispatch(in StepContext step, int kernel)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids

@@ -13,7 +13,8 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Sort");
 
         readonly ComputeShader shader = StageShader.LoadCompute("NeighborSearch");
-        readonly int countCells, countCellsDeep, countCellsWithColliders, countCellsDeepWithColliders, countCellsAtRest, scatterOrder, gather, gatherWithColliders, gatherTags, gatherPreviousIndices, gatherMeans;
+        readonly KernelVariants countCells, gather;       // deep, with colliders; with colliders
+        readonly int countCellsAtRest, scatterOrder, gatherTags, gatherPreviousIndices, gatherMeans;
         readonly LocalKeyword sleep;
         readonly bool isNarrow;         // a kernel has 8 storage buffers
         readonly int cells;
@@ -25,14 +26,10 @@ namespace Rill
         public NeighborSearch(SolverLayout layout, in DeviceLimits limits)
         {
             isNarrow = !limits.Holds("NeighborSearch", "Gather");
-            countCells = shader.FindKernel("CountCells");
-            countCellsDeep = shader.FindKernel("CountCellsDeep");
-            countCellsWithColliders = shader.FindKernel("CountCellsWithColliders");
-            countCellsDeepWithColliders = shader.FindKernel("CountCellsDeepWithColliders");
+            countCells = new KernelVariants(shader, "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders");
+            gather = new KernelVariants(shader, isNarrow ? "Gather" + KernelNeed.Narrow : "Gather", "GatherWithColliders");
             countCellsAtRest = shader.FindKernel("CountCellsAtRest");
             scatterOrder = shader.FindKernel("ScatterOrder");
-            gather = shader.FindKernel(isNarrow ? "Gather" + KernelNeed.Narrow : "Gather");
-            gatherWithColliders = shader.FindKernel("GatherWithColliders");
             gatherTags = shader.FindKernel("GatherTags");
             gatherPreviousIndices = shader.FindKernel("GatherPreviousIndices");
             gatherMeans = shader.FindKernel("GatherMeans");
@@ -54,21 +51,20 @@ namespace Rill
         public GraphicsBuffer Order { get; private set; }
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
-        /// <param name="coarse">Its displacements are added to the velocities first; null for none.</param>
-        /// <param name="resting">Whose particles stay where they are; null for none.</param>
-        /// <param name="colliders">End the ways that meet them; null for none.</param>
-        /// <param name="extrapolation">Whose mean velocities go with their particles; null for none.</param>
+        /// <param name="takesProjection">Whether the coarse grid's displacements are added to the velocities first.</param>
         /// <param name="previousIndices">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
-        public void RecordSort(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting = null, Colliders colliders = null, GraphicsBuffer previousIndices = null, VelocityExtrapolation extrapolation = null)
+        public void RecordSort(in StepContext step, bool takesProjection, GraphicsBuffer previousIndices = null)
         {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            RecordCount(cmd, particles, coarse, resting, colliders);
-            if (colliders != null)
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            step.BindConstants(shader);
+            RecordCount(step, takesProjection);
+            if (step.Colliders != null)
             {
                 cmd.EndSample(Marker);      // what they take is theirs
-                colliders.RecordPaths(cmd, particles, cellHistogram, cellRanks, resting);
+                step.Colliders.RecordPaths(step, cellHistogram, cellRanks);
                 cmd.BeginSample(Marker);
             }
             RecordOrder(cmd, particles);
@@ -78,17 +74,17 @@ namespace Rill
                 DispatchOrdered(cmd, particles, gatherPreviousIndices);
             }
 
-            if (extrapolation != null)
+            if (step.Extrapolation != null)
             {
-                extrapolation.BindSort(cmd, shader, gatherMeans);
+                step.Extrapolation.BindSort(cmd, shader, gatherMeans);
                 DispatchOrdered(cmd, particles, gatherMeans);
             }
 
-            if (isNarrow && colliders == null)
+            if (isNarrow && step.Colliders == null)
                 RecordGather(cmd, particles, particles.Ids, particles.SortedIds);
-            int kernel = colliders == null ? gather : gatherWithColliders;
-            resting?.Bind(cmd, shader, kernel);
-            colliders?.BindSort(cmd, shader, kernel);
+            int kernel = gather.For(step.Colliders != null).Index;
+            step.Resting?.Bind(cmd, shader, kernel);
+            step.Colliders?.BindSort(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
@@ -138,20 +134,18 @@ namespace Rill
             Order = null;
         }
 
-        /// <param name="deep">Whether a coarse correction runs.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="colliders">Null for none.</param>
-        public StageDescription Describe(in SolverSettings settings, bool deep, RestingRegions resting, Colliders colliders)
+        /// <param name="takesProjection">Whether the coarse grid's displacements are added to the velocities first.</param>
+        public StageDescription Describe(in StepContext step, bool takesProjection)
         {
             var stage = new StageDescription("Neighbor search", true, "every step sorts its particles by cell");
-            string withColliders = colliders != null ? "WithColliders" : "";
-            stage.Kernel("NeighborSearch", (deep ? "CountCellsDeep" : "CountCells") + withColliders, settings.substeps, RestingRegions.Variant(null, resting));
-            prefixSum.Describe(stage, settings.substeps);
-            stage.Kernel("NeighborSearch", "ScatterOrder", settings.substeps, RestingRegions.Variant(null, resting));
-            bool narrow = isNarrow && colliders == null;
-            if (narrow)
-                stage.Kernel("NeighborSearch", "GatherTags", settings.substeps);
-            stage.Kernel("NeighborSearch", (narrow ? "Gather" + KernelNeed.Narrow : "Gather") + withColliders, settings.substeps, RestingRegions.Variant(null, resting));
+            bool withColliders = step.Colliders != null;
+            string variant = RestingRegions.Variant(null, step.Resting);
+            stage.Kernel("NeighborSearch", countCells.For(takesProjection, withColliders).Name, step.Substeps, variant);
+            prefixSum.Describe(stage, step.Substeps);
+            stage.Kernel("NeighborSearch", "ScatterOrder", step.Substeps, variant);
+            if (isNarrow && !withColliders)
+                stage.Kernel("NeighborSearch", "GatherTags", step.Substeps);
+            stage.Kernel("NeighborSearch", gather.For(withColliders).Name, step.Substeps, variant);
             stage.Buffer("Rill.CellHistogram", cellHistogram);
             stage.Buffer("Rill.CellStarts", CellStarts);
             stage.Buffer("Rill.CellRanks", cellRanks);
@@ -164,18 +158,19 @@ namespace Rill
 
         void DispatchOrdered(CommandBuffer cmd, ParticleBuffers particles, int kernel) => DispatchOrdered(cmd, shader, kernel, particles);
 
-        void RecordCount(CommandBuffer cmd, ParticleBuffers particles, CoarseCorrection coarse, RestingRegions resting, Colliders colliders)
+        void RecordCount(in StepContext step, bool takesProjection)
         {
-            int kernel = colliders == null ? coarse != null ? countCellsDeep : countCells : coarse != null ? countCellsDeepWithColliders : countCellsWithColliders;
-            resting?.Bind(cmd, shader, kernel);
-            colliders?.BindCount(cmd, shader, kernel);
-            if (coarse != null)
+            CommandBuffer cmd = step.Commands;
+            int kernel = countCells.For(takesProjection, step.Colliders != null).Index;
+            step.Resting?.Bind(cmd, shader, kernel);
+            step.Colliders?.BindCount(cmd, shader, kernel);
+            if (takesProjection)
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, coarse.Displacements);
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
             }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            DispatchCount(cmd, particles, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            DispatchCount(cmd, step.Particles, kernel);
         }
 
         void DispatchCount(CommandBuffer cmd, ParticleBuffers particles, int countKernel)

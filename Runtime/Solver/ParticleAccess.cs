@@ -37,27 +37,28 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Kill");
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleAccess");
-        readonly int removeKilled, removeKilledAsleep, orderById, copyOut;
+        readonly KernelVariants removeKilled;     // where water sleeps
+        readonly int orderById, copyOut;
 
         public ParticleAccess()
         {
-            removeKilled = shader.FindKernel("RemoveKilled");
-            removeKilledAsleep = shader.FindKernel("RemoveKilledAsleep");
+            removeKilled = new KernelVariants(shader, "RemoveKilled", "RemoveKilledAsleep");
             orderById = shader.FindKernel("OrderById");
             copyOut = shader.FindKernel("CopyOut");
         }
 
         /// <summary>Records the removal of the particles that a pass has marked.</summary>
-        /// <param name="resting">Null for none.</param>
-        public void RecordKills(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, RestingRegions resting)
+        public void RecordKills(in StepContext step)
         {
-            int kernel = resting != null ? removeKilledAsleep : removeKilled;
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            int kernel = removeKilled.For(step.Resting != null).Index;
             cmd.BeginSample(Marker);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            resting?.BindMotion(cmd, shader, kernel);
+            step.Resting?.BindMotion(cmd, shader, kernel);
             particles.DispatchAlive(cmd, shader, kernel);
             cmd.EndSample(Marker);
         }
@@ -90,13 +91,14 @@ namespace Rill
         }
 
         /// <param name="noTags">What stands for the tags; null while no script has read the particles.</param>
-        /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(in StepInput input, GraphicsBuffer noTags, RestingRegions resting)
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(ParticleAccess stage, in StepContext step, GraphicsBuffer noTags)
         {
+            StepInput input = step.Input;
             bool needed = input.removesKilled || noTags != null;
             var description = new StageDescription("Particle access", needed, input.removesKilled ? "a pass of a script may remove particles" : needed ? "a script reads the particles" : "no script reads the particles");
-            if (input.removesKilled)
-                description.Kernel("ParticleAccess", resting != null ? "RemoveKilledAsleep" : "RemoveKilled", 1);
+            if (input.removesKilled && stage != null)
+                description.Kernel("ParticleAccess", stage.removeKilled.For(step.Resting != null).Name, 1);
             description.Buffer("Rill.NoTags", noTags);
             return description;
         }

@@ -36,9 +36,9 @@ namespace Rill
         public void ListState(List<StateBuffer> state) => state.Add(new StateBuffer(SnapshotSection.Tags, current, StateExtent.Particles));
 
         /// <summary>Records that the tags follow their particles through the sort that was just recorded.</summary>
-        public void RecordSort(CommandBuffer cmd, ParticleBuffers particles, NeighborSearch search)
+        public void RecordSort(in StepContext step)
         {
-            search.RecordGather(cmd, particles, current, sorted);
+            step.Search.RecordGather(step.Commands, step.Particles, current, sorted);
             (current, sorted) = (sorted, current);
         }
 
@@ -49,12 +49,12 @@ namespace Rill
         }
 
         /// <param name="tags">The tags, or null where none were made.</param>
-        public static StageDescription Describe(ParticleTags tags, int substeps, RestingRegions resting)
+        public static StageDescription Describe(ParticleTags tags, in StepContext step)
         {
             var description = new StageDescription("Particle tags", tags != null, tags != null ? "an emitter gives its particles a phase or a lifetime" : "no emitter gives its particles a phase or a lifetime");
             if (tags == null)
                 return description;
-            description.Kernel("NeighborSearch", "GatherTags", substeps, RestingRegions.Variant(null, resting));
+            description.Kernel("NeighborSearch", "GatherTags", step.Substeps, RestingRegions.Variant(null, step.Resting));
             description.Buffer("Rill.Tags", tags.current);
             description.Buffer("Rill.SortedTags", tags.sorted);
             return description;

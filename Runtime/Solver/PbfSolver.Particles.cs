@@ -61,10 +61,10 @@ namespace Rill
         /// <summary>Records a copy of the particles in world space, see <see cref="ParticleAccess"/>.</summary>
         public void RecordCopy(CommandBuffer cmd, Matrix4x4 domainToWorld, in ParticleCopyLayout layout, GraphicsBuffer copy) => Access.RecordCopy(cmd, particles, TagsToBind, tags != null, domainToWorld, layout, copy);
 
-        void RecordKills(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        void RecordKills(in StepContext step)
         {
-            if (input.removesKilled)
-                Access.RecordKills(cmd, constants, particles, resting);
+            if (step.Input.removesKilled)
+                Access.RecordKills(step);
         }
 
         // What was taken of the particles before is of another state.

@@ -60,28 +60,28 @@ namespace Rill
             }
         }
 
-        void RecordDrains(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        void RecordDrains(in StepContext step)
         {
-            StepSources sources = input.sources;
-            drains?.RecordForgotten(cmd);
+            StepSources sources = step.Input.sources;
+            drains?.RecordForgotten(step.Commands);
             if (Drains.IsNeeded(sources, TagsWithLifetimes))
-                drains.Record(cmd, constants, particles, sources, lastSubsteps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes, resting);
+                drains.Record(step, lastSubsteps, sources != null && sources.recycles ? emitters.States : null, TagsWithLifetimes);
         }
 
         // Fields that change or come wake what rests.
-        ForceFields FieldsFor(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        ForceFields FieldsFor(CommandBuffer cmd, in StepInput input)
         {
             if (!ForceFields.IsNeeded(input.sources))
                 return null;
             if (forceFields.Upload(cmd, input.sources))
-                resting?.Wake();
+                restingRegions?.Wake();
             return forceFields;
         }
 
-        void RecordEmission(CommandBuffer cmd, in StepInput input, RestingRegions resting)
+        void RecordEmission(in StepContext step)
         {
-            if (Emitters.IsNeeded(input.sources))
-                emitters.Record(cmd, constants, particles, neighborSearch, input, stepIndex, tags, resting, colliders);
+            if (Emitters.IsNeeded(step.Input.sources))
+                emitters.Record(step, stepIndex, tags);
         }
 
         // How deep the water gets is as far as an emitter lies above where gravity takes what it lets in.

@@ -13,9 +13,6 @@ namespace Rill
         /// <summary>What has to be drawn of the water's surface; null while nothing draws it.</summary>
         public SurfaceParticles Surface => surface;
 
-        /// <summary>Of the last substep, as long as no step follows.</summary>
-        public NeighborLists NeighborLists => densityConstraint.Lists;
-
         /// <summary>Whether <see cref="Surface"/> is that of the current state.</summary>
         public bool SurfaceIsCurrent { get; private set; }
 
@@ -28,9 +25,10 @@ namespace Rill
         {
             surface ??= new SurfaceParticles(Layout);
             bool hasSteps = lastSubsteps > 0 && !isRestored;
-            float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
+            StepInput last = input;
+            last.settings.substeps = Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
-            surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, hasNew || !hasSteps, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null, hasSteps ? coarseCorrection : null);
+            surface.Record(Context(cmd, last, hasSteps), hasSteps, hasNew, SurfaceVersion, substepsSinceSurface);
             SurfaceIsCurrent = true;
             substepsSinceSurface = 0;
         }

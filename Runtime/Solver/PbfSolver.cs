@@ -178,39 +178,41 @@ namespace Rill
             InvalidateParticles(false);
             UploadConstants(cmd, input);
             PrepareSources(input);
-            CoarseCorrection coarse = CoarseFor(input);
-            RestingRegions resting = RestingFor(input);
-            Colliders obstacles = CollidersFor(input);
-            ForceFields fields = FieldsFor(cmd, input, resting);
+            CoarseFor(input);
+            RestingFor(input);
+            CollidersFor(input);
+            ForceFields fields = FieldsFor(cmd, input);
             ImplicitViscosity viscous = ViscosityFor(input);
             Viscoelasticity elastic = ViscoelasticityFor(input);
-            VelocityExtrapolation extrapolation = ExtrapolationFor(input);
-            RecordKills(cmd, input, resting);
-            RecordDrains(cmd, input, resting);
-            for (int substep = 0; substep < input.settings.substeps; substep++)
+            ExtrapolationFor(input);
+            StepContext step = Context(cmd, input);
+            RecordKills(step);
+            RecordDrains(step);
+            for (int substep = 0; substep < step.Substeps; substep++)
             {
-                resting?.Record(cmd, constants, particles, Layout, input);
-                fields?.Record(cmd, constants, particles, Layout);
-                obstacles?.RecordSubstep(cmd, constants, input, substep, coarse != null, resting);
-                coarse?.RecordColliders(cmd, constants, obstacles);
-                coarse?.RecordProjection(cmd, constants, particles);
-                if (hasLists)
-                    viscous?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, coarse, resting, obstacles);
-                neighborSearch.RecordSort(cmd, constants, particles, viscous == null || !hasLists ? coarse : null, resting, obstacles, elastic?.PreviousIndices, extrapolation);
-                tags?.RecordSort(cmd, particles, neighborSearch);
-                densityConstraint.Record(cmd, constants, particles, neighborSearch, input.settings.iterations, input.material.artificialPressure > 0f, coarse, resting, obstacles);
-                velocityUpdate.Record(cmd, constants, particles, densityConstraint.Lists, input, resting, obstacles, extrapolation);
-                elastic?.Record(cmd, constants, particles, densityConstraint.Lists, Layout, input, resting);
+                restingRegions?.Record(step);
+                fields?.Record(step);
+                colliders?.RecordSubstep(step, substep);
+                coarseCorrection?.RecordColliders(step);
+                coarseCorrection?.RecordProjection(step);
+                bool solvesViscosity = viscous != null && hasLists;      // which adds the projection to the velocities
+                if (solvesViscosity)
+                    viscous.Record(step);
+                neighborSearch.RecordSort(step, takesProjection: coarseCorrection != null && !solvesViscosity, elastic?.PreviousIndices);
+                tags?.RecordSort(step);
+                densityConstraint.Record(step);
+                velocityUpdate.Record(step);
+                elastic?.Record(step);
                 if (VorticityConfinement.IsNeeded(input))
-                    Vorticity.Record(cmd, constants, particles, densityConstraint.Lists, obstacles);
+                    Vorticity.Record(step);
                 hasLists = true;
                 particles.Advance();
             }
-            lastSubsteps = input.settings.substeps;
+            lastSubsteps = step.Substeps;
             isRestored = false;
             substepsSinceSurface += lastSubsteps;
-            FoamFor(input)?.Record(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input, WaterDepth(input.gravity), obstacles);
-            RecordEmission(cmd, input, resting);
+            FoamFor(input)?.Record(step, WaterDepth(input.gravity));
+            RecordEmission(step);
             hasNew = Emitters.IsNeeded(input.sources);
             if (!VorticityConfinement.IsNeeded(input))
                 ReleaseVorticity();
@@ -221,8 +223,9 @@ namespace Rill
         {
             statistics ??= new StatisticsPass(Layout.Capacity);
             UploadConstants(cmd, input);
-            colliders?.RecordBoundaryAtRest(cmd, constants, particles);
-            statistics.Record(cmd, constants, particles, neighborSearch, colliders);
+            StepContext step = Context(cmd, input);
+            colliders?.RecordBoundaryAtRest(step);
+            statistics.Record(step);
         }
 
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
@@ -253,28 +256,29 @@ namespace Rill
             var state = new StageDescription("Particles", true, $"capacity {Layout.Capacity:N0}");
             particles.Describe(state);
             state.Buffer("Rill.Constants", constants);
+            StepContext step = Context(null, input);
             return new List<StageDescription>
             {
                 state,
-                ParticleAccess.Describe(input, noTags, restingRegions),
-                Drains.Describe(drains, input.sources, TagsWithLifetimes, restingRegions),
+                ParticleAccess.Describe(access, step, noTags),
+                Drains.Describe(drains, step, TagsWithLifetimes),
                 RestingRegions.Describe(restingRegions, input),
-                ForceFields.Describe(forceFields, input.sources, input.settings.substeps),
+                ForceFields.Describe(forceFields, input),
                 CoarseCorrection.Describe(coarseCorrection, input, WaterDepth(input.gravity)),
                 Rill.Colliders.Describe(colliders, input),
-                Rill.ImplicitViscosity.Describe(implicitViscosity, input, Layout, densityConstraint.Lists, coarseCorrection != null, restingRegions, colliders),
-                neighborSearch.Describe(input.settings, coarseCorrection != null && implicitViscosity == null, restingRegions, colliders),
-                ParticleTags.Describe(tags, input.settings.substeps, restingRegions),
-                densityConstraint.Describe(input, coarseCorrection != null, restingRegions, colliders),
-                velocityUpdate.Describe(input, densityConstraint.Lists, restingRegions, colliders, velocityExtrapolation),
-                VelocityExtrapolation.Describe(velocityExtrapolation, input, restingRegions),
-                Rill.Viscoelasticity.Describe(viscoelasticity, input, Layout, densityConstraint.Lists, restingRegions),
-                VorticityConfinement.Describe(vorticityConfinement, input, densityConstraint.Lists, colliders),
-                Rill.Foam.Describe(foam, input, densityConstraint.Lists),
-                Emitters.Describe(emitters, input.sources, tags, restingRegions, colliders),
-                SurfaceParticles.Describe(surface, densityConstraint.Lists, restingRegions, coarseCorrection != null),
+                Rill.ImplicitViscosity.Describe(implicitViscosity, step),
+                neighborSearch.Describe(step, coarseCorrection != null && implicitViscosity == null),
+                ParticleTags.Describe(tags, step),
+                densityConstraint.Describe(step),
+                velocityUpdate.Describe(step),
+                VelocityExtrapolation.Describe(velocityExtrapolation, step),
+                Rill.Viscoelasticity.Describe(viscoelasticity, step),
+                VorticityConfinement.Describe(vorticityConfinement, step),
+                Rill.Foam.Describe(foam, step),
+                Emitters.Describe(emitters, step, tags),
+                SurfaceParticles.Describe(surface, step),
                 Rill.Queries.Describe(queries, queried, tags),
-                StatisticsPass.Describe(statistics, statisticsInterval, neighborSearch, colliders),
+                StatisticsPass.Describe(statistics, step, statisticsInterval),
             };
         }
 
@@ -315,42 +319,45 @@ namespace Rill
             return strength > 0f ? math.dot(math.abs(gravity) / strength, extent) : 0f;
         }
 
-        // Made when first needed, and again for another size of its cells; null where the scene does without.
-        CoarseCorrection CoarseFor(in StepInput input)
+        /// <param name="hasSteps">False leaves out what the last step would have left.</param>
+        StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true) => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
+            hasSteps ? coarseCorrection : null, hasSteps ? restingRegions : null, colliders, velocityExtrapolation);
+
+        // Made when first needed, and again for another size of its cells; null where the scene does without. So are the other stages.
+        void CoarseFor(in StepInput input)
         {
             if (!IsDeep(input))
             {
                 ReleaseCoarse();
-                return null;
+                return;
             }
-            float substep = input.timeStep / input.settings.substeps;
+            float substep = input.SubstepTime;
             float cellSize = CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep, coarseCorrection?.Grid.WantedSize ?? 0f);
             if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
                 ReleaseCoarse();
-            return coarseCorrection ??= new CoarseCorrection(Layout, cellSize, limits);
+            coarseCorrection ??= new CoarseCorrection(Layout, cellSize, limits);
         }
 
-        RestingRegions RestingFor(in StepInput input)
+        void RestingFor(in StepInput input)
         {
             if (RestingRegions.IsNeeded(input))
-                return restingRegions ??= new RestingRegions(Layout);
-            ReleaseResting();
-            return null;
+                restingRegions ??= new RestingRegions(Layout);
+            else
+                ReleaseResting();
         }
 
-        Colliders CollidersFor(in StepInput input)
+        void CollidersFor(in StepInput input)
         {
             if (!Rill.Colliders.IsNeeded(input))
             {
                 if (colliders != null)
                     restingRegions?.Wake();
                 ReleaseColliders();
-                return null;
+                return;
             }
             colliders ??= new Colliders(Layout);
             if (colliders.ConsumeChanges(input.colliders))
                 restingRegions?.Wake();
-            return colliders;
         }
 
         ImplicitViscosity ViscosityFor(in StepInput input)
@@ -381,12 +388,12 @@ namespace Rill
             viscoelasticity = null;
         }
 
-        VelocityExtrapolation ExtrapolationFor(in StepInput input)
+        void ExtrapolationFor(in StepInput input)
         {
             if (VelocityExtrapolation.IsNeeded(input))
-                return velocityExtrapolation ??= new VelocityExtrapolation(Layout.Capacity);
-            ReleaseExtrapolation();
-            return null;
+                velocityExtrapolation ??= new VelocityExtrapolation(Layout.Capacity);
+            else
+                ReleaseExtrapolation();
         }
 
         void ReleaseExtrapolation()

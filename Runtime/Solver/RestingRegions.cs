@@ -101,13 +101,15 @@ namespace Rill
         public void Wake() => wake = true;
 
         /// <summary>Records what rests in this substep, from the particles at its start.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, SolverLayout layout, in StepInput input)
+        public void Record(in StepContext step)
         {
-            float dt = input.timeStep / input.settings.substeps;
-            float path = input.settings.sleepSpeed * dt / layout.Spacing;
-            wake |= HasChanged(input);
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            float dt = step.SubstepTime;
+            float path = step.Input.settings.sleepSpeed * dt / step.Layout.Spacing;
+            wake |= HasChanged(step.Input);
             cmd.BeginSample(Marker);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             cmd.SetComputeFloatParam(shader, Ids.SleepDisplacement, path);
             cmd.SetComputeFloatParam(shader, Ids.JitterDisplacement, JitterRatio * path);
             cmd.SetComputeIntParam(shader, Ids.StepsToSleep, (int)math.ceil(Delay / dt));

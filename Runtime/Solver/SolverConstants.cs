@@ -77,14 +77,14 @@ namespace Rill
         /// <summary>XSPH's c of a substep. All of it acts at once: what it takes is noise within a neighborhood, of which the mean that is extrapolated has none.</summary>
         public static float Smoothing(in StepInput input)
         {
-            float dt = input.timeStep / input.settings.substeps;
+            float dt = input.SubstepTime;
             return math.min(input.material.velocitySmoothing * SmoothingRate * dt, 1f);
         }
 
         /// <param name="input">Valid settings and material; the time step is that of the whole step.</param>
         public static SolverConstants For(SolverLayout layout, in StepInput input, uint stepIndex)
         {
-            float dt = input.timeStep / input.settings.substeps;
+            float dt = input.SubstepTime;
             FluidMaterial material = input.material;
             float atOnce = VelocityExtrapolation.FractionAtOnce(input);
             double pressureAt = LatticeKernels.Support * LatticeKernels.Support * (1.0 - (double)material.artificialPressureDistance * material.artificialPressureDistance);

@@ -19,14 +19,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Statistics");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Statistics");
-        readonly int measure, measureWithColliders, reduce;
+        readonly KernelVariants measure;        // with colliders
+        readonly int reduce;
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.Statistics.Results", FluidStatistics.BlockSize));
         GraphicsBuffer partials, histogram;
 
         public StatisticsPass(int capacity)
         {
-            measure = shader.FindKernel("Measure");
-            measureWithColliders = shader.FindKernel("MeasureWithColliders");
+            measure = new KernelVariants(shader, "Measure", "MeasureWithColliders");
             reduce = shader.FindKernel("Reduce");
             int groups = (capacity + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
@@ -43,24 +43,25 @@ namespace Rill
         /// <summary>The newest result, uint bits as Statistics.compute writes them.</summary>
         public NativeArray<uint> Latest => readback.Latest;
 
-        /// <summary>Records the measuring of the current state.</summary>
-        /// <param name="colliders">Whose boundary lies ready at rest; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, Colliders colliders = null)
+        /// <summary>Records the measuring of the current state; the boundary of the colliders lies ready at rest.</summary>
+        public void Record(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
-            search.RecordOrderAtRest(cmd, constants, particles);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.Search.RecordOrderAtRest(cmd, step.Constants, particles);
+            step.BindConstants(shader);
 
-            int kernel = colliders == null ? measure : measureWithColliders;
-            if (colliders != null)
+            int kernel = measure.For(step.Colliders != null).Index;
+            if (step.Colliders != null)
             {
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, colliders.Boundary);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, colliders.Distances);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Boundary, step.Colliders.Boundary);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.Distances, step.Colliders.Distances);
             }
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, search.Order);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Partials, partials);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Histogram, histogram);
@@ -88,18 +89,18 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        /// <param name="colliders">Null for none.</param>
-        public static StageDescription Describe(StatisticsPass stage, int interval, NeighborSearch neighborSearch, Colliders colliders)
+        /// <param name="interval">Steps between measurements; 0 for none.</param>
+        public static StageDescription Describe(StatisticsPass stage, in StepContext step, int interval)
         {
             var description = new StageDescription("Statistics", interval > 0, interval > 0 ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
             if (stage == null)
                 return description;
             description.Kernel("NeighborSearch", "CountCellsAtRest", 0);
-            neighborSearch.DescribePrefixSum(description);
+            step.Search.DescribePrefixSum(description);
             description.Kernel("NeighborSearch", "ScatterOrder", 0);
-            if (colliders != null)
+            if (step.Colliders != null)
                 description.Kernel("Colliders", "FindBoundary", 0);
-            description.Kernel("Statistics", colliders == null ? "Measure" : "MeasureWithColliders", 0);
+            description.Kernel("Statistics", stage.measure.For(step.Colliders != null).Name, 0);
             description.Kernel("Statistics", "Reduce", 0);
             description.Buffer("Rill.Statistics.Partials", stage.partials);
             description.Buffer("Rill.Statistics.Histogram", stage.histogram);

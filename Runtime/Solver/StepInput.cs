@@ -29,5 +29,8 @@ namespace Rill
         public FoamSettings foam;
         /// <summary>Of the random numbers of foam.</summary>
         public int foamSeed;
+
+        /// <summary>Length of a substep, s.</summary>
+        public float SubstepTime => timeStep / settings.substeps;
     }
 }

@@ -31,7 +31,8 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Surface");
 
         readonly ComputeShader shader = StageShader.LoadCompute("SurfaceParticles");
-        readonly int addNew, estimate, estimateWide, storeDrawn, smooth, shape;
+        readonly KernelVariants estimate;     // that leave out what lies deep
+        readonly int addNew, storeDrawn, smooth, shape;
         readonly bool isWide = DeviceLimits.Current.Holds("SurfaceParticles", "Estimate" + KernelNeed.Wide);
         readonly LocalKeyword twoLists, sleep;
         GraphicsBuffer surface, counters, arguments, planes, smoothPlanes, planesBefore;
@@ -40,8 +41,7 @@ namespace Rill
         public SurfaceParticles(SolverLayout layout)
         {
             addNew = shader.FindKernel("AddNew");
-            estimate = shader.FindKernel("Estimate");
-            estimateWide = shader.FindKernel("Estimate" + KernelNeed.Wide);
+            estimate = new KernelVariants(shader, "Estimate", "Estimate" + KernelNeed.Wide);
             storeDrawn = shader.FindKernel("StoreDrawn");
             smooth = shader.FindKernel("Smooth");
             shape = shader.FindKernel("Shape");
@@ -83,32 +83,29 @@ namespace Rill
         public GraphicsBuffer Counters => counters;
 
         /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
-        /// <param name="constants">Those of the last step; null where there was none since the fluid was cleared or restored: all particles are then drawn as what is new.</param>
-        /// <param name="search">As the last substep left it; read for what sleeps.</param>
+        /// <param name="hasSteps">Whether there was one since the fluid was cleared or restored: if not, all particles are drawn as what is new.</param>
         /// <param name="hasNew">Whether particles may have come since the last step.</param>
-        /// <param name="substepTime">Length of a substep, s.</param>
         /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
         /// <param name="substepsSince">Substeps since the surface before.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="coarse">Null where the last step was none of deep water.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, bool hasNew, float substepTime, int version, int substepsSince, RestingRegions resting = null, CoarseCorrection coarse = null)
+        public void Record(in StepContext step, bool hasSteps, bool hasNew, int version, int substepsSince)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
-            lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
+            step.Lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
             cmd.SetComputeIntParam(shader, Ids.SurfaceCapacity, surface.count);
-            if (hasNew)
-                RecordNew(cmd, particles, constants == null, substepTime);
-            if (constants != null)
+            if (hasNew || !hasSteps)
+                RecordNew(step, !hasSteps);
+            if (hasSteps)
             {
-                cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-                RecordEstimate(cmd, particles, lists, search, resting, coarse);
+                step.BindConstants(shader);
+                RecordEstimate(step);
             }
             RecordDrawn(cmd);
-            if (constants != null)
+            if (hasSteps)
             {
-                RecordSmoothing(cmd, particles, lists, search, resting);
-                RecordShape(cmd, particles, lists, search, version, substepsSince, resting);
+                RecordSmoothing(step);
+                RecordShape(step, version, substepsSince);
             }
             cmd.EndSample(Marker);
         }
@@ -124,17 +121,15 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        /// <param name="resting">Null for none.</param>
-        /// <param name="isDeep">Whether a step solves for the pressure of deep water.</param>
-        public static StageDescription Describe(SurfaceParticles stage, NeighborLists lists, RestingRegions resting, bool isDeep)
+        public static StageDescription Describe(SurfaceParticles stage, in StepContext step)
         {
             string reason = stage != null ? $"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over what is drawn" : "no component draws the surface";
             var description = new StageDescription("Surface particles", stage != null, reason);
             if (stage == null)
                 return description;
-            string variant = RestingRegions.Variant(lists.Variant, resting);
+            string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
             description.Kernel("SurfaceParticles", "AddNew", 0);
-            description.Kernel("SurfaceParticles", isDeep && stage.isWide ? "Estimate" + KernelNeed.Wide : "Estimate", 0, variant);
+            description.Kernel("SurfaceParticles", stage.estimate.For(stage.LeavesOutDeep(step)).Name, 0, variant);
             description.Kernel("SurfaceParticles", "StoreDrawn", 0);
             description.Kernel("SurfaceParticles", "Smooth", 0, variant);
             description.Kernel("SurfaceParticles", "Shape", 0, variant);
@@ -147,10 +142,14 @@ namespace Rill
             return description;
         }
 
-        void RecordNew(CommandBuffer cmd, ParticleBuffers particles, bool all, float substepTime)
+        bool LeavesOutDeep(in StepContext step) => isWide && step.Coarse != null;
+
+        void RecordNew(in StepContext step, bool all)
         {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
             cmd.SetComputeIntParam(shader, Ids.AllNew, all ? 1 : 0);
-            cmd.SetComputeFloatParam(shader, Ids.SubstepTime, substepTime);
+            cmd.SetComputeFloatParam(shader, Ids.SubstepTime, step.SubstepTime);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, addNew, Ids.Counters, particles.Counters);
@@ -159,20 +158,20 @@ namespace Rill
             cmd.DispatchCompute(shader, addNew, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
-        void RecordEstimate(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting, CoarseCorrection coarse)
+        void RecordEstimate(in StepContext step)
         {
-            bool leavesOutDeep = isWide && coarse != null;
-            int kernel = leavesOutDeep ? estimateWide : estimate;
-            if (leavesOutDeep)
+            CommandBuffer cmd = step.Commands;
+            int kernel = estimate.For(LeavesOutDeep(step)).Index;
+            if (LeavesOutDeep(step))
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarse.Constants, 0, coarse.Constants.stride);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, coarse.Surface);
+                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, step.Coarse.Surface);
             }
-            BindNeighbors(cmd, kernel, particles, lists, search, resting);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            BindNeighbors(step, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Planes, planes);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SmoothPlanes, smoothPlanes);
-            cmd.DispatchCompute(shader, kernel, particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.DispatchCompute(shader, kernel, step.Particles.AliveArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         void RecordDrawn(CommandBuffer cmd)
@@ -182,9 +181,10 @@ namespace Rill
             cmd.DispatchCompute(shader, storeDrawn, 1, 1, 1);
         }
 
-        void RecordSmoothing(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        void RecordSmoothing(in StepContext step)
         {
-            BindNeighbors(cmd, smooth, particles, lists, search, resting);
+            CommandBuffer cmd = step.Commands;
+            BindNeighbors(step, smooth);
             for (int pass = 0; pass < SmoothingPasses; pass++)
             {
                 cmd.SetComputeBufferParam(shader, smooth, Ids.Planes, planes);
@@ -194,26 +194,28 @@ namespace Rill
             }
         }
 
-        void RecordShape(CommandBuffer cmd, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, int version, int substepsSince, RestingRegions resting)
+        void RecordShape(in StepContext step, int version, int substepsSince)
         {
-            BindNeighbors(cmd, shape, particles, lists, search, resting);
+            CommandBuffer cmd = step.Commands;
+            BindNeighbors(step, shape);
             cmd.SetComputeBufferParam(shader, shape, Ids.Planes, planes);
             cmd.SetComputeIntParam(shader, Ids.SurfaceVersion, version);
             cmd.SetComputeFloatParam(shader, Ids.SinceSurface, substepsSince);
-            cmd.SetComputeBufferParam(shader, shape, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, shape, Ids.ParticleIds, step.Particles.Ids);
             cmd.SetComputeBufferParam(shader, shape, Ids.PlanesBefore, planesBefore);
             cmd.DispatchCompute(shader, shape, arguments, GpuBuffer.DispatchArgumentsAt);
         }
 
-        void BindNeighbors(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, NeighborSearch search, RestingRegions resting)
+        void BindNeighbors(in StepContext step, int kernel)
         {
-            lists.Bind(cmd, shader, kernel);
-            if (resting != null)
+            CommandBuffer cmd = step.Commands;
+            step.Lists.Bind(cmd, shader, kernel);
+            if (step.Resting != null)
             {
-                resting.Bind(cmd, shader, kernel);
-                cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
+                step.Resting.Bind(cmd, shader, kernel);
+                cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
             }
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Surface, surface);
             cmd.SetComputeBufferParam(shader, kernel, Ids.SurfaceCounters, counters);
         }

@@ -47,7 +47,7 @@ namespace Rill
         /// <summary>Longest change of velocity in a substep that is extrapolated, d/s.</summary>
         public static float Longest(in StepInput input, float spacing)
         {
-            float dt = input.timeStep / input.settings.substeps;
+            float dt = input.SubstepTime;
             float strongest = math.length(input.gravity) / spacing;
             for (int i = 0; i < (input.sources?.fieldCount ?? 0); i++)
                 strongest = math.max(strongest, math.abs(input.sources.fields[i].strength));
@@ -74,7 +74,7 @@ namespace Rill
         /// <summary>Binds what the velocity update of a substep reads and leaves.</summary>
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel, in StepInput input)
         {
-            float dt = input.timeStep / input.settings.substeps, weight = WeightFor(input);
+            float dt = input.SubstepTime, weight = WeightFor(input);
             float lastOverThis = lastTimeStep > 0f ? lastTimeStep / dt : 1f;
             cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f : 1f / (lastWeight * lastOverThis + 1f - weight));
             cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
@@ -92,14 +92,14 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(VelocityExtrapolation stage, in StepInput input, RestingRegions resting)
+        public static StageDescription Describe(VelocityExtrapolation stage, in StepContext step)
         {
+            StepInput input = step.Input;
             bool needed = IsNeeded(input);
             var description = new StageDescription("Velocity extrapolation", needed, needed ? $"numerical damping {input.settings.numericalDamping} of a first-order step's" : Viscoelasticity.IsNeeded(input) ? "the fluid is elastic" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;
-            description.Kernel("NeighborSearch", "GatherMeans", input.settings.substeps, RestingRegions.Variant(null, resting));
+            description.Kernel("NeighborSearch", "GatherMeans", step.Substeps, RestingRegions.Variant(null, step.Resting));
             description.Buffer("Rill.Means", stage.means);
             description.Buffer("Rill.SortedMeans", stage.sorted);
             return description;

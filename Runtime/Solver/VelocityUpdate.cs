@@ -10,16 +10,14 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Velocity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VelocityUpdate");
-        readonly int update, updateViscous, updateViscousWithColliders, updateExtrapolated, updateExtrapolatedWithColliders;
+        readonly Kernel update;
+        readonly KernelVariants updateWithNeighbors;      // extrapolated, with colliders
         readonly LocalKeyword twoLists, sleep;
 
         public VelocityUpdate()
         {
-            update = shader.FindKernel("UpdateVelocity");
-            updateViscous = shader.FindKernel("UpdateVelocityViscous");
-            updateViscousWithColliders = shader.FindKernel("UpdateVelocityViscousWithColliders");
-            updateExtrapolated = shader.FindKernel("UpdateVelocityExtrapolated");
-            updateExtrapolatedWithColliders = shader.FindKernel("UpdateVelocityExtrapolatedWithColliders");
+            update = new Kernel(shader, "UpdateVelocity");
+            updateWithNeighbors = new KernelVariants(shader, "UpdateVelocityViscous", "UpdateVelocityExtrapolated", "UpdateVelocityViscousWithColliders", "UpdateVelocityExtrapolatedWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
@@ -30,21 +28,22 @@ namespace Rill
             return VelocityExtrapolation.IsNeeded(input) || (input.material.velocitySmoothing > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
         }
 
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, in StepInput input, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
+        public void Record(in StepContext step)
         {
-            bool visits = VisitsNeighbors(input);
-            int kernel = extrapolation != null ? colliders == null ? updateExtrapolated : updateExtrapolatedWithColliders
-                : !visits ? update : colliders == null ? updateViscous : updateViscousWithColliders;
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            bool visits = VisitsNeighbors(step.Input);
+            int kernel = KernelFor(step).Index;
             cmd.BeginSample(Marker);
-            lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
-            resting?.Bind(cmd, shader, kernel);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.Lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            step.Resting?.Bind(cmd, shader, kernel);
+            step.BindConstants(shader);
             if (visits)
-                lists.Bind(cmd, shader, kernel);
-            extrapolation?.Bind(cmd, shader, kernel, input);
-            if (visits && colliders != null)
-                colliders.BindDensity(cmd, shader, kernel);
+                step.Lists.Bind(cmd, shader, kernel);
+            step.Extrapolation?.Bind(cmd, shader, kernel, step.Input);
+            if (visits && step.Colliders != null)
+                step.Colliders.BindDensity(cmd, shader, kernel);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
@@ -54,19 +53,18 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <param name="resting">Null for none.</param>
-        /// <param name="colliders">Null for none.</param>
-        public StageDescription Describe(in StepInput input, NeighborLists lists, RestingRegions resting, Colliders colliders, VelocityExtrapolation extrapolation)
+        public StageDescription Describe(in StepContext step)
         {
-            bool visits = VisitsNeighbors(input);
-            string reason = visits
-                ? input.material.velocitySmoothing > 0f ? $"with XSPH: velocity smoothing is {input.material.velocitySmoothing}" : "with neighbors: the density is shown"
-                : VorticityConfinement.IsNeeded(input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
+            FluidMaterial material = step.Input.material;
+            string reason = VisitsNeighbors(step.Input)
+                ? material.velocitySmoothing > 0f ? $"with XSPH: velocity smoothing is {material.velocitySmoothing}" : "with neighbors: the density is shown"
+                : VorticityConfinement.IsNeeded(step.Input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
-            string kernel = VelocityExtrapolation.IsNeeded(input) ? "UpdateVelocityExtrapolated" : visits ? "UpdateVelocityViscous" : "UpdateVelocity";
-            stage.Kernel("VelocityUpdate", visits && colliders != null ? kernel + "WithColliders" : kernel, input.settings.substeps, RestingRegions.Variant(lists.Variant, resting));
+            stage.Kernel("VelocityUpdate", KernelFor(step).Name, step.Substeps, RestingRegions.Variant(step.Lists.Variant, step.Resting));
             return stage;
         }
+
+        Kernel KernelFor(in StepContext step) => VisitsNeighbors(step.Input) ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
 
         static class Ids
         {

@@ -63,24 +63,24 @@ namespace Rill
         public static bool IsNeeded(in StepInput input) => input.material.shearModulus > 0f;
 
         /// <summary>Records how the stretch follows the particles' way in this substep and what its stress does to their velocities.</summary>
-        /// <param name="resting">Whose particles keep their stretch and their rest; null for none.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, SolverLayout layout, in StepInput input, RestingRegions resting = null)
+        public void Record(in StepContext step)
         {
-            FluidMaterial material = input.material;
-            float dt = input.timeStep / input.settings.substeps;
+            CommandBuffer cmd = step.Commands;
+            FluidMaterial material = step.Input.material;
+            float dt = step.SubstepTime, spacing = step.Layout.Spacing;
             cmd.BeginSample(Marker);
-            lists.RecordKeyword(cmd, shader, twoLists);
-            RestingRegions.RecordKeyword(cmd, shader, sleep, resting);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * layout.Spacing * layout.Spacing));
+            step.Lists.RecordKeyword(cmd, shader, twoLists);
+            RestingRegions.RecordKeyword(cmd, shader, sleep, step.Resting);
+            step.BindConstants(shader);
+            cmd.SetComputeFloatParam(shader, Ids.Stiffness, material.shearModulus * dt * dt / (material.density * spacing * spacing));
             cmd.SetComputeFloatParam(shader, Ids.Relaxing, math.exp(-0.5f * dt / material.relaxationTime));
 
             cmd.SetComputeBufferParam(shader, deform, Ids.PreviousIndices, previousIndices);
             cmd.SetComputeBufferParam(shader, deform, Ids.Conformation, conformation);
             cmd.SetComputeBufferParam(shader, deform, Ids.Deformed, deformed);
-            Dispatch(cmd, deform, particles, lists, resting);
-            cmd.SetComputeBufferParam(shader, applyStress, Ids.Velocities, particles.Velocities);
-            Dispatch(cmd, applyStress, particles, lists, resting);
+            Dispatch(step, deform);
+            cmd.SetComputeBufferParam(shader, applyStress, Ids.Velocities, step.Particles.Velocities);
+            Dispatch(step, applyStress);
             cmd.EndSample(Marker);
             (conformation, deformed) = (deformed, conformation);
         }
@@ -94,17 +94,16 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        /// <param name="resting">Null for none.</param>
-        public static StageDescription Describe(Viscoelasticity stage, in StepInput input, SolverLayout layout, NeighborLists lists, RestingRegions resting)
+        public static StageDescription Describe(Viscoelasticity stage, in StepContext step)
         {
-            bool needed = IsNeeded(input);
-            var description = new StageDescription("Viscoelasticity", needed, Reason(input, layout));
+            bool needed = IsNeeded(step.Input);
+            var description = new StageDescription("Viscoelasticity", needed, Reason(step));
             if (!needed || stage == null)
                 return description;
-            string variant = RestingRegions.Variant(lists.Variant, resting);
-            description.Kernel("NeighborSearch", "GatherPreviousIndices", input.settings.substeps, RestingRegions.Variant(null, resting));
-            description.Kernel("Viscoelasticity", "Deform", input.settings.substeps, variant);
-            description.Kernel("Viscoelasticity", "ApplyStress", input.settings.substeps, variant);
+            string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);
+            description.Kernel("NeighborSearch", "GatherPreviousIndices", step.Substeps, RestingRegions.Variant(null, step.Resting));
+            description.Kernel("Viscoelasticity", "Deform", step.Substeps, variant);
+            description.Kernel("Viscoelasticity", "ApplyStress", step.Substeps, variant);
             description.Buffer("Rill.Conformation", stage.conformation);
             description.Buffer("Rill.DeformedConformation", stage.deformed);
             description.Buffer("Rill.Stress", stage.stress);
@@ -112,25 +111,26 @@ namespace Rill
             return description;
         }
 
-        static string Reason(in StepInput input, SolverLayout layout)
+        static string Reason(in StepContext step)
         {
-            FluidMaterial material = input.material;
+            FluidMaterial material = step.Input.material;
             if (material.shearModulus <= 0f)
                 return "the shear modulus is 0";
             string text = $"shear modulus {material.shearModulus} Pa, relaxing in {material.relaxationTime} s";
-            float largest = material.MaxShearModulus(layout.Spacing, input.timeStep / input.settings.substeps);
+            float largest = material.MaxShearModulus(step.Layout.Spacing, step.SubstepTime);
             return material.shearModulus > largest ? $"{text}; at this spacing and substep it acts like {largest:G3} Pa" : text;
         }
 
-        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists, RestingRegions resting)
+        void Dispatch(in StepContext step, int kernel)
         {
-            lists.Bind(cmd, shader, kernel);
-            resting?.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
+            CommandBuffer cmd = step.Commands;
+            step.Lists.Bind(cmd, shader, kernel);
+            step.Resting?.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, step.Particles.Start);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Stress, stress);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         public static class Ids

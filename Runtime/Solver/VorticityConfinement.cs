@@ -12,15 +12,15 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Vorticity");
 
         readonly ComputeShader shader = StageShader.LoadCompute("VorticityConfinement");
-        readonly int curlKernel, confineKernel, confineBesideKernel;
+        readonly int curlKernel;
+        readonly KernelVariants confineKernel;        // with colliders
         readonly LocalKeyword twoLists;
         GraphicsBuffer curl, confined;
 
         public VorticityConfinement(int capacity)
         {
             curlKernel = shader.FindKernel("Curl");
-            confineKernel = shader.FindKernel("Confine");
-            confineBesideKernel = shader.FindKernel("ConfineWithColliders");
+            confineKernel = new KernelVariants(shader, "Confine", "ConfineWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             curl = GpuBuffer.Structured<float4>("Rill.Curl", capacity);
             confined = GpuBuffer.Structured<float4>("Rill.Confined", capacity);
@@ -32,18 +32,19 @@ namespace Rill
         public static bool IsNeeded(in StepInput input) => input.material.vorticity > 0f;
 
         /// <summary>Records both passes; the particles' velocity buffer and this stage's output change places.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborLists lists, Colliders colliders = null)
+        public void Record(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
             cmd.BeginSample(Marker);
-            lists.RecordKeyword(cmd, shader, twoLists);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            Dispatch(cmd, curlKernel, particles, lists);
-            int confine = colliders == null ? confineKernel : confineBesideKernel;
-            colliders?.BindDensity(cmd, shader, confine);
+            step.Lists.RecordKeyword(cmd, shader, twoLists);
+            step.BindConstants(shader);
+            Dispatch(step, curlKernel);
+            int confine = confineKernel.For(step.Colliders != null).Index;
+            step.Colliders?.BindDensity(cmd, shader, confine);
             cmd.SetComputeBufferParam(shader, confine, Ids.Confined, confined);
-            Dispatch(cmd, confine, particles, lists);
+            Dispatch(step, confine);
             cmd.EndSample(Marker);
-            (particles.Velocities, confined) = (confined, particles.Velocities);
+            (step.Particles.Velocities, confined) = (confined, step.Particles.Velocities);
         }
 
         public void Dispose()
@@ -53,14 +54,14 @@ namespace Rill
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
-        public static StageDescription Describe(VorticityConfinement stage, in StepInput input, NeighborLists lists, Colliders colliders)
+        public static StageDescription Describe(VorticityConfinement stage, in StepContext step)
         {
-            bool needed = IsNeeded(input);
-            var description = new StageDescription("Vorticity confinement", needed, $"vorticity is {input.material.vorticity} m/s");
-            if (needed)
+            bool needed = IsNeeded(step.Input);
+            var description = new StageDescription("Vorticity confinement", needed, $"vorticity is {step.Input.material.vorticity} m/s");
+            if (needed && stage != null)
             {
-                description.Kernel("VorticityConfinement", "Curl", input.settings.substeps, lists.Variant);
-                description.Kernel("VorticityConfinement", colliders == null ? "Confine" : "ConfineWithColliders", input.settings.substeps, lists.Variant);
+                description.Kernel("VorticityConfinement", "Curl", step.Substeps, step.Lists.Variant);
+                description.Kernel("VorticityConfinement", stage.confineKernel.For(step.Colliders != null).Name, step.Substeps, step.Lists.Variant);
             }
             if (stage != null)
             {
@@ -70,14 +71,15 @@ namespace Rill
             return description;
         }
 
-        void Dispatch(CommandBuffer cmd, int kernel, ParticleBuffers particles, NeighborLists lists)
+        void Dispatch(in StepContext step, int kernel)
         {
-            lists.Bind(cmd, shader, kernel);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Predicted);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            CommandBuffer cmd = step.Commands;
+            step.Lists.Bind(cmd, shader, kernel);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Predicted);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Curl, curl);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, kernel, particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            cmd.DispatchCompute(shader, kernel, step.Particles.SortedArguments, GpuBuffer.DispatchArgumentsAt);
         }
 
         static class Ids

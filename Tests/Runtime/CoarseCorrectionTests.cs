@@ -325,7 +325,7 @@ namespace Rill.Tests
             using (var stages = new SolverStages(state, SolverStages.Still()).Sort())
             using (var coarse = new CoarseCorrection(stages.Layout, 4f))
             {
-                GpuTest.Run(cmd => stages.Constraint.RecordList(cmd, stages.Constants, stages.Particles, stages.Search, coarse));
+                GpuTest.Run(cmd => stages.Constraint.RecordList(stages.Context(cmd, stages.Input, coarse)));
                 float4[] sorted = stages.Multipliers;
                 double3[] points = Compare.Points(sorted);
                 var reference = new Constraint(state.box, points, Neighbors.ByCells(points, Kernels.H));

@@ -3,6 +3,7 @@ using System.Linq;
 using Rill.Tests.Reference;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
@@ -18,6 +19,8 @@ namespace Rill.Tests
         public readonly CoarseCorrection Correction;
         readonly ParticleState state;
         readonly float3 gravity;
+        readonly SolverLayout layout;
+        readonly StepInput input;
         readonly ParticleBuffers particles;
         readonly NeighborSearch search;
         readonly GraphicsBuffer constants;
@@ -28,10 +31,10 @@ namespace Rill.Tests
         {
             this.state = state;
             this.gravity = gravity;
-            var input = SolverStages.Still();
+            input = SolverStages.Still();
             input.timeStep = TimeStep;
             input.gravity = gravity;
-            var layout = new SolverLayout(state.box * SolverStages.Spacing, SolverStages.Spacing, state.Count + 5, 96, 1f);
+            layout = new SolverLayout(state.box * SolverStages.Spacing, SolverStages.Spacing, state.Count + 5, 96, 1f);
             particles = new ParticleBuffers(state.Count + 5);
             state.WriteTo(particles);
             search = new NeighborSearch(layout);
@@ -70,13 +73,16 @@ namespace Rill.Tests
         public float4[] Velocities => GpuTest.Read<float4>(particles.Velocities, state.Count);
         public uint[] Bins => GpuTest.Read<uint>(Correction.Bins, Correction.Bins.count);
 
+        StepContext Context(CommandBuffer cmd) => new StepContext(cmd, constants, particles, search, null, layout, input, Correction);
+
         public CoarseStages Project()
         {
             isProjected = true;
             GpuTest.Run(cmd =>
             {
-                Correction.RecordProjection(cmd, constants, particles);
-                search.RecordSort(cmd, constants, particles, Correction);
+                StepContext step = Context(cmd);
+                Correction.RecordProjection(step);
+                search.RecordSort(step, takesProjection: true);
             });
             return this;
         }
@@ -86,7 +92,7 @@ namespace Rill.Tests
             if (!isProjected)       // which finds the surface for both
                 Correction.Cells.surface.SetData(Cells.fill.Select(fill => math.asuint((float)fill) & ~SurfaceFlags).ToArray());
             Correction.Bins.SetData(ErrorBins(Grid, state.box, state.positions, errors));
-            GpuTest.Run(cmd => Correction.RecordDensity(cmd, constants));
+            GpuTest.Run(cmd => Correction.RecordDensity(Context(cmd)));
             return this;
         }
 

@@ -223,7 +223,7 @@ namespace Rill.Tests
             {
                 uint once = stages.Counter(ParticleCounter.Overflow);
                 // The state is as after a step in which nothing moved.
-                GpuTest.Run(cmd => stages.Search.RecordSort(cmd, stages.Constants, stages.Particles, null));
+                GpuTest.Run(cmd => stages.Search.RecordSort(stages.Context(cmd), takesProjection: false));
                 stages.Constrain(iterations: 0);
                 Assert.That(stages.Counter(ParticleCounter.Overflow), Is.EqualTo(once).And.GreaterThan(0u));
             }

@@ -125,7 +125,7 @@ namespace Rill.Tests
                 GpuTest.Run(cmd =>
                 {
                     fields.Upload(cmd, sources);
-                    fields.Record(cmd, stages.Constants, stages.Particles, stages.Layout);
+                    fields.Record(stages.Context(cmd));
                 });
                 return GpuTest.Read<float4>(stages.Particles.Velocities, state.Count);
             }

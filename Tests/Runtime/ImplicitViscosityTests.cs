@@ -106,7 +106,7 @@ namespace Rill.Tests
 
             public Stage Run()
             {
-                GpuTest.Run(cmd => stage.Record(cmd, Stages.Constants, Stages.Particles, Stages.Constraint.Lists, Stages.Layout, Stages.Input));
+                GpuTest.Run(cmd => stage.Record(Stages.Context(cmd)));
                 return this;
             }
 

@@ -302,7 +302,7 @@ namespace Rill.Tests
             public uint[] Run(int steps)
             {
                 for (int i = 0; i < steps; i++)
-                    GpuTest.Run(cmd => regions.Record(cmd, constants, particles, layout, input));
+                    GpuTest.Run(cmd => regions.Record(new StepContext(cmd, constants, particles, null, null, layout, input)));
                 return GpuTest.Read<uint>(regions.States, regions.States.count);
             }
 

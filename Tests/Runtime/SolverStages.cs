@@ -66,9 +66,14 @@ namespace Rill.Tests
 
         public uint Counter(ParticleCounter counter) => GpuTest.Read<uint>(Particles.Counters, ParticleBuffers.CounterCount)[(int)counter];
 
+        /// <summary>What a stage gets that is run alone.</summary>
+        public StepContext Context(CommandBuffer cmd) => Context(cmd, Input);
+
+        public StepContext Context(CommandBuffer cmd, in StepInput input, CoarseCorrection coarse = null) => new StepContext(cmd, Constants, Particles, Search, Constraint.Lists, Layout, input, coarse);
+
         public SolverStages Sort()
         {
-            GpuTest.Run(cmd => Search.RecordSort(cmd, Constants, Particles, null));
+            GpuTest.Run(cmd => Search.RecordSort(Context(cmd), takesProjection: false));
             return this;
         }
 
@@ -76,13 +81,15 @@ namespace Rill.Tests
         /// <param name="coarse">Adds its density correction; null for none.</param>
         public SolverStages Constrain(int iterations, CoarseCorrection coarse = null)
         {
-            GpuTest.Run(cmd => Constraint.Record(cmd, Constants, Particles, Search, iterations, Input.material.artificialPressure > 0f, coarse));
+            StepInput input = Input;
+            input.settings.iterations = iterations;
+            GpuTest.Run(cmd => Constraint.Record(Context(cmd, input, coarse)));
             return this;
         }
 
         public SolverStages UpdateVelocities()
         {
-            GpuTest.Run(cmd => VelocityUpdate.Record(cmd, Constants, Particles, Constraint.Lists, Input));
+            GpuTest.Run(cmd => VelocityUpdate.Record(Context(cmd)));
             return this;
         }
 

@@ -243,7 +243,7 @@ namespace Rill.Tests
                 uint[] counters = GpuTest.Read<uint>(stages.Particles.Counters, ParticleBuffers.CounterCount);
                 counters[(int)ParticleCounter.Overflow] = counters[(int)ParticleCounter.MaxNeighbors] = 0;
                 stages.Particles.Counters.SetData(counters);
-                GpuTest.Run(cmd => pass.Record(cmd, stages.Constants, stages.Particles, stages.Search));
+                GpuTest.Run(cmd => pass.Record(stages.Context(cmd)));
                 pass.Request();
                 AsyncGPUReadback.WaitAllRequests();
                 return FluidStatistics.From(pass.Latest, stages.Layout, 1000f, new float3(0f, -9.81f, 0f), 1f / 60f);

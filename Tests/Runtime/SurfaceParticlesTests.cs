@@ -304,7 +304,7 @@ namespace Rill.Tests
 
             public Found Record()
             {
-                GpuTest.Run(cmd => stage.Record(cmd, Stages.Constants, Stages.Particles, Stages.Constraint.Lists, Stages.Search, hasNew: true, substepTime: 1f / 60f, version: 2, substepsSince: 0));
+                GpuTest.Run(cmd => stage.Record(Stages.Context(cmd), hasSteps: true, hasNew: true, version: 2, substepsSince: 0));
                 return this;
             }
 

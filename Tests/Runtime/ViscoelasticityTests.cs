@@ -219,7 +219,7 @@ namespace Rill.Tests
             public Stage Run(int count = 1)
             {
                 for (int i = 0; i < count; i++)
-                    GpuTest.Run(cmd => stage.Record(cmd, Stages.Constants, Stages.Particles, Stages.Constraint.Lists, Stages.Layout, Stages.Input));
+                    GpuTest.Run(cmd => stage.Record(Stages.Context(cmd)));
                 return this;
             }
 

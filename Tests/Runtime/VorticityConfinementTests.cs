@@ -125,7 +125,7 @@ namespace Rill.Tests
 
                 stage = new VorticityConfinement(Stages.Layout.Capacity);
                 GpuTest.FillWithGarbage(stage.Curl);
-                GpuTest.Run(cmd => stage.Record(cmd, Stages.Constants, Stages.Particles, Stages.Constraint.Lists));
+                GpuTest.Run(cmd => stage.Record(Stages.Context(cmd)));
                 Curl = GpuTest.Read<float4>(stage.Curl, Stages.Sorted);
                 Confined = Stages.Velocities;
             }

@@ -37,8 +37,10 @@ namespace Rill
         public GraphicsBuffer Flow => flow;
 
         /// <summary>Records what is open in this substep: nothing where all colliders rest as they did.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, GraphicsBuffer coarseConstants, Colliders colliders)
+        public void Record(in StepContext step, GraphicsBuffer coarseConstants)
         {
+            CommandBuffer cmd = step.Commands;
+            Colliders colliders = step.Colliders;
             volume = colliders;
             Reacting = colliders.Reactions != null ? colliders : null;
             recorded = colliders.Changes != seen;
@@ -46,7 +48,7 @@ namespace Rill
                 return;
             seen = colliders.Changes;
             cmd.BeginSample(Marker);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             colliders.BindShapes(cmd, shader, openCells);
             cmd.SetComputeBufferParam(shader, openCells, Ids.OpenCells, raw);

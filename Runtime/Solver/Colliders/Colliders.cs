@@ -20,7 +20,7 @@ namespace Rill
 
         readonly ComputeShader shader = StageShader.LoadCompute("Colliders");
         readonly int binColliders, measureColliderVolume, findBoundary;
-        readonly int[] collidePaths, collide, collideLast;        // without and with reactions
+        readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
         readonly FieldAtlas meshes, heights;
         readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
         readonly int3 cells;
@@ -37,10 +37,9 @@ namespace Rill
         {
             binColliders = shader.FindKernel("BinColliders");
             measureColliderVolume = shader.FindKernel("MeasureColliderVolume");
-            collidePaths = Kernels("CollidePaths");
+            collidePaths = new KernelVariants(shader, "CollidePaths", "CollidePathsReact");
             findBoundary = shader.FindKernel("FindBoundary");
-            collide = Kernels("Collide");
-            collideLast = Kernels("CollideLast");
+            collide = new KernelVariants(shader, "Collide", "CollideLast", "CollideReact", "CollideLastReact");
 
             cellSize = SmallestCell;
             while (Cells(layout.DomainSize, cellSize) > MaxCells)
@@ -86,21 +85,21 @@ namespace Rill
         public void Adopt(ColliderSet set) => seenVersion = set.Version;
 
         /// <summary>Records where the colliders are in a substep; little where all rest as they did.</summary>
-        /// <param name="deep">Whether a coarse correction runs.</param>
         /// <exception cref="ArgumentException">The fields of the meshes, or the heights, do not fit a texture.</exception>
-        public void RecordSubstep(CommandBuffer cmd, GraphicsBuffer solverConstants, in StepInput input, int substep, bool deep, RestingRegions resting)
+        public void RecordSubstep(in StepContext step, int substep)
         {
+            CommandBuffer cmd = step.Commands;
+            StepInput input = step.Input;
             ColliderSet set = input.colliders;
             bool changed = meshes.Hold(set) | heights.Hold(set) | Reserve((set.Count + WordBits - 1) / WordBits) | set.Count != recordedCount;
             recordedCount = set.Count;
-            int substeps = input.settings.substeps;
-            float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)substeps);
-            float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)substeps);
+            float from = math.lerp(input.frameFrom, input.frameTo, substep / (float)step.Substeps);
+            float to = math.lerp(input.frameFrom, input.frameTo, (substep + 1) / (float)step.Substeps);
             for (int i = 0; i < set.Count; i++)
             {
                 ref readonly ColliderMotion motion = ref set.Items[i];
                 FieldBrick brick = (motion.shape == ColliderShape.HeightField ? heights : meshes).Brick(motion);
-                ColliderState state = ColliderState.For(motion, from, to, input.timeStep / substeps, VelocityExtrapolation.FractionAtOnce(input), ImplicitViscosity.IsNeeded(input), brick);
+                ColliderState state = ColliderState.For(motion, from, to, step.SubstepTime, VelocityExtrapolation.FractionAtOnce(input), ImplicitViscosity.IsNeeded(input), brick);
                 changed |= !state.Equals(statesUpload[i]);
                 statesUpload[i] = state;
             }
@@ -112,14 +111,14 @@ namespace Rill
                 colliderCellSize = cellSize,
                 inverseColliderCellSize = 1f / cellSize,
                 colliderCount = (uint)set.Count,
-                rests = resting != null ? 1u : 0u,
-                colliderReach = Reach(input.settings.iterations, deep),
+                rests = step.Resting != null ? 1u : 0u,
+                colliderReach = Reach(input.settings.iterations, step.Coarse != null),
             };
             binned = changed || !wanted.Equals(constantsUpload[0]);
             constantsUpload[0] = wanted;
             cmd.BeginSample(Marker);
-            RecordReactions(cmd, set, input.timeStep / substeps);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);     // the kernels are those of all fluids
+            RecordReactions(cmd, set, step.SubstepTime);
+            step.BindConstants(shader);     // the kernels are those of all fluids
             if (binned)
             {
                 cmd.SetBufferData(constants, constantsUpload);
@@ -138,11 +137,13 @@ namespace Rill
         /// <summary>Records that the ways of the particles which the sort has left end at the surfaces they meet, and are counted into the cells there.</summary>
         /// <param name="cellHistogram">uint [cells + 1], particles in a cell.</param>
         /// <param name="cellRanks">uint2 [capacity], cell of a particle and its number there; see CellCount.hlsl.</param>
-        public void RecordPaths(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer cellHistogram, GraphicsBuffer cellRanks, RestingRegions resting)
+        public void RecordPaths(in StepContext step, GraphicsBuffer cellHistogram, GraphicsBuffer cellRanks)
         {
-            int kernel = collidePaths[reactions != null ? 1 : 0];
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            int kernel = collidePaths.For(reactions != null).Index;
             cmd.BeginSample(Marker);
-            Bind(cmd, kernel, particles, resting);
+            Bind(cmd, kernel, particles, step.Resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.PathBoundary, pathBoundary);
@@ -155,11 +156,13 @@ namespace Rill
 
         /// <summary>Records the contacts after a pass of the constraint: from Current, with its multipliers, to Predicted.</summary>
         /// <param name="last">Whether it is the last one of the substep.</param>
-        public void RecordPass(CommandBuffer cmd, ParticleBuffers particles, bool last, RestingRegions resting)
+        public void RecordPass(in StepContext step, bool last)
         {
-            int kernel = (last ? collideLast : collide)[reactions != null ? 1 : 0];
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
+            int kernel = collide.For(last, reactions != null).Index;
             cmd.BeginSample(Marker);
-            Bind(cmd, kernel, particles, resting);
+            Bind(cmd, kernel, particles, step.Resting);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Before, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Corrected, particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, Ids.StartPositions, particles.Start);
@@ -170,10 +173,12 @@ namespace Rill
         }
 
         /// <summary>Records <see cref="Boundary"/> at the current positions, in their order, for a measurement.</summary>
-        public void RecordBoundaryAtRest(CommandBuffer cmd, GraphicsBuffer solverConstants, ParticleBuffers particles)
+        public void RecordBoundaryAtRest(in StepContext step)
         {
+            CommandBuffer cmd = step.Commands;
+            ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, solverConstants, 0, solverConstants.stride);
+            step.BindConstants(shader);
             Bind(cmd, findBoundary, particles, null);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, findBoundary, Ids.Boundary, boundary);
@@ -206,16 +211,16 @@ namespace Rill
             if (!needed || colliders == null)
                 return description;
             int substeps = input.settings.substeps;
-            string variant = colliders.reactions != null ? "React" : "";
+            bool reacts = colliders.reactions != null;
             if (colliders.binned)
             {
                 description.Kernel("Colliders", "BinColliders", substeps);
                 description.Kernel("Colliders", "MeasureColliderVolume", substeps);
             }
-            description.Kernel("Colliders", "CollidePaths" + variant, substeps);
+            description.Kernel("Colliders", colliders.collidePaths.For(reacts).Name, substeps);
             if (input.settings.iterations > 1)
-                description.Kernel("Colliders", "Collide" + variant, substeps * (input.settings.iterations - 1));
-            description.Kernel("Colliders", "CollideLast" + variant, substeps);
+                description.Kernel("Colliders", colliders.collide.For(false, reacts).Name, substeps * (input.settings.iterations - 1));
+            description.Kernel("Colliders", colliders.collide.For(true, reacts).Name, substeps);
             colliders.reactions?.Describe(description);
             description.Buffer("Rill.Colliders.Constants", colliders.constants);
             description.Buffer("Rill.Colliders.States", colliders.states);
@@ -296,8 +301,6 @@ namespace Rill
             seenOrder = set.Order;
             reactions.Passed(timeStep);
         }
-
-        int[] Kernels(string name) => new[] { shader.FindKernel(name), shader.FindKernel(name + "React") };
 
         bool Reserve(int wantedWords)
         {

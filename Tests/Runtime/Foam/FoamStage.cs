@@ -52,7 +52,7 @@ namespace Rill.Tests
         public FoamStage Step(int count = 1)
         {
             for (int i = 0; i < count; i++)
-                GpuTest.Run(cmd => Foam.Record(cmd, Stages.Constants, Stages.Particles, Stages.Search, Stages.Constraint.Lists, Stages.Layout, Input, 0f));
+                GpuTest.Run(cmd => Foam.Record(Stages.Context(cmd, Input), 0f));
             return this;
         }
 

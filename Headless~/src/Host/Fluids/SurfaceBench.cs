@@ -65,7 +65,7 @@ namespace Host.Fluids
                     var counters = new uint[solver.Surface.Counters.count];
                     solver.Surface.Counters.GetData(counters);
                     uint drawn = counters[(int)SurfaceParticles.Counter.Drawn];
-                    long bytes = SurfaceParticles.Describe(solver.Surface, solver.NeighborLists, null, solver.Coarse != null).Bytes;
+                    long bytes = solver.Describe(input, 0).Single(stage => stage.Name == "Surface particles").Bytes;
                     Print(scene.Particles, name, times, drawn, bytes, output);
                     foreach ((string stage, StepTimes.Spread spread) in times)
                         table.Add(scene.Particles, name, "", stage, spread.Median, spread.Low, spread.High, spread.Count, drawn, bytes);

@@ -68,23 +68,30 @@ namespace Host.Report.Methods
         {
             stepIndex++;
             UploadConstants(cmd);
+            StepContext step = Context(cmd, input, constants);
             for (int substep = 0; substep < input.settings.substeps; substep++)
             {
                 if (Coarse != null)
                     variation.RecordStart(cmd, Coarse);
-                Coarse?.RecordProjection(cmd, constants, Particles);
-                Search.RecordSort(cmd, constants, Particles, Coarse);
+                Coarse?.RecordProjection(step);
+                Search.RecordSort(step, takesProjection: Coarse != null);
                 method.Record(cmd, this, input);
                 if (!method.EndsInPackagePass)
                     RecordDisplacements(cmd);
-                velocityUpdate.Record(cmd, constants, Particles, Lists, input);
+                velocityUpdate.Record(step);
                 Particles.Advance();
             }
         }
 
         /// <summary>Records the neighbor list, the density correction and so many of the package's own passes.</summary>
-        public void RecordPackagePasses(CommandBuffer cmd, float relaxation, int passes) =>
-            constraint.Record(cmd, ConstantsFor(relaxation), Particles, Search, passes, false, Coarse);
+        public void RecordPackagePasses(CommandBuffer cmd, float relaxation, int passes)
+        {
+            StepInput other = input;
+            other.settings.iterations = passes;
+            constraint.Record(Context(cmd, other, ConstantsFor(relaxation)));
+        }
+
+        StepContext Context(CommandBuffer cmd, in StepInput input, GraphicsBuffer constants) => new StepContext(cmd, constants, Particles, Search, Lists, Layout, input, Coarse);
 
         /// <summary>Records the step's constants, with another relaxation, as what a shader reads.</summary>
         public void BindConstants(CommandBuffer cmd, ComputeShader shader, float relaxation) =>
@@ -112,7 +119,7 @@ namespace Host.Report.Methods
         public void RecordStatistics(CommandBuffer cmd)
         {
             UploadConstants(cmd);
-            statistics.Record(cmd, constants, Particles, Search);
+            statistics.Record(Context(cmd, input, constants));
         }
 
         public FluidStatistics FetchStatistics()

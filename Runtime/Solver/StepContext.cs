@@ -1,0 +1,52 @@
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>What the stages of a step share: where they record, the particles and their lists, and the stages that others read. Made anew for each step.</summary>
+    readonly struct StepContext
+    {
+        /// <summary>Null where stages are described and nothing is recorded.</summary>
+        public readonly CommandBuffer Commands;
+        /// <summary><see cref="SolverConstants"/> of the step.</summary>
+        public readonly GraphicsBuffer Constants;
+        public readonly ParticleBuffers Particles;
+        public readonly NeighborSearch Search;
+        /// <summary>Until the substep has built its own, those of the substep before.</summary>
+        public readonly NeighborLists Lists;
+        public readonly SolverLayout Layout;
+        public readonly StepInput Input;
+        /// <summary>Length of a substep, s.</summary>
+        public readonly float SubstepTime;
+        /// <summary>Null without deep water.</summary>
+        public readonly CoarseCorrection Coarse;
+        /// <summary>Null where nothing sleeps.</summary>
+        public readonly RestingRegions Resting;
+        /// <summary>Null without colliders.</summary>
+        public readonly Colliders Colliders;
+        /// <summary>Null where velocities are those of a first-order step.</summary>
+        public readonly VelocityExtrapolation Extrapolation;
+
+        public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, NeighborLists lists, SolverLayout layout, in StepInput input,
+            CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
+        {
+            Commands = commands;
+            Constants = constants;
+            Particles = particles;
+            Search = search;
+            Lists = lists;
+            Layout = layout;
+            Input = input;
+            SubstepTime = input.SubstepTime;
+            Coarse = coarse;
+            Resting = resting;
+            Colliders = colliders;
+            Extrapolation = extrapolation;
+        }
+
+        public int Substeps => Input.settings.substeps;
+
+        /// <summary>Records the step's constants as what a shader reads.</summary>
+        public void BindConstants(ComputeShader shader) => Commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, Constants, 0, Constants.stride);
+    }
+}
