@@ -120,7 +120,7 @@ namespace Host.Tests
         public void A_newer_language_version_is_named()
         {
             using (var copy = new PackageCopy())
-                copy.Catches(new NetStandardRule(), () => copy.Replace("Headless~/src/Rill/Rill.csproj", "<LangVersion>9<", "<LangVersion>latest<"), "Headless~/src/Rill/Rill.csproj", "C# latest", "<LangVersion>9</LangVersion>");
+                copy.Catches(new NetStandardRule(), () => copy.Replace("Headless~/Package/Rill/Rill.csproj", "<LangVersion>9<", "<LangVersion>latest<"), "Headless~/Package/Rill/Rill.csproj", "C# latest", "<LangVersion>9</LangVersion>");
         }
 
         [TestCase("NUnit.Framework.Assert.Multiple(() => { });", "NUnit.Framework.Assert.Multiple(NUnit.Framework.TestDelegate)")]

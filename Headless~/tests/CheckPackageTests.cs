@@ -73,7 +73,7 @@ namespace Host.Tests
 
         [Test]
         public void A_script_that_no_project_compiles_here_is_named() =>
-            copy.Catches(new AssemblyDefinitionsRule(), () => copy.Replace("Headless~/src/Rill/Rill.csproj", "Runtime/**/*.cs", "Runtime/Solver/**/*.cs"), "lacks scripts", "Runtime/Simulation/FluidSimulation.cs");
+            copy.Catches(new AssemblyDefinitionsRule(), () => copy.Replace("Headless~/Package/Rill/Rill.csproj", "Runtime/**/*.cs", "Runtime/Solver/**/*.cs"), "lacks scripts", "Runtime/Simulation/FluidSimulation.cs");
 
         [Test]
         public void A_reference_that_only_the_project_has_is_named() =>
@@ -114,7 +114,7 @@ namespace Host.Tests
         public void A_stored_field_that_the_class_lacks_is_named() => copy.Catches(new ScriptFieldsRule(), () => copy.Replace(Scene, "particleSpacing:", "particleDistance:"), "particleDistance", "FluidSimulation");
 
         [Test]
-        public void A_file_that_only_developers_need_is_not_shipped() => copy.Catches(new TarballRule(), () => copy.Replace(".npmignore", "/Headless~/", ""), "Headless~/src/Rill/Rill.csproj", "shipped");
+        public void A_file_that_only_developers_need_is_not_shipped() => copy.Catches(new TarballRule(), () => copy.Replace(".npmignore", "/Headless~/", ""), "Headless~/Package/Rill/Rill.csproj", "shipped");
 
         [Test]
         public void A_file_that_users_need_is_shipped() => copy.Catches(new TarballRule(), () => copy[".npmignore"] += "\n/Samples~/\n", "DamBreak.unity", "would not be shipped");

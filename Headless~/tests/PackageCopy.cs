@@ -9,7 +9,7 @@ namespace Host.Tests
     /// <summary>A copy of the package in a temporary folder, in which a test plants the fault that a rule exists for.</summary>
     sealed class PackageCopy : IDisposable
     {
-        static readonly string[] NotNeeded = { "Headless~/tests/", "Headless~/src/Host", "Headless~/src/Unity", "Headless~/src/Vulkan/", "Headless~/src/Shaders/", "Headless~/src/Assets/", "Headless~/data/" };
+        static readonly string[] NotNeeded = { "Headless~/tests/", "Headless~/Engine/", "Headless~/Package/Host/", "Headless~/Package/data/" };
 
         public readonly string Root = Path.Combine(Path.GetTempPath(), "rill-check-" + Guid.NewGuid().ToString("N"));
         readonly string assemblies;

@@ -288,7 +288,7 @@ namespace Host.Tests
             Assert.That(stubs.Types, Is.GreaterThan(1500));
             Assert.That(stubs.Members, Is.GreaterThan(10000));
             Assert.That(stubs.Dropped, Is.LessThan(150), "members of the lists that are no C# by themselves");
-            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy mends.txt from {Path.GetDirectoryName(stubs.File)} to Headless~/src/Scripts/Stubs/Sources");
+            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy mends.txt from {Path.GetDirectoryName(stubs.File)} to Headless~/Engine/Scripts/Stubs/Sources");
         }
 
         [Test]

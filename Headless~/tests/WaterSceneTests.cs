@@ -224,7 +224,7 @@ namespace Host.Tests
             return values;
         }
 
-        /// <summary>How each particle leaves the basin of Tap and Basin, frame by frame. See basin() in Headless~/tools/make-sample-meshes.</summary>
+        /// <summary>How each particle leaves the basin of Tap and Basin, frame by frame. See basin() in Headless~/Package/tools/make-sample-meshes.</summary>
         sealed class BasinTracer
         {
             const float Rim = 0.308f;

@@ -78,7 +78,7 @@ namespace Host.UnityApi
         {
             string head = text.ReadLine() ?? "";
             if (!head.StartsWith(Head + " ", StringComparison.Ordinal))
-                throw new InvalidDataException($"The API lists do not start with \"{Head}\" but with \"{head}\": pack them again with Headless~/tools/pack-unity-api.");
+                throw new InvalidDataException($"The API lists do not start with \"{Head}\" but with \"{head}\": pack them again with Headless~/Engine/tools/pack-unity-api.");
             string[] lists = head.Substring(Head.Length + 1).Split(' ');
             List<string> versions = lists.Where(IsEditor).Select(list => list.Substring(Editor.Length)).ToList();
             uint every = (1u << versions.Count) - 1;

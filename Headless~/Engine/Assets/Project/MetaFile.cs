@@ -30,8 +30,8 @@ namespace Host.Assets
                     problem = $"{shownAs}({line}): the execution order '{text.Substring(17).Trim()}' is not a whole number";
             }
             meta = new MetaFile(guid, importer, order);
-            if (guid == null) problem = $"{shownAs}: there is no guid in this file: delete it and let Unity or Headless~/tools/make-meta write a new one";
-            else if (!IsGuid(guid)) problem = $"{shownAs}: the guid '{guid}' is not 32 lower-case hexadecimal digits: delete the file and let Unity or Headless~/tools/make-meta write a new one";
+            if (guid == null) problem = $"{shownAs}: there is no guid in this file: delete it and let Unity or Headless~/Engine/tools/make-meta write a new one";
+            else if (!IsGuid(guid)) problem = $"{shownAs}: the guid '{guid}' is not 32 lower-case hexadecimal digits: delete the file and let Unity or Headless~/Engine/tools/make-meta write a new one";
             return problem == null;
         }
 

@@ -45,7 +45,7 @@ namespace Host.Assets
                 if (child.Name.EndsWith(".meta", StringComparison.Ordinal))
                 {
                     if (!names.Contains(child.Name.Substring(0, child.Name.Length - 5)))
-                        Problems.Add($"{path}: the asset of this .meta file is gone: delete it or run Headless~/tools/make-meta --prune");
+                        Problems.Add($"{path}: the asset of this .meta file is gone: delete it or run Headless~/Engine/tools/make-meta --prune");
                     continue;
                 }
                 var isFolder = child is DirectoryInfo;
@@ -64,7 +64,7 @@ namespace Host.Assets
             byPath.TryAdd(entry.Path, entry);
             if (!hasMeta)
             {
-                Problems.Add($"{entry.Path} has no .meta file, so nothing can refer to it: open the project in Unity or run Headless~/tools/make-meta");
+                Problems.Add($"{entry.Path} has no .meta file, so nothing can refer to it: open the project in Unity or run Headless~/Engine/tools/make-meta");
                 return;
             }
             if (!MetaFile.TryRead(entry.File + ".meta", entry.Path + ".meta", out var meta, out var problem)) Problems.Add(problem);
@@ -73,7 +73,7 @@ namespace Host.Assets
             entry.Importer = meta.Importer;
             entry.ExecutionOrder = meta.ExecutionOrder;
             if (byGuid.TryAdd(meta.Guid, entry)) return;
-            var message = $"{entry.Path} has the guid {meta.Guid} of {byGuid[meta.Guid].Path}: delete one of the two .meta files and let Unity or Headless~/tools/make-meta write a new one";
+            var message = $"{entry.Path} has the guid {meta.Guid} of {byGuid[meta.Guid].Path}: delete one of the two .meta files and let Unity or Headless~/Engine/tools/make-meta write a new one";
             doubled.TryAdd(meta.Guid, message);
             Problems.Add(message);
         }

@@ -12,7 +12,7 @@ namespace Host.Check.Api
     /// </summary>
     sealed class ModulesRule : Rule
     {
-        const string TestManifest = "TestProject~/Packages/manifest.json", Mathematics = "com.unity.mathematics", List = "Headless~/data/unity-api/modules.txt", BuiltIn = "com.unity.modules.";
+        const string TestManifest = "TestProject~/Packages/manifest.json", Mathematics = "com.unity.mathematics", List = "Headless~/Engine/data/unity-api/modules.txt", BuiltIn = "com.unity.modules.";
         // Its scripts are compiled in the user's project, once imported.
         const string Samples = "Rill.Samples";
 

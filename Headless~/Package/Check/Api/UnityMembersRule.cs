@@ -25,7 +25,7 @@ namespace Host.Check.Api
             var findings = new Findings();
             IReadOnlyList<ApiCatalogue> versions = lists();
             foreach (string line in UnityCatalogues.Unreadable(versions))
-                findings.Fault($"API lists: {line}: teach Headless~/src/UnityApi/SignatureParser.cs this form.");
+                findings.Fault($"API lists: {line}: teach Headless~/Engine/UnityApi/SignatureParser.cs this form.");
 
             var types = new HashSet<string>();
             var members = new HashSet<string>();

@@ -37,7 +37,7 @@ namespace Host.Check
             return texts;
         }
 
-        // As Headless~/tools/make-meta writes them: the GUID comes from the path.
+        // As Headless~/Engine/tools/make-meta writes them: the GUID comes from the path.
         static string Meta(string path, string importer) =>
             $"fileFormatVersion: 2\nguid: {Convert.ToHexString(MD5.HashData(Encoding.UTF8.GetBytes("com.rill.fluids:" + path))).ToLowerInvariant()}\n{importer}:\n  externalObjects: {{}}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
     }

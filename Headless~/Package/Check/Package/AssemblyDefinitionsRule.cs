@@ -9,7 +9,7 @@ namespace Host.Check
     /// <summary>What Unity compiles by its assembly definitions is what was compiled and tested here by projects of the same names.</summary>
     sealed class AssemblyDefinitionsRule : Rule
     {
-        const string Projects = "Headless~/src/";
+        const string Projects = "Headless~/Package/";
 
         public override string Name => "package: assembly definitions agree with the projects that build them";
 

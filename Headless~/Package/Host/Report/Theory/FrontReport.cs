@@ -62,7 +62,7 @@ namespace Host.Report
             foreach (FrontSeries front in fronts)
                 foreach ((double time, double place) in front.Points)
                     table.Add(front.Name, time, place);
-            run.Save(name, table, "see Headless~/data/dam-break-front.csv");
+            run.Save(name, table, "see Headless~/Package/data/dam-break-front.csv");
         }
 
         public static void Write(ReportPage page)

@@ -33,8 +33,8 @@ namespace Host.Report
             return places[next - 1] + share * (places[next] - places[next - 1]);
         }
 
-        /// <summary>The experiments: Headless~/data/dam-break-front.csv of the package.</summary>
-        public static List<FrontSeries> Experiments(string root) => Of(ReportTable.Load(Path.Combine(root, "Headless~", "data", "dam-break-front.csv")));
+        /// <summary>The experiments: Headless~/Package/data/dam-break-front.csv of the package.</summary>
+        public static List<FrontSeries> Experiments(string root) => Of(ReportTable.Load(Path.Combine(root, "Headless~", "Package", "data", "dam-break-front.csv")));
 
         /// <summary>One for each name in a table's column "series".</summary>
         public static List<FrontSeries> Of(ReportTable table)
