@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Text.Json;
 using Host.Assets;
@@ -23,7 +24,7 @@ namespace Host.Tests
 
         public ForeignRun(string project, int frames, params string[] more)
         {
-            string host = Path.Combine(Path.GetDirectoryName(typeof(Session).Assembly.Location), "Host.dll");
+            string host = Assembly.GetEntryAssembly().Location;
             var arguments = new List<string> { host, "run", "--project", project, "--frames", frames.ToString(), "--every", frames.ToString(), "--no-video", "--out", folder };
             arguments.AddRange(more.Select(argument => argument.Replace("<folder>", folder)));
             using var process = Process.Start(new ProcessStartInfo("dotnet", arguments) { RedirectStandardOutput = true, RedirectStandardError = true });

@@ -8,12 +8,14 @@ using Host.Shaders;
 
 namespace Host.Pipelines
 {
-    /// <summary>An .asmdef of the package that is compiled where a render pipeline's package is installed.</summary>
+    /// <summary>An .asmdef of a package that is compiled where a render pipeline's package is installed.</summary>
     sealed class AdapterDefinition
     {
         public string File { get; private init; }
         public string Name { get; private init; }
         public IReadOnlyList<string> Constraints { get; private init; }
+        /// <summary>Assemblies that it refers to, those of the pipelines left out.</summary>
+        public IReadOnlyList<string> References { get; private init; }
         readonly List<VersionDefine> defines = new();
 
         public string Folder => Path.GetDirectoryName(File);
@@ -25,14 +27,26 @@ namespace Host.Pipelines
         {
             using JsonDocument json = JsonDocument.Parse(System.IO.File.ReadAllText(file));
             JsonElement root = json.RootElement;
+            IEnumerable<string> references = Texts(root, "references");
             var read = new AdapterDefinition
             {
                 File = file, Name = root.GetProperty("name").GetString(),
-                Constraints = root.GetProperty("defineConstraints").EnumerateArray().Select(value => value.GetString()).ToList(),
+                Constraints = Texts(root, "defineConstraints").ToList(),
+                References = references.Where(name => !name.StartsWith(PipelineAssemblies.Prefix, StringComparison.Ordinal)).ToList(),
             };
             read.defines.AddRange(root.GetProperty("versionDefines").EnumerateArray().Select(define =>
                 new VersionDefine(define.GetProperty("name").GetString(), define.GetProperty("expression").GetString(), define.GetProperty("define").GetString())));
             return read;
+        }
+
+        static IEnumerable<string> Texts(JsonElement of, string name) => of.GetProperty(name).EnumerateArray().Select(value => value.GetString());
+
+        /// <summary>The adapter of a package to a pipeline: the assembly definition below Runtime that is compiled by a version of the pipeline's package. Null where there is none.</summary>
+        public static AdapterDefinition Find(string root, PipelineKind kind)
+        {
+            string runtime = root == null ? null : Path.Combine(root, "Runtime");
+            return !Directory.Exists(runtime) ? null : Directory.EnumerateFiles(runtime, "*.asmdef", SearchOption.AllDirectories).OrderBy(file => file, StringComparer.Ordinal)
+                .Where(file => System.IO.File.ReadAllText(file).Contains(kind.Package, StringComparison.Ordinal)).Select(Read).FirstOrDefault();
         }
 
         /// <summary>All symbols with which the editor compiles it; null where it does not compile it at all.</summary>

@@ -16,7 +16,10 @@ namespace Host.Pipelines
     /// <summary>The stand-ins of one version, compiled, and what is compiled against them.</summary>
     sealed class PipelineAssemblies
     {
-        const string Core = "Unity.RenderPipelines.Core.Runtime";
+        /// <summary>Of the names of the pipelines' assemblies.</summary>
+        public const string Prefix = "Unity.RenderPipelines.";
+
+        const string Core = Prefix + "Core.Runtime";
 
         static readonly Dictionary<PipelineVersion, PipelineAssemblies> made = new();
 
@@ -63,8 +66,8 @@ namespace Host.Pipelines
 
         static string Friends(string name) => name == Core ? string.Concat(PipelineKind.All.Select(kind => $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"{kind.Assembly}\")]")) : "";
 
-        /// <summary>What of the package an adapter refers to.</summary>
-        static IEnumerable<MetadataReference> Package(bool editor) => new[] { "Rill", "Unity.Mathematics" }.Concat(editor ? new[] { "UnityEditor" } : Array.Empty<string>())
+        // What an adapter refers to beside the pipeline.
+        static IEnumerable<MetadataReference> OfPackage(AdapterDefinition adapter, bool editor) => adapter.References.Append("Unity.Mathematics").Concat(editor ? new[] { "UnityEditor" } : Array.Empty<string>()).Distinct()
             .Select(name => MetadataReference.CreateFromFile(FileOf(name)));
 
         /// <summary>Beside the host, or where the build puts each.</summary>
@@ -75,8 +78,8 @@ namespace Host.Pipelines
                 ?? throw new InvalidOperationException($"{name}.dll is not in {here} nor where the build puts it: build Headless~/Headless.proj, or run through Headless~/rill");
         }
 
-        /// <summary>The references of an adapter.</summary>
-        public IReadOnlyList<MetadataReference> ReferencesOfAdapters(bool editor) => references.Concat(Package(editor)).ToList();
+        /// <summary>What an adapter is compiled against.</summary>
+        public IReadOnlyList<MetadataReference> ReferencesOf(AdapterDefinition adapter, bool editor) => references.Concat(OfPackage(adapter, editor)).ToList();
 
         /// <summary>The adapter as that editor compiles it; null where it does not.</summary>
         /// <param name="errors">The compiler's, with file and line.</param>
@@ -84,7 +87,7 @@ namespace Host.Pipelines
         {
             errors = new List<string>();
             List<string> defines = adapter.Defines(Version, editor);
-            return defines == null ? null : Compile(adapter.Name, adapter.Sources.Select(file => (file, File.ReadAllText(file))), defines, ReferencesOfAdapters(editor), out errors);
+            return defines == null ? null : Compile(adapter.Name, adapter.Sources.Select(file => (file, File.ReadAllText(file))), defines, ReferencesOf(adapter, editor), out errors);
         }
 
         /// <summary>Sources of a test, as scripts of a project with this pipeline.</summary>

@@ -8,13 +8,13 @@ namespace Host.Pipelines
         public static readonly PipelineKind Universal = new()
         {
             Name = "universal", Tag = "UniversalPipeline", Package = "com.unity.render-pipelines.universal", Assembly = "Unity.RenderPipelines.Universal.Runtime",
-            Folder = "Universal", Asset = "UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset", AdapterFile = "Runtime/Rendering.Universal/Rill.Universal.asmdef",
+            Folder = "Universal", Asset = "UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset",
         };
 
         public static readonly PipelineKind HighDefinition = new()
         {
             Name = "high-definition", Tag = "HDRenderPipeline", Package = "com.unity.render-pipelines.high-definition", Assembly = "Unity.RenderPipelines.HighDefinition.Runtime",
-            Folder = "HighDefinition", Asset = "UnityEngine.Rendering.HighDefinition.HDRenderPipelineAsset", AdapterFile = "Runtime/Rendering.HighDefinition/Rill.HighDefinition.asmdef",
+            Folder = "HighDefinition", Asset = "UnityEngine.Rendering.HighDefinition.HDRenderPipelineAsset",
         };
 
         public static IReadOnlyList<PipelineKind> All { get; } = new[] { Universal, HighDefinition };
@@ -30,8 +30,6 @@ namespace Host.Pipelines
         public string Folder { get; private init; }
         /// <summary>Full name of the type of its asset.</summary>
         public string Asset { get; private init; }
-        /// <summary>Of the package's adapter, from the package's root.</summary>
-        public string AdapterFile { get; private init; }
 
         public override string ToString() => Name;
     }

@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 
 namespace Host.Pipelines
 {
-    /// <summary>The pipeline that draws the cameras, with the package's adapters, until it is disposed of.</summary>
+    /// <summary>The pipeline that draws the cameras, with a package's adapters, until it is disposed of.</summary>
     sealed class PlayedPipeline : IDisposable
     {
         // Loaded code stays: one context for each version and folder of adapters.
@@ -49,10 +49,9 @@ namespace Host.Pipelines
             var made = new PipelineContext(assemblies);
             foreach (PipelineKind kind in PipelineKind.All)
             {
-                string file = root == null ? null : Path.Combine(root, kind.AdapterFile);
-                if (!File.Exists(file))
+                AdapterDefinition adapter = AdapterDefinition.Find(root, kind);
+                if (adapter == null)
                     continue;
-                AdapterDefinition adapter = AdapterDefinition.Read(file);
                 byte[] image = assemblies.CompileAdapter(adapter, editor, out List<string> errors);
                 if (errors.Count > 0)
                     throw new InvalidOperationException($"{adapter.Name} does not compile for {version}:\n{string.Join("\n", errors)}");

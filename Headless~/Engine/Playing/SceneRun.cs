@@ -6,7 +6,6 @@ using System.IO;
 using System.Linq;
 using Host.Assets;
 using Host.Commands;
-using Host.Fluids;
 using Host.Output;
 using Host.Pipelines;
 using UnityEngine.Headless;
@@ -30,7 +29,7 @@ namespace Host
             this.output = output;
         }
 
-        /// <returns>The exit code: see <see cref="Program"/>.</returns>
+        /// <returns>The exit code: see <see cref="CommandLine"/>.</returns>
         public int Execute()
         {
             ForeignProject project = settings.Project == null ? null : ForeignProject.Open(settings.Project, settings.Scene, settings.Strict, output);
@@ -52,7 +51,7 @@ namespace Host
             session.LoadScene(scene);
 
             // Probes look into the package that the host was built with.
-            List<IRunProbe> probes = project == null ? Probes.OfScene() : new List<IRunProbe>();
+            List<IRunProbe> probes = project == null ? BuiltInPackage.Current.Probes() : new List<IRunProbe>();
             var statistics = new Statistics(OwnColumns.Concat(probes.SelectMany(probe => probe.Columns)));
             using (var frames = settings.Draw ? new FrameWriter(Path.Combine(folder, "frames")) : null)
             {
@@ -70,7 +69,7 @@ namespace Host
                     output.WriteLine(line);
             }
             if (settings.Hash)
-                output.WriteLine($"hash {(project == null ? StateHash.OfScene() : null) ?? BufferDump.Hash()}");
+                output.WriteLine($"hash {(project == null ? BuiltInPackage.Current.StateHash() : null) ?? BufferDump.Hash()}");
             pipeline?.Dispose();
             int code = Close(session);
             if (project != null)
@@ -181,7 +180,7 @@ namespace Host
                 return 3;
             if (session.ErrorsLogged == 0)
                 return 0;
-            Console.Error.WriteLine($"rill: errors logged: {session.ErrorsLogged}");
+            Console.Error.WriteLine($"{CommandLine.Name}: errors logged: {session.ErrorsLogged}");
             return 1;
         }
 

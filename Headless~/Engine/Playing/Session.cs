@@ -6,7 +6,6 @@ using System.Reflection;
 using System.Runtime.ExceptionServices;
 using Host.Assets;
 using Host.Vulkan;
-using Rill;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.Headless;
@@ -17,13 +16,10 @@ namespace Host
     /// <summary>A player with a device and a project's assets, from start to the count of what it left.</summary>
     sealed class Session : IDisposable
     {
-        // The package's assemblies, beside the host's own.
-        static readonly string[] PackageAssemblies = { "Rill", "Rill.Physics", "Rill.Terrain", "Rill.Editor", "Rill.Samples", "Rill.Testing", "Rill.Physics.Editor", "Rill.Terrain.Editor" };
-
         readonly VulkanDevice device;
         readonly ProjectAssets assets;
         readonly HashSet<string> said = new();
-        readonly Func<string, StageShader> editorFind = StageShader.EditorFind;
+        readonly IDisposable ofPackage = BuiltInPackage.Current.Begin();
         int warned;
         readonly List<string> dropped = new();
         ExceptionDispatchInfo fault;
@@ -44,7 +40,7 @@ namespace Host
             Player.PretendNoCompute = !compute;
 
             // A foreign project may bring the package as source: then its own assemblies count, and the host's would be second ones of the same name.
-            IEnumerable<Assembly> package = foreign != null ? Enumerable.Empty<Assembly>() : PackageAssemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll"))).Select(Assembly.Load);
+            IEnumerable<Assembly> package = foreign != null ? Enumerable.Empty<Assembly>() : BuiltInPackage.Current.Assemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll"))).Select(Assembly.Load);
             assets = new ProjectAssets(mounts ?? ProjectFolders.Of(root), package.Concat(scripts ?? Enumerable.Empty<Assembly>()).ToList(), strict, foreign);
             Player.Assets = assets;
             SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
@@ -54,7 +50,7 @@ namespace Host
             foreach (KeyValuePair<Type, int> order in assets.ExecutionOrders())
                 ExecutionOrder.FromMeta[order.Key] = order.Value;
             if (player)
-                StageShader.EditorFind = null;
+                BuiltInPackage.Current.EnterPlayer();
             else if (foreign == null)
                 EditorInitializers.Run();
             Initializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
@@ -130,7 +126,7 @@ namespace Host
             LogSink.Received -= Hear;
             PlayerLoop.Reset();
             Gpu.Reset();
-            StageShader.EditorFind = editorFind;
+            ofPackage?.Dispose();
             Player.Device = null;
             Player.Assets = null;
             device.Dispose();

@@ -1,28 +1,17 @@
-using System;
-using System.CommandLine;
-using System.CommandLine.Help;
-using System.CommandLine.Invocation;
-using System.Linq;
-using System.Reflection;
-using Host.Assets;
 using Host.Baking;
 using Host.Commands;
 using Host.Fluids;
 using Host.Report;
-using Host.Scripts;
-using Host.Vulkan;
-using UnityEngine.Headless;
 
 namespace Host
 {
-    /// <summary>The command line. Exit codes: 0 done, 1 tests failed or the scene logged errors, 2 it could not be done, 3 GPU objects were left.</summary>
+    /// <summary>The command line <c>rill</c>: what the engine plays and tests, and what is about this package alone.</summary>
     static class Program
     {
         static int Main(string[] arguments)
         {
-            var root = new Command("rill", "Runs scenes and tests of a Unity compute package without Unity.")
-            {
-                new HelpOption(),
+            BuiltInPackage.Current = new RillPackage();
+            return CommandLine.Run("rill", "Runs scenes and tests of a Unity compute package without Unity.", arguments,
                 RunCommand.Create(),
                 TestCommand.Create(),
                 ExplainCommand.Create(),
@@ -35,36 +24,7 @@ namespace Host
                 ReportCommand.Create(),
                 CheckCommand.Create(),
                 GenerateCommand.Create(),
-                ReferencesCommand.Create(),
-            };
-            ParseResult parsed = root.Parse(arguments);
-            if (parsed.Action is ParseErrorAction)
-                return Fail(string.Join("; ", parsed.Errors.Select(error => error.Message.TrimEnd('.'))) + $"; see rill {string.Join(" ", parsed.CommandResult.Command == root ? "" : parsed.CommandResult.Command.Name + " ")}--help");
-            try
-            {
-                return parsed.Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
-            }
-            catch (Exception error)
-            {
-                return Fail(error);
-            }
-        }
-
-        static int Fail(Exception error)
-        {
-            while (error is TargetInvocationException or TypeInitializationException or AggregateException && error.InnerException != null)
-                error = error.InnerException;
-            if (Environment.GetEnvironmentVariable("RILL_TRACE") == "1")
-                Console.Error.WriteLine(error);
-            // These messages are written for the user. Others are a fault of somebody's code, and its kind helps to find it.
-            bool explained = error is HostException or AssetException or ScriptException or ShaderCompileException or GpuUsageException or OutOfGpuMemoryException or VulkanException;
-            return Fail(explained ? error.Message : $"{error.GetType().Name}: {error.Message} (RILL_TRACE=1 shows where)");
-        }
-
-        static int Fail(string message)
-        {
-            Console.Error.WriteLine("rill: " + message.ReplaceLineEndings(message.Contains(": error CS", StringComparison.Ordinal) ? "\n  " : " "));
-            return 2;
+                ReferencesCommand.Create());
         }
     }
 }

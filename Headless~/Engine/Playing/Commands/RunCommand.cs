@@ -65,7 +65,7 @@ namespace Host.Commands
                     Pipeline = PipelineChoice.Of(parsed.GetValue(pipeline), parsed.GetValue(project)),
                     Compute = !parsed.GetValue(noCompute),
                     Strict = parsed.GetValue(project) == null ? !parsed.GetValue(notStrict) : parsed.GetValue(strict),
-                    Command = "rill " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
+                    Command = CommandLine.Name + " " + string.Join(" ", parsed.Tokens.Select(token => token.Value.Contains(' ') ? $"\"{token.Value}\"" : token.Value)),
                 };
                 if (settings.Stills.Length > 0 && !settings.Draw)
                     throw new HostException("--stills needs frames; leave out --no-frames.");

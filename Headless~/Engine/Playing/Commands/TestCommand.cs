@@ -14,9 +14,6 @@ namespace Host.Commands
     /// <summary><c>test</c>: the host's and the package's tests with the validation layer on, in this process on one device, or shared among several.</summary>
     static class TestCommand
     {
-        // A suite that shrinks, or that no longer reaches the device, must not look well.
-        const int MinMethods = 800, MinDispatchingMethods = 250;
-
         sealed class Choice
         {
             public string[] Texts;
@@ -92,10 +89,11 @@ namespace Host.Commands
             List<string> validation = facts.SelectMany(process => process.ValidationMessages).ToList();
             complaints.AddRange(facts.SelectMany(process => process.Left));
             complaints.AddRange(validation.Select(message => "validation: " + message));
-            if (choice.IsWhole && tally.Methods < MinMethods)
-                complaints.Add($"only {tally.Methods} test methods ran; the floor is {MinMethods}");
-            if (choice.IsWhole && tally.DispatchingMethods < MinDispatchingMethods)
-                complaints.Add($"only {tally.DispatchingMethods} test methods dispatched on the device; the floor is {MinDispatchingMethods}");
+            (int all, int dispatching) = BuiltInPackage.Current.MinTestMethods;
+            if (choice.IsWhole && tally.Methods < all)
+                complaints.Add($"only {tally.Methods} test methods ran; the floor is {all}");
+            if (choice.IsWhole && tally.DispatchingMethods < dispatching)
+                complaints.Add($"only {tally.DispatchingMethods} test methods dispatched on the device; the floor is {dispatching}");
             if (tally.Passed + tally.Failed == 0)
                 complaints.Add("no test ran");
 

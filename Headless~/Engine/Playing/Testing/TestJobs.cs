@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.IO;
 using System.IO.Pipes;
 using System.Linq;
+using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Text.Json;
 using System.Threading;
@@ -148,7 +149,7 @@ namespace Host.Testing
         Process Start(string pipe, int deviceThreads, bool alone)
         {
             // The program that runs this assembly, or the one that it was built into.
-            string program = Environment.ProcessPath, assembly = Path.Combine(AppContext.BaseDirectory, "Host.dll");
+            string program = Environment.ProcessPath, assembly = Assembly.GetEntryAssembly().Location;
             bool isDotnet = Path.GetFileNameWithoutExtension(program).Equals("dotnet", StringComparison.OrdinalIgnoreCase);
             var all = new List<string> { "test", "--worker", pipe };
             if (isDotnet)

@@ -12,7 +12,7 @@ namespace UnityEngine.Headless
         public static bool Strict = true;
         public static IAssetSource Assets;
         public static int ScreenWidth = 1280, ScreenHeight = 720;
-        public static string ProjectPath = "", ProductName = "Rill", CompanyName = "Rill";
+        public static string ProjectPath = "", ProductName = "Headless", CompanyName = "DefaultCompany";
         public static bool LinearColorSpace = true;
         /// <summary>Lets a test pretend that this is a player that tells less about its GPU time.</summary>
         public static GpuTimes GpuTimes = GpuTimes.Samples;

@@ -94,7 +94,7 @@ namespace UnityEngine.Headless
     internal abstract class ShaderSource
     {
         public abstract string Path { get; }
-        /// <summary>The name behind the Shader keyword, e.g. "Rill/Particles".</summary>
+        /// <summary>The name behind the Shader keyword, e.g. "Water/Particles".</summary>
         public abstract string Name { get; }
         public abstract IReadOnlyList<ShaderProperty> Properties { get; }
         public abstract IReadOnlyList<string> Keywords { get; }

@@ -34,20 +34,20 @@ namespace Host.Check.Api
             var members = new HashSet<string>();
             foreach (PipelineKind kind in kinds)
                 Examine(package, kind, types, members, findings);
-            findings.Looked = $"{string.Join(" and ", kinds.Select(kind => Path.GetFileNameWithoutExtension(kind.AdapterFile)))} compiled {2 * PipelineVersion.All.Count} times each, as player and for the editor, in {string.Join(", ", PipelineVersion.All)}: {types.Count} types and {members.Count} members";
+            findings.Looked = $"{string.Join(" and ", kinds.Select(kind => Path.GetFileNameWithoutExtension(PipelineAdapters.FileOf(kind))))} compiled {2 * PipelineVersion.All.Count} times each, as player and for the editor, in {string.Join(", ", PipelineVersion.All)}: {types.Count} types and {members.Count} members";
             return findings;
         }
 
         static void Examine(PackageTree package, PipelineKind kind, ISet<string> types, ISet<string> members, Findings findings)
         {
-            if (!package.Has(kind.AdapterFile))
+            if (!package.Has(PipelineAdapters.FileOf(kind)))
             {
-                findings.Fault($"{kind.AdapterFile} is not there");
+                findings.Fault($"{PipelineAdapters.FileOf(kind)} is not there");
                 return;
             }
-            AdapterDefinition adapter = AdapterDefinition.Read(package.FullPath(kind.AdapterFile));
+            AdapterDefinition adapter = AdapterDefinition.Read(package.FullPath(PipelineAdapters.FileOf(kind)));
             if (adapter.Defines(null, false) != null)
-                findings.Fault($"{kind.AdapterFile}: without {kind.Package} it is compiled all the same, and its references are missing: add a define constraint that a version define of that package meets");
+                findings.Fault($"{PipelineAdapters.FileOf(kind)}: without {kind.Package} it is compiled all the same, and its references are missing: add a define constraint that a version define of that package meets");
             foreach (PipelineVersion version in PipelineVersion.All)
                 foreach (bool editor in new[] { false, true })
                     Examine(adapter, version, editor, types, members, findings);
@@ -76,7 +76,7 @@ namespace Host.Check.Api
             }
             var options = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: adapter.Defines(version, editor));
             IEnumerable<SyntaxTree> trees = adapter.Sources.Select(file => CSharpSyntaxTree.ParseText(SourceText.From(File.ReadAllText(file), Encoding.UTF8), options, file));
-            CSharpCompilation compilation = CSharpCompilation.Create(adapter.Name, trees, stands.ReferencesOfAdapters(editor), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+            CSharpCompilation compilation = CSharpCompilation.Create(adapter.Name, trees, stands.ReferencesOf(adapter, editor), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
             List<CompiledAssembly> offering = stands.Images.Values.Select(offered => new CompiledAssembly(new MemoryStream(offered))).ToList();
             offering.Add(new CompiledAssembly(typeof(UnityEngine.Object).Assembly.Location));
             SourceNamesRule.Examine(compilation, SourceNamesRule.ConstantNames(offering), unity, new HashSet<string>(), findings);
