@@ -19,6 +19,7 @@ namespace Host.Check
             new RootRule(),
             new TarballRule(),
             new TestProjectRule(),
+            new EngineRule(),
             new LinksRule(),
             new GeneratedFilesRule(),
             new ResourcesRule(),
