@@ -29,7 +29,8 @@ namespace Host
         /// <param name="scripts">Assemblies with scripts beside the package's.</param>
         /// <param name="player">As a built player rather than the Editor: without Editor scripts, so that only what the scene refers to is there.</param>
         /// <param name="foreign">Of a project that the host was not built with; its scripts are all there are.</param>
-        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true, bool player = false, IForeignTypes foreign = null)
+        /// <param name="editor">Of such a project: as the Editor, whose initializers run, rather than as a player.</param>
+        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true, bool player = false, IForeignTypes foreign = null, bool editor = false)
         {
             // Messages end as the command's output, each once: a fault in Update comes back every frame.
             LogSink.Received += Hear;
@@ -51,7 +52,7 @@ namespace Host
                 ExecutionOrder.FromMeta[order.Key] = order.Value;
             if (player)
                 BuiltInPackage.Current.EnterPlayer();
-            else if (foreign == null)
+            else if (foreign == null || editor)
                 EditorInitializers.Run();
             Initializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
             Initializers.Run(RuntimeInitializeLoadType.BeforeSplashScreen);

@@ -26,13 +26,15 @@ namespace Host.Scripts
         public readonly List<string> Notes = new List<string>();
 
         /// <param name="index">The project's files, packages included.</param>
+        /// <param name="tests">What tests are compiled against; null: what is compiled is a player.</param>
         /// <exception cref="ScriptException">The assembly definitions contradict each other, or a script has errors of syntax.</exception>
-        public ProjectScripts(string project, ProjectIndex index)
+        public ProjectScripts(string project, ProjectIndex index, TestAssemblies tests = null)
         {
             var hosted = new[] { typeof(UnityEngine.Object).Assembly, typeof(Unity.Mathematics.math).Assembly }.ToDictionary(a => a.GetName().Name);
-            Packages = new Packages(project, index.Mounts);
-            Plan = new AssemblyPlan(project, index, Packages, hosted.Keys.Append(StubAssembly.UserInterface));
+            Packages = new Packages(project, index.Mounts, tests != null);
             stubs = StubAssembly.Get(hosted.Values.ToList());
+            foreach (var assembly in tests?.All ?? Array.Empty<Assembly>()) hosted.Add(assembly.GetName().Name, assembly);
+            Plan = new AssemblyPlan(project, index, Packages, hosted.Keys.Append(StubAssembly.UserInterface), tests != null);
             var compiler = new ScriptCompiler(index, stubs, hosted);
             foreach (var assembly in Plan.Assemblies) compiled.Add(compiler.Compile(assembly));
 
@@ -40,8 +42,14 @@ namespace Host.Scripts
             context = new ProjectContext(compiled.ToDictionary(c => c.Name, c => c.File), stubs, Plan.Plugins);
             stubCode = context.LoadFromAssemblyName(new AssemblyName(StubAssembly.Name));
             foreach (var assembly in compiled) Assemblies.Add(context.LoadFromAssemblyName(new AssemblyName(assembly.Name)));
-            Notes.AddRange(Plan.Notes.Concat(compiler.Notes));
+            Notes.AddRange(Packages.Notes.Concat(Plan.Notes).Concat(compiler.Notes));
         }
+
+        /// <summary>Those with the project's tests.</summary>
+        public IEnumerable<Assembly> Tests => Assemblies.Where((assembly, i) => Plan.Assemblies[i].HoldsTests);
+
+        /// <summary>Files that were left out, each with the assembly that it belongs to.</summary>
+        public IEnumerable<(ScriptAssembly Assembly, LeftOutFile File)> LeftOutOf => compiled.SelectMany((assembly, i) => assembly.LeftOut.Select(file => (Plan.Assemblies[i], file)));
 
         public int Files => compiled.Sum(c => c.Scripts);
         public IEnumerable<LeftOutFile> LeftOut => compiled.SelectMany(c => c.LeftOut);

@@ -1,3 +1,5 @@
+using System;
+using Host.Assets;
 using Host.Baking;
 using Host.Commands;
 using Host.Fluids;
@@ -11,6 +13,8 @@ namespace Host
         static int Main(string[] arguments)
         {
             BuiltInPackage.Current = new RillPackage();
+            if (Environment.GetEnvironmentVariable("RILL_ROOT") is { Length: > 0 } root)
+                ProjectFolders.AtHand = new[] { root };
             return CommandLine.Run("rill", "Runs scenes and tests of a Unity compute package without Unity.", arguments,
                 RunCommand.Create(),
                 TestCommand.Create(),

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 
 namespace Host.Assets
@@ -16,6 +17,11 @@ namespace Host.Assets
     internal static class ProjectFolders
     {
         static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
+
+        /// <summary>Folders of packages that this program has at hand: taken for projects that ask for them and have no copy, such as for one by a git address.</summary>
+        public static IReadOnlyList<string> AtHand { get; set; } = Array.Empty<string>();
+
+        public static bool IsAtHand(string folder) => AtHand.Any(known => Path.GetFullPath(known) == Path.GetFullPath(folder));
 
         public static bool IsProject(string folder) => Directory.Exists(Path.Combine(folder, "Assets")) && (Directory.Exists(Path.Combine(folder, "ProjectSettings")) || File.Exists(Path.Combine(folder, "Packages", "manifest.json")));
         public static bool IsPackage(string folder) => File.Exists(Path.Combine(folder, "package.json"));
@@ -59,6 +65,7 @@ namespace Host.Assets
                 foreach (var folder in Sorted(Directory.GetDirectories(packages)))
                     if (IsPackage(folder)) Mount(folder);
 
+            var wanted = new HashSet<string>();
             var manifest = Path.Combine(packages, "manifest.json");
             if (File.Exists(manifest))
             {
@@ -66,6 +73,7 @@ namespace Host.Assets
                 if (json.RootElement.TryGetProperty("dependencies", out var dependencies))
                     foreach (var dependency in dependencies.EnumerateObject())
                     {
+                        wanted.Add("Packages/" + dependency.Name);
                         var source = dependency.Value.GetString() ?? "";
                         if (!source.StartsWith("file:", StringComparison.Ordinal) || source.EndsWith(".tgz", StringComparison.Ordinal)) continue;
                         var folder = Path.GetFullPath(Path.Combine(packages, source.Substring(5)));
@@ -78,6 +86,9 @@ namespace Host.Assets
             if (Directory.Exists(cache))
                 foreach (var folder in Sorted(Directory.GetDirectories(cache)))
                     if (IsPackage(folder)) Mount(folder);
+
+            foreach (var folder in AtHand)
+                if (IsPackage(folder) && wanted.Contains(Package(folder).AssetPath)) Mount(folder);
         }
 
         static MountedFolder Package(string folder)

@@ -17,16 +17,18 @@ namespace Host.Commands
         sealed class Choice
         {
             public string[] Texts;
-            public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone;
-            public string Assembly, Worker;
+            public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone, Strict;
+            public string Assembly, Worker, Project;
 
-            public bool IsWhole => Texts.Length == 0 && !PackageOnly && !HostOnly && Assembly == null;
+            public bool IsWhole => Texts.Length == 0 && !PackageOnly && !HostOnly && Assembly == null && Project == null;
             public TestFilter Filter => Texts.Length == 0 ? TestFilter.Empty : new TextFilter(Texts);
         }
 
         public static Command Create()
         {
             var filter = new Option<string[]>("--filter") { Description = "Only tests whose full name contains this text; may come several times.", DefaultValueFactory = _ => Array.Empty<string>() };
+            var project = new Option<string>("--project") { Description = "A Unity project's folder: its own tests instead, compiled from source with its scripts." };
+            var strict = new Option<bool>("--strict") { Description = "With --project: fail where Unity logs and goes on or is undefined." };
             var list = new Option<bool>("--list") { Description = "Name the tests, run none." };
             var package = new Option<bool>("--package-only") { Description = "Only the package's tests." };
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
@@ -43,7 +45,7 @@ namespace Host.Commands
             var alone = new Option<bool>("--alone") { Description = "As a worker: fixtures that run alone.", Hidden = true };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
-            var command = new Command("test", "Runs the tests.") { filter, list, package, host, noValidation, written, jobs, shaders, limits, assembly, worker, alone };
+            var command = new Command("test", "Runs the tests.") { project, strict, filter, list, package, host, noValidation, written, jobs, shaders, limits, assembly, worker, alone };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -51,9 +53,9 @@ namespace Host.Commands
                 var choice = new Choice
                 {
                     Texts = parsed.GetValue(filter), PackageOnly = parsed.GetValue(package), HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
-                    ShowsAll = parsed.GetValue(written), Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
+                    ShowsAll = parsed.GetValue(written), Project = parsed.GetValue(project), Strict = parsed.GetValue(strict), Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
                 };
-                return Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
+                return choice.Project != null ? ExecuteProject(choice, parsed.GetValue(list), parsed.GetValue(jobs)) : Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
             });
             return command;
         }
@@ -64,6 +66,8 @@ namespace Host.Commands
                 throw new HostException("--package-only and --host-only leave nothing to run; name one of them.");
             if (jobs is < 1 or > TestJobs.Max)
                 throw new HostException($"--jobs {jobs}: the number of processes is 1 to {TestJobs.Max}; leave it out for what suits this machine.");
+            if (choice.Strict)
+                throw new HostException("--strict goes with --project; tests of the package are always run so.");
             List<Assembly> assemblies = TestAssemblies.Load(host: !choice.PackageOnly, package: !choice.HostOnly, choice.Assembly);
             TestFilter filter = choice.Filter;
 
@@ -94,12 +98,46 @@ namespace Host.Commands
                 complaints.Add($"only {tally.Methods} test methods ran; the floor is {all}");
             if (choice.IsWhole && tally.DispatchingMethods < dispatching)
                 complaints.Add($"only {tally.DispatchingMethods} test methods dispatched on the device; the floor is {dispatching}");
+            return Summarize(choice, tally, facts, validation.Count, complaints, output);
+        }
+
+        static int ExecuteProject(Choice choice, bool list, int? jobs)
+        {
+            if (choice.PackageOnly || choice.HostOnly || choice.Assembly != null || choice.Worker != null)
+                throw new HostException("--project runs the tests of that project alone; leave out what chooses among others.");
+            if (jobs is not (null or 1))
+                throw new HostException($"--jobs {jobs}: the tests of a project run in one process; leave it out.");
+            TextWriter output = Console.Out;
+            TestedProject project = TestedProject.Open(choice.Project, choice.Strict, output);
+            if (list)
+            {
+                foreach (string name in project.Tests.SelectMany(assembly => TestRun.List(assembly, choice.Filter)))
+                    output.WriteLine(name);
+                return 0;
+            }
+            var tally = new TestTally(output, new TestDurations());
+            using var session = new Session(project.Root, project.Mounts, project.Scripts.Assemblies, choice.Validation, choice.Strict, foreign: project.Scripts, editor: true);
+            var run = new TestRun(tally.Add, choice.ShowsAll);
+            foreach (Assembly assembly in project.Tests)
+                run.Run(assembly, choice.Filter);
+            session.PrintWarnings();
+            TestFacts facts = TestFacts.Of(session, run);
+            // Unity warns of such objects, and so does this.
+            foreach (string left in facts.Left)
+                Console.Error.WriteLine("warning: " + left);
+            foreach (KeyValuePair<string, int> call in project.Scripts.StubCalls)
+                output.WriteLine($"not part of the host: {call.Key}, called {call.Value} times");
+            return Summarize(choice, tally, new List<TestFacts> { facts }, facts.ValidationMessages.Count, facts.ValidationMessages.Select(message => "validation: " + message).ToList(), output);
+        }
+
+        static int Summarize(Choice choice, TestTally tally, List<TestFacts> facts, int validationMessages, List<string> complaints, TextWriter output)
+        {
             if (tally.Passed + tally.Failed == 0)
                 complaints.Add("no test ran");
 
             output.WriteLine();
             output.WriteLine($"device: {string.Join(" and ", facts.Select(process => process.Device).Distinct())}, with the limits of {Player.Limits.Title}");
-            output.WriteLine(choice.Validation ? $"validation layer: {validation.Count} messages" : "validation layer: off (--no-validation)");
+            output.WriteLine(choice.Validation ? $"validation layer: {validationMessages} messages" : "validation layer: off (--no-validation)");
             output.WriteLine($"{tally.Methods} test methods, {tally.DispatchingMethods} of them dispatched on the device");
             ShadersOption.Report(output);
             foreach (string complaint in complaints)

@@ -9,7 +9,7 @@ using Host.Assets;
 
 namespace Host.Scripts.Assemblies
 {
-    /// <summary>Which scripts of a project make up which assembly, and in which order they are compiled. Scripts of the editor and of tests are none of it.</summary>
+    /// <summary>Which scripts of a project make up which assembly, and in which order they are compiled. Scripts of the editor and of tests are none of it, but where the tests are run.</summary>
     internal sealed class AssemblyPlan
     {
         const string Main = "Assembly-CSharp", First = "Assembly-CSharp-firstpass";
@@ -18,6 +18,7 @@ namespace Host.Scripts.Assemblies
         readonly Packages packages;
         readonly List<string> common;
         readonly HashSet<string> provided;
+        readonly bool tests;
         readonly Dictionary<string, AssemblyDefinition> byName = new Dictionary<string, AssemblyDefinition>();
         readonly Dictionary<string, AssemblyDefinition> byGuid = new Dictionary<string, AssemblyDefinition>();
         readonly Dictionary<AssemblyDefinition, ScriptAssembly> planned = new Dictionary<AssemblyDefinition, ScriptAssembly>();
@@ -34,12 +35,14 @@ namespace Host.Scripts.Assemblies
 
         /// <param name="hosted">Names of assemblies that the host itself has, whatever the project brings.</param>
         /// <exception cref="ScriptException">Definitions contradict each other: two of a name, references in a circle, a file that cannot be read.</exception>
-        public AssemblyPlan(string project, ProjectIndex index, Packages packages, IEnumerable<string> hosted)
+        /// <param name="tests">As the Editor has it where its tests run, with assemblies of the editor and of tests; else as a player.</param>
+        public AssemblyPlan(string project, ProjectIndex index, Packages packages, IEnumerable<string> hosted, bool tests = false)
         {
+            this.tests = tests;
             this.index = index;
             this.packages = packages;
             provided = hosted.ToHashSet();
-            common = Defines.Of(project);
+            common = Defines.Of(project, tests);
             Plugins.AddRange(index.Entries.Where(IsPlugin));
             var folders = ReadDefinitions();
             Distribute(folders);
@@ -114,7 +117,8 @@ namespace Host.Scripts.Assemblies
             {
                 if (predefined == null) continue;
                 predefined.References.AddRange(automatic);
-                predefined.Hosted.AddRange(packages.HostedAssemblies.Where(provided.Contains));
+                predefined.Hosted.AddRange(packages.HostedAssemblies.Where(name => provided.Contains(name) && name != TestAssemblies.Runner));
+                if (tests) predefined.Hosted.Add(TestAssemblies.Editor);
                 predefined.Plugins.AddRange(Plugins.Where(p => !IsExplicit(p)));
             }
             if (main != null && first != null) main.References.Add(first);
@@ -153,25 +157,36 @@ namespace Host.Scripts.Assemblies
         ScriptAssembly Planned(AssemblyDefinition definition, AssetEntry script)
         {
             if (planned.TryGetValue(definition, out var assembly)) return assembly;
-            var defines = common.Concat(VersionDefines(definition)).Distinct().ToList();
+            var defines = DefinesOf(definition);
             var reason = WhyNot(definition, defines);
             if (reason != null)
             {
                 NotForPlayers[script.Path] = $"its assembly {definition.Name} {reason}";
                 return null;
             }
-            assembly = new ScriptAssembly { Name = definition.Name, Definition = definition.Entry.Path, AllowUnsafe = definition.AllowUnsafe, NoEngineReferences = definition.NoEngineReferences };
+            assembly = new ScriptAssembly
+            {
+                Name = definition.Name, Definition = definition.Entry.Path, AllowUnsafe = definition.AllowUnsafe, NoEngineReferences = definition.NoEngineReferences,
+                HoldsTests = definition.IsTest || definition.DefineConstraints.Contains(Defines.IncludeTests), IsEditorOnly = definition.IncludePlatforms.SequenceEqual(new[] { Defines.EditorPlatform }),
+            };
             assembly.Defines.AddRange(defines);
             planned.Add(definition, assembly);
             return assembly;
         }
 
+        List<string> DefinesOf(AssemblyDefinition definition)
+        {
+            var all = common.Concat(VersionDefines(definition));
+            return (tests && packages.HasTests(definition.Entry.Path) ? all.Append(Defines.IncludeTests) : all).Distinct().ToList();
+        }
+
         string WhyNot(AssemblyDefinition definition, List<string> defines)
         {
+            var platform = tests ? Defines.EditorPlatform : Defines.Platform;
             if (provided.Contains(definition.Name)) return "is one that the host has itself";
-            if (definition.IsTest) return "holds tests";
-            if (definition.IncludePlatforms.Count > 0 && !definition.IncludePlatforms.Contains(Defines.Platform)) return $"is for {string.Join(", ", definition.IncludePlatforms)} only";
-            if (definition.ExcludePlatforms.Contains(Defines.Platform)) return $"is not for {Defines.Platform}";
+            if (definition.IsTest && !defines.Contains(Defines.IncludeTests)) return "holds tests";
+            if (definition.IncludePlatforms.Count > 0 && !definition.IncludePlatforms.Contains(platform)) return $"is for {string.Join(", ", definition.IncludePlatforms)} only";
+            if (definition.ExcludePlatforms.Contains(platform)) return $"is not for {platform}";
             return Defines.Hold(definition.DefineConstraints, defines) ? null : $"needs the defines {string.Join(", ", definition.DefineConstraints)}";
         }
 
@@ -198,25 +213,31 @@ namespace Host.Scripts.Assemblies
         void Refer(AssemblyDefinition definition)
         {
             var assembly = planned[definition];
+            if (tests && !definition.NoEngineReferences) assembly.Hosted.Add(TestAssemblies.Editor);
+            // The older form of a test assembly: a check box that stands for three references.
+            if (definition.IsTest) assembly.Hosted.AddRange(new[] { TestAssemblies.Runner, TestAssemblies.NUnit });
             foreach (var reference in definition.References)
             {
                 var name = NameOf(reference);
+                // Both of the test framework's assemblies are one here.
+                if (tests && name == TestAssemblies.EditorRunner) name = TestAssemblies.Runner;
                 var target = Find(reference);
                 if (name != null && provided.Contains(name) || target != null && provided.Contains(target.Name)) Hosted(assembly, definition, target?.Name ?? name);
                 else if (target == null) Notes.Add($"{definition.Entry.Path} refers to the assembly {Shown(reference)}, which is not in the project: the scripts that use it will not compile");
                 else if (planned.TryGetValue(target, out var other)) assembly.References.Add(other);
-                else if (WhyNot(target, common.Concat(VersionDefines(target)).ToList()) is string reason) Notes.Add($"{definition.Entry.Path} refers to {target.Name}, which {reason}: a player has it not");
+                else if (WhyNot(target, DefinesOf(target)) is string reason) Notes.Add($"{definition.Entry.Path} refers to {target.Name}, which {reason}: {(tests ? "it is not compiled here" : "a player has it not")}");
             }
             if (!definition.OverrideReferences) assembly.Plugins.AddRange(Plugins.Where(p => !IsExplicit(p)));
             else
                 foreach (var name in definition.PrecompiledReferences)
-                    if (Plugins.Find(p => p.Path.EndsWith("/" + name, StringComparison.OrdinalIgnoreCase)) is AssetEntry plugin) assembly.Plugins.Add(plugin);
+                    if (tests && name == TestAssemblies.NUnit + ".dll") assembly.Hosted.Add(TestAssemblies.NUnit);
+                    else if (Plugins.Find(p => p.Path.EndsWith("/" + name, StringComparison.OrdinalIgnoreCase)) is AssetEntry plugin) assembly.Plugins.Add(plugin);
                     else Notes.Add($"{definition.Entry.Path} refers to {name}, which is not in the project");
         }
 
         void Hosted(ScriptAssembly assembly, AssemblyDefinition definition, string name)
         {
-            var package = Packages.Hosted.FirstOrDefault(h => h.Value == name).Key;
+            var package = packages.OfAssembly(name);
             if (package == null || packages.VersionOf(package) != null) assembly.Hosted.Add(name);
             else Notes.Add($"{definition.Entry.Path} refers to {name}, but neither Packages/manifest.json nor a package asks for {package}: the scripts that use it will not compile");
         }

@@ -14,6 +14,7 @@ namespace Host.Scripts.Assemblies
     {
         /// <summary>As .asmdef files call the platform.</summary>
         public const string Platform = "WindowsStandalone64";
+        public const string EditorPlatform = "Editor";
         public const string UnityVersion = "2022.3.0";
 
         static readonly string[] Always =
@@ -24,9 +25,14 @@ namespace Host.Scripts.Assemblies
 
         static readonly Dictionary<int, int> LastMinor = new Dictionary<int, int> { [2017] = 4, [2018] = 4, [2019] = 4, [2020] = 3, [2021] = 3, [2022] = 3 };
 
-        public static List<string> Of(string project)
+        // Where tests run: the Editor on Windows. Assemblies with tests have IncludeTests as well.
+        public const string IncludeTests = "UNITY_INCLUDE_TESTS";
+        const string DevelopmentBuild = "DEVELOPMENT_BUILD";
+        static readonly string[] Editor = { "UNITY_EDITOR", "UNITY_EDITOR_64", "UNITY_EDITOR_WIN" };
+
+        public static List<string> Of(string project, bool editor = false)
         {
-            var all = new List<string>(Always);
+            var all = editor ? Always.Where(d => d != DevelopmentBuild).Concat(Editor).ToList() : new List<string>(Always);
             for (var minor = 3; minor <= 6; minor++) all.Add($"UNITY_5_{minor}_OR_NEWER");
             foreach (var year in LastMinor)
                 for (var minor = 1; minor <= year.Value; minor++) all.Add($"UNITY_{year.Key}_{minor}_OR_NEWER");

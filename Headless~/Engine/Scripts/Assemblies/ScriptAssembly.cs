@@ -16,6 +16,8 @@ namespace Host.Scripts.Assemblies
         public readonly List<AssetEntry> Plugins = new List<AssetEntry>();
         public readonly List<string> Defines = new List<string>();
         public bool AllowUnsafe, NoEngineReferences;
+        /// <summary>Of the tests that the project runs; of the editor alone.</summary>
+        public bool HoldsTests, IsEditorOnly;
 
         public override string ToString() => Name;
     }

@@ -7,6 +7,11 @@ namespace Host.Scripts.Compiling
     /// <summary>A script that does not compile against the host, with the first thing that the compiler says of it.</summary>
     internal sealed record LeftOutFile(string Path, string Error)
     {
+        /// <summary>For want of something in the host that Unity has, or because of such a file.</summary>
+        public bool IsGap => Error.EndsWith(Hints.HostLacksIt, System.StringComparison.Ordinal) || Error.EndsWith(BecauseOfAnother, System.StringComparison.Ordinal);
+
+        public const string BecauseOfAnother = ", which is left out)";
+
         public override string ToString() => Error;
     }
 

@@ -9,6 +9,8 @@ namespace Host.Scripts.Compiling
     /// <summary>Whose fault an error is: something that Unity has and the host lacks, or something that Unity lacks as well.</summary>
     internal static class Hints
     {
+        public const string HostLacksIt = " (Unity 2022.3 has it, the host does not)";
+
         static readonly Regex Member = new Regex(@"^'(?<type>[\w.<>, ]+)' does not contain a definition for '(?<name>\w+)'", RegexOptions.Compiled);
         static ILookup<string, ApiLine> lines;
 
@@ -23,7 +25,7 @@ namespace Host.Scripts.Compiling
             var name = new Regex($@"\b{match.Groups["name"].Value}\b");
             var type = match.Groups["type"].Value.Split('<')[0].Split('.').Last();
             if (!Lines.Contains(type)) return "";
-            return Lines[type].Any(l => name.IsMatch(l.Signature)) ? " (Unity 2022.3 has it, the host does not)" : "";
+            return Lines[type].Any(l => name.IsMatch(l.Signature)) ? HostLacksIt : "";
         }
     }
 }

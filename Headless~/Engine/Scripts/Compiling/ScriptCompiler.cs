@@ -114,7 +114,7 @@ namespace Host.Scripts.Compiling
                 {
                     var first = file.OrderBy(e => e.Location.SourceSpan.Start).First();
                     var because = gone.FirstOrDefault(g => first.GetMessage().Contains("'" + g.Key + "'", StringComparison.Ordinal)).Value;
-                    leftOut.Add(new LeftOutFile(file.Key.FilePath, Said(first) + (because != null ? $" (it was in {because}, which is left out)" : Hints.Of(first))));
+                    leftOut.Add(new LeftOutFile(file.Key.FilePath, Said(first) + (because != null ? $" (it was in {because}{LeftOutFile.BecauseOfAnother}" : Hints.Of(first))));
                 }
                 foreach (var file in bad)
                     foreach (var declared in file.Key.GetRoot().DescendantNodes().OfType<BaseTypeDeclarationSyntax>()) gone.TryAdd(declared.Identifier.Text, file.Key.FilePath);
