@@ -123,7 +123,7 @@ namespace Host.Commands
             session.PrintWarnings();
             TestFacts facts = TestFacts.Of(session, run);
             // Unity warns of such objects, and so does this.
-            foreach (string left in facts.Left)
+            foreach (string left in facts.Left.Distinct())
                 Console.Error.WriteLine("warning: " + left);
             foreach (KeyValuePair<string, int> call in project.Scripts.StubCalls)
                 output.WriteLine($"not part of the host: {call.Key}, called {call.Value} times");
