@@ -215,7 +215,7 @@ ENDCG
         public void Two_eyes_in_one_pass_have_a_slice_each()
         {
             Player.Stereo = true;
-            GameObject quad = Quad(RenderPassFixture.MaterialOf("Solid.shader").shader);
+            GameObject quad = Quad(DrawShader("Stereo"));
             quad.transform.localScale = new Vector3(0.064f * 4, 10, 1);     // four times the distance of the eyes
             camera.orthographicSize = 0.256f;                               // a pixel is 16 mm
             Frame();

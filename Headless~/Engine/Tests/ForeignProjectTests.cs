@@ -162,18 +162,6 @@ namespace Host.Tests
             Assert.That(Prefabs.Output, Does.Contain("Assembly-CSharp: 5 of 6 scripts compiled"));
         }
 
-        // ---- the package by its source
-
-        [Test]
-        public void The_package_plays_in_a_project_that_refers_to_its_folder()
-        {
-            string root = Path.GetFullPath(Path.Combine(TestFolder.Path, "..", ".."));
-            using var run = new ForeignRun(Path.Combine(root, "TestProject~"), 2, "Dam Break", "--size", "160x90");
-            run.MustHaveSucceeded();
-            Assert.That(run.Output.First(), Does.Match(@"^Rill: (\d+) of \1 scripts compiled$"));
-            Assert.That(run.Errors.Where(line => line.StartsWith("error", StringComparison.Ordinal)), Is.Empty);
-        }
-
         // ---- what the user typed
 
         [TestCase("Nowhere", "is no Unity project (a folder with Assets and ProjectSettings)")]

@@ -69,8 +69,8 @@ namespace Host.Tests
         [Test]
         public void Buffers_of_the_same_or_of_no_name_get_files_of_their_own()
         {
-            Assert.That(BufferDump.FileNames(new[] { "Rill.Sums", "a/b", "", "Rill.Sums", "" }),
-                Is.EqualTo(new[] { "Rill.Sums.bin", "a_b.bin", "unnamed.bin", "Rill.Sums-2.bin", "unnamed-2.bin" }));
+            Assert.That(BufferDump.FileNames(new[] { "Water.Sums", "a/b", "", "Water.Sums", "" }),
+                Is.EqualTo(new[] { "Water.Sums.bin", "a_b.bin", "unnamed.bin", "Water.Sums-2.bin", "unnamed-2.bin" }));
         }
 
         [Test]

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Host.Check;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
 using NUnit.Framework;
@@ -50,17 +49,6 @@ namespace Host.Tests
         {
             Directory.CreateDirectory(Path.GetDirectoryName(Path.Combine(Root, file)));
             File.WriteAllText(Path.Combine(Root, file), text);
-        }
-
-        public Findings Examine(Rule rule) => rule.Examine(new PackageTree(Root, Assemblies));
-
-        /// <summary>The rule has this one fault to tell, with these words in it.</summary>
-        public void Catches(Rule rule, params string[] words)
-        {
-            List<string> faults = Examine(rule).Faults;
-            Assert.That(faults, Has.Count.EqualTo(1), string.Join("\n", faults));
-            foreach (string word in words)
-                Assert.That(faults[0], Does.Contain(word));
         }
 
         public void Dispose() => Directory.Delete(Root, true);

@@ -28,7 +28,7 @@ ENDHLSL";
         public void Properties_have_kinds_and_defaults()
         {
             ShaderSource shader = Import(@"// a comment { with a brace
-Shader ""Rill/Test"" /* and ""another"" */
+Shader ""Water/Test"" /* and ""another"" */
 {
     Properties
     {
@@ -46,7 +46,7 @@ Shader ""Rill/Test"" /* and ""another"" */
     Fallback ""Diffuse""
     CustomEditor ""My.Editor""
 }");
-            Assert.That(shader.Name, Is.EqualTo("Rill/Test"));
+            Assert.That(shader.Name, Is.EqualTo("Water/Test"));
             Assert.That(shader.Properties.Select(p => p.Name + " " + p.Kind), Is.EqualTo(new[]
             {
                 "_Color Color", "_MainTex Texture2D", "_Range Range", "_Cull Int", "_Vector Vector", "_Volume Texture3D", "_Sky TextureCube", "_Slices Texture2DArray", "_Float Float",

@@ -12,7 +12,7 @@ namespace Host.Tests
         static string Find([CallerFilePath] string here = "")
         {
             string root = Environment.GetEnvironmentVariable("RILL_ROOT");
-            return string.IsNullOrEmpty(root) ? System.IO.Path.GetDirectoryName(here) : System.IO.Path.Combine(root, "Headless~", "tests");
+            return string.IsNullOrEmpty(root) ? System.IO.Path.GetDirectoryName(here) : System.IO.Path.Combine(root, "Headless~", "Engine", "Tests");
         }
     }
 }

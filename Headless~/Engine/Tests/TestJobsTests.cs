@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using System.Threading;
 using Host.Testing;
 using NUnit.Framework;
@@ -70,7 +71,7 @@ namespace Waiting
 
         Process Start(params string[] more)
         {
-            string host = Path.Combine(Path.GetDirectoryName(typeof(Session).Assembly.Location), "Host.dll");
+            string host = Assembly.GetEntryAssembly().Location;
             var start = new ProcessStartInfo("dotnet", new[] { host, "test", "--no-validation", "--assembly", Path.Combine(planted.Assemblies, "Planted.Tests.dll") }.Concat(more)) { RedirectStandardOutput = true, RedirectStandardError = true };
             start.Environment.Remove("LP_NUM_THREADS");     // this may be a worker itself
             start.Environment["RILL_CACHE"] = planted.Root;
@@ -166,9 +167,9 @@ namespace Waiting
         [TestCase("65")]
         public void A_number_of_processes_that_cannot_be_is_refused(string jobs)
         {
-            string host = Path.Combine(Path.GetDirectoryName(typeof(Session).Assembly.Location), "Host.dll");
+            string host = Assembly.GetEntryAssembly().Location;
             using Process process = Process.Start(new ProcessStartInfo("dotnet", new[] { host, "test", "--jobs", jobs }) { RedirectStandardError = true });
-            Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"rill: --jobs {jobs}: the number of processes is 1 to 64"));
+            Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"{CommandLine.Name}: --jobs {jobs}: the number of processes is 1 to 64"));
             process.WaitForExit();
             Assert.That(process.ExitCode, Is.EqualTo(2));
         }

@@ -251,7 +251,7 @@ namespace Host.Tests
             var quad = GameObject.CreatePrimitive(PrimitiveType.Quad);
             quad.transform.localScale = Vector3.one * 100;
             quad.transform.rotation = camera.transform.rotation;
-            quad.GetComponent<MeshRenderer>().sharedMaterial = RenderPassFixture.MaterialOf("Solid.shader", "UniversalPipeline");
+            quad.GetComponent<MeshRenderer>().sharedMaterial = new Material(Shader.Find("Unlit/Color")) { color = Color.white };
             quad.GetComponent<MeshRenderer>().sharedMaterial.renderQueue = 3000;
             RenderSettings.ambientMode = UnityEngine.Rendering.AmbientMode.Flat;
             RenderSettings.ambientSkyColor = Color.white;

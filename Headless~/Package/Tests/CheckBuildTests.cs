@@ -99,7 +99,7 @@ namespace Host.Tests
     public class PrefabBuildTests : AssetFixture
     {
         const string Prefab = "Assets/Tap.prefab";
-        static readonly string Package = Path.GetFullPath(Path.Combine(TestFolder.Path, "..", ".."));
+        static readonly string Package = PackageFolder.Path;
 
         [Test]
         public void A_prefab_without_the_stages_that_it_uses_is_saved_with_them()

@@ -9,7 +9,7 @@ namespace Host.Tests
     /// <summary>A copy of the package in a temporary folder, in which a test plants the fault that a rule exists for.</summary>
     sealed class PackageCopy : IDisposable
     {
-        static readonly string[] NotNeeded = { "Headless~/tests/", "Headless~/Engine/", "Headless~/Package/Host/", "Headless~/Package/data/" };
+        static readonly string[] NotNeeded = { "Headless~/Engine/", "Headless~/Package/Tests/", "Headless~/Package/Host/", "Headless~/Package/data/" };
 
         public readonly string Root = Path.Combine(Path.GetTempPath(), "rill-check-" + Guid.NewGuid().ToString("N"));
         readonly string assemblies;
@@ -18,7 +18,7 @@ namespace Host.Tests
         public PackageCopy(string assemblies = null)
         {
             this.assemblies = assemblies;
-            string package = Path.GetFullPath(Path.Combine(TestFolder.Path, "..", ".."));
+            string package = PackageFolder.Path;
             foreach (string file in new PackageTree(package).Files.Where(f => !NotNeeded.Any(folder => f.StartsWith(folder, StringComparison.Ordinal))).Append(".npmignore").Append("TestProject~/Assets/.gitkeep"))
                 Write(file, File.ReadAllBytes(Path.Combine(package, file)));
         }

@@ -18,7 +18,7 @@ namespace Host.Check
         {
             var findings = new Findings();
             int links = 0;
-            List<string> pages = package.WithExtension(".md").Where(page => !page.StartsWith("Headless~/tests/", StringComparison.Ordinal)).ToList();
+            List<string> pages = package.WithExtension(".md").Where(page => !page.Contains("/Tests/Projects/", StringComparison.Ordinal)).ToList();
             foreach (string page in pages)
             {
                 bool code = false;
