@@ -54,7 +54,7 @@ namespace Host.Tests
         [Test]
         public void A_script_without_its_class_names_file_and_assemblies() =>
             Assert.That(Temporary().Write("Assets/Scripts/Gone.cs", "", "e0000000000000000000000000000002").Scene("", "e0000000000000000000000000000002").Fault(),
-                Does.Contain("Assets/Scripts/Gone.cs has no MonoBehaviour or ScriptableObject named Gone in the loaded assemblies (Host.Tests)"));
+                Does.Contain("Assets/Scripts/Gone.cs has no MonoBehaviour or ScriptableObject named Gone in the loaded assemblies (Engine.Tests)"));
 
         [Test]
         public void An_asset_class_on_an_object_is_refused() =>
