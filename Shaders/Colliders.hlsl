@@ -45,6 +45,13 @@ float3 SurfaceMotion(Collider collider, float3 p)
     return p - FromLastCollider(collider, ToCollider(collider, p));
 }
 
+// How the collider's surface moves by a point: half of how matter came there in the substep and of how it would go on. What turns comes
+// along a chord, which ends inward of where it began, but its surface as a whole goes nowhere.
+float3 CentralMotion(Collider collider, float3 p)
+{
+    return 0.5 * (FromCollider(collider, ToLastCollider(collider, p)) - FromLastCollider(collider, ToCollider(collider, p)));
+}
+
 // ---- signed distances in a collider's own frame: xyz the direction in which the distance grows, w the distance
 
 float4 SphereDistance(float3 p, float radius)

@@ -6,6 +6,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>Deep water and solid colliders: the coarse grid's pressure stops at them, and holds the water above and beside them.</summary>
+    [Category("LongRun")]
     public class ColliderDeepWaterTests
     {
         const float Spacing = 0.05f;

@@ -6,6 +6,7 @@ using UnityEngine.Rendering;
 namespace Rill.Tests
 {
     /// <summary>What the fluid does to colliders: as much as they do to it, and what Archimedes says.</summary>
+    [Category("LongRun")]
     public class ColliderReactionTests
     {
         const float Spacing = 0.05f;

@@ -11,6 +11,7 @@ using Object = UnityEngine.Object;
 namespace Rill.Tests
 {
     /// <summary>Colliders put together from several bodies, side by side or in one another: as one body of the same outline. Lengths in d.</summary>
+    [Category("LongRun")]
     public class CompoundTests
     {
         const float Spacing = 0.05f;

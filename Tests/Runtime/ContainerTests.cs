@@ -7,6 +7,7 @@ using Object = UnityEngine.Object;
 namespace Rill.Tests
 {
     /// <summary>Thin closed vessels of signed distance fields that are shaken and turned: what is in them stays in them.</summary>
+    [Category("LongRun")]
     public class ContainerTests
     {
         const float Spacing = 0.05f;

@@ -11,6 +11,7 @@ using Object = UnityEngine.Object;
 namespace Rill.Tests
 {
     /// <summary>Whole fluids with a shear modulus: they spring back, swing at their own frequency, and nothing that is asked of them blows them up.</summary>
+    [Category("LongRun")]
     public class ElasticFluidTests
     {
         const float Spacing = 0.05f, TimeStep = 1f / 60f;

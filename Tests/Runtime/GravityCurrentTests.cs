@@ -6,6 +6,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>A viscous fluid that spreads on a floor by its weight (Huppert, J. Fluid Mech. 121, 1982), in a narrow tank whose sides slip.</summary>
+    [Category("LongRun")]
     public class GravityCurrentTests
     {
         const float Spacing = 0.01f, Viscosity = 0.02f, Gravity = 9.81f;      // m, m²/s, m/s²

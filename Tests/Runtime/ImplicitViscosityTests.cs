@@ -7,6 +7,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>The stage by itself: against a solve in double precision, and by what every viscosity keeps.</summary>
+    [Category("LongRun")]
     public class ImplicitViscosityTests
     {
         [TestCaseSource(typeof(GpuTest), nameof(GpuTest.Sizes))]

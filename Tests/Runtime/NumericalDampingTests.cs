@@ -10,6 +10,7 @@ namespace Rill.Tests
     /// Less numerical damping than that of a first-order step keeps turning for longer and changes nothing else: free fall, bounces,
     /// impacts, forces and the start of what is new or awake again.
     /// </summary>
+    [Category("LongRun")]
     public class NumericalDampingTests
     {
         const float Spacing = 0.05f, Gravity = 9.81f;

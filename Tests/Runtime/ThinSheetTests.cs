@@ -4,6 +4,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>Water of a few layers where the coarse grid runs, and spray above it.</summary>
+    [Category("LongRun")]
     public class ThinSheetTests
     {
         [Test]

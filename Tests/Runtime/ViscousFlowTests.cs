@@ -6,6 +6,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>Fluids of a given viscosity in flows whose answer is known, by the whole solver.</summary>
+    [Category("LongRun")]
     public class ViscousFlowTests
     {
         const int Side = 30;            // d, of a block

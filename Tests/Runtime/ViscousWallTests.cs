@@ -6,6 +6,7 @@ using Unity.Mathematics;
 namespace Rill.Tests
 {
     /// <summary>How walls hold a fluid of a given viscosity, by the whole solver: flows between plates whose profile is known.</summary>
+    [Category("LongRun")]
     public class ViscousWallTests
     {
         const float Spacing = 0.05f, TimeStep = 0.01f;

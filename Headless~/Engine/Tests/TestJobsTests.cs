@@ -50,6 +50,12 @@ namespace Dying
     public class Exits { [Test] public void One() { Environment.Exit(7); } }
     public class Killed { [Test] public void One() { Process.GetCurrentProcess().Kill(); Thread.Sleep(10000); } }
 }
+namespace Slow
+{
+    public class Mixed { [Test] public void One() { } [Test, Category(""Long"")] public void Two() { } }
+    [Category(""Long"")] public class Whole { [Test] public void One() { } }
+    public class Brief { [TestCase(1), TestCase(2, Category = ""Long"")] public void One(int n) { } }
+}
 namespace Waiting
 {
     public class Waits { [Test] public void One() { Planted.Notes.Write(""waits""); Thread.Sleep(60000); } }
@@ -112,6 +118,13 @@ namespace Waiting
             Assert.That(shared[0], Is.EqualTo(Math.Max(1, Environment.ProcessorCount / 2).ToString()));
             Assert.That(alone[0], Is.EqualTo(Environment.ProcessorCount.ToString()));
             Assert.That(alone[1], Is.Not.EqualTo(shared[1]), "a process of its own");
+        }
+
+        [TestCase("1"), TestCase("2")]
+        public void Tests_of_a_category_are_left_out_with_their_fixtures(string jobs)
+        {
+            Assert.That(Run(out string[] lines, "--jobs", jobs, "--filter", "Slow.", "--leave-out", "Long"), Is.EqualTo(0));
+            Assert.That(lines.Last(), Is.EqualTo("2 passed, 0 failed"));
         }
 
         [Test]

@@ -8,7 +8,7 @@ namespace Rill.Tests
     /// <summary>Foam of whole fluids: where there is some, where there is none, and that it repeats.</summary>
     public class FoamFluidTests
     {
-        [Test]
+        [Test, Category("LongRun")]
         public void A_still_pool_makes_no_foam_in_ten_seconds()
         {
             using (var fluid = new TestFluid(new float3(0.8f, 0.6f, 0.8f), 0.05f, 5000))
@@ -19,7 +19,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void The_same_seed_gives_the_same_foam_bit_for_bit_and_another_seed_another()
         {
             FoamParticle[] first = Dam(seed: 1), second = Dam(seed: 1), other = Dam(seed: 2);
@@ -35,7 +35,7 @@ namespace Rill.Tests
             }
         }
 
-        [Test]
+        [Test, Category("LongRun")]
         public void The_foam_of_a_dam_is_that_of_half_the_spacing_and_of_more_substeps()
         {
             // The same slice of the flow, at the same number of spacings in a substep; and in shorter ones.

@@ -8,6 +8,7 @@ using UnityEngine;
 namespace Rill.Tests
 {
     /// <summary>States to which no constant of the surface was fitted, as they are drawn, against the shape that their volume has.</summary>
+    [Category("LongRun")]
     public class HeldOutSurfaceTests
     {
         const float Spacing = 0.05f;

@@ -6,6 +6,7 @@ using UnityEngine;
 namespace Rill.Tests
 {
     /// <summary>The surface is averaged over time where the water is still, and only there.</summary>
+    [Category("LongRun")]
     public class SteadySurfaceTests
     {
         const float Spacing = 0.05f;

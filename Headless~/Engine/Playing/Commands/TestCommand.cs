@@ -16,12 +16,12 @@ namespace Host.Commands
     {
         sealed class Choice
         {
-            public string[] Texts;
+            public string[] Texts, LeftOut;
             public bool PackageOnly, HostOnly, Validation, ShowsAll, Alone, Strict;
             public string Assembly, Worker, Project;
 
-            public bool IsWhole => Texts.Length == 0 && !PackageOnly && !HostOnly && Assembly == null && Project == null;
-            public TestFilter Filter => Texts.Length == 0 ? TestFilter.Empty : new TextFilter(Texts);
+            public bool IsWhole => Texts.Length == 0 && LeftOut.Length == 0 && !PackageOnly && !HostOnly && Assembly == null && Project == null;
+            public TestFilter Filter => Texts.Length == 0 && LeftOut.Length == 0 ? TestFilter.Empty : new TextFilter(Texts, LeftOut);
         }
 
         public static Command Create()
@@ -29,6 +29,7 @@ namespace Host.Commands
             var filter = new Option<string[]>("--filter") { Description = "Only tests whose full name contains this text; may come several times.", DefaultValueFactory = _ => Array.Empty<string>() };
             var project = new Option<string>("--project") { Description = "A Unity project's folder: its own tests instead, compiled from source with its scripts." };
             var strict = new Option<bool>("--strict") { Description = "With --project: fail where Unity logs and goes on or is undefined." };
+            var leaveOut = new Option<string[]>("--leave-out") { Description = "No tests of this category; may come several times.", DefaultValueFactory = _ => Array.Empty<string>() };
             var list = new Option<bool>("--list") { Description = "Name the tests, run none." };
             var package = new Option<bool>("--package-only") { Description = "Only the package's tests." };
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
@@ -45,14 +46,14 @@ namespace Host.Commands
             var alone = new Option<bool>("--alone") { Description = "As a worker: fixtures that run alone.", Hidden = true };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
-            var command = new Command("test", "Runs the tests.") { project, strict, filter, list, package, host, noValidation, written, jobs, shaders, limits, assembly, worker, alone };
+            var command = new Command("test", "Runs the tests.") { project, strict, filter, leaveOut, list, package, host, noValidation, written, jobs, shaders, limits, assembly, worker, alone };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 LimitsOption.Use(parsed.GetValue(limits));
                 var choice = new Choice
                 {
-                    Texts = parsed.GetValue(filter), PackageOnly = parsed.GetValue(package), HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
+                    Texts = parsed.GetValue(filter), LeftOut = parsed.GetValue(leaveOut), PackageOnly = parsed.GetValue(package), HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
                     ShowsAll = parsed.GetValue(written), Project = parsed.GetValue(project), Strict = parsed.GetValue(strict), Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
                 };
                 return choice.Project != null ? ExecuteProject(choice, parsed.GetValue(list), parsed.GetValue(jobs)) : Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
@@ -178,6 +179,7 @@ namespace Host.Commands
         {
             var arguments = new List<string> { "--shaders", ShaderBackend.Current.Name, "--limits", Player.Limits.Name };
             arguments.AddRange(choice.Texts.SelectMany(text => new[] { "--filter", text }));
+            arguments.AddRange(choice.LeftOut.SelectMany(category => new[] { "--leave-out", category }));
             if (choice.PackageOnly)
                 arguments.Add("--package-only");
             if (choice.HostOnly)

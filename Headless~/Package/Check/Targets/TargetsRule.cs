@@ -64,7 +64,15 @@ namespace Host.Check
             {
                 ShaderProgram program = variant.Compile().Program;
                 var needs = new ProgramNeeds(program);
-                string Reason(Target target) => string.Join("; ", target.Limits.Excesses(needs).Concat(target.Translation == null ? Array.Empty<string>() : new[] { translator.Try(program, target.Translation) }).Where(r => r != null));
+                string Reason(Target target)
+                {
+                    string[] excesses = target.Limits.Excesses(needs).ToArray();
+                    // To translate takes long: what does not run on a target that is not stated as supported need not be translated to know it.
+                    if (target.Translation != null && (target.Supported || excesses.Length == 0))
+                        excesses = excesses.Append(translator.Try(program, target.Translation)).Where(reason => reason != null).ToArray();
+                    return string.Join("; ", excesses);
+                }
+
                 return new Verdict { Variant = variant, Needs = needs, Reasons = targets.Select(Reason).ToArray() };
             }
             catch (ShaderCompileException e)

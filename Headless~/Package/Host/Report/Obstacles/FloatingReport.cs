@@ -16,11 +16,11 @@ namespace Host.Report.Obstacles
             var heights = new ReportTable("shape", "across", "deep", "time_s", "height_m", "fit_m");
             foreach (int across in run.Quick ? new[] { 8 } : new[] { 8, 16, 32 })
                 foreach (ColliderShape shape in new[] { ColliderShape.Sphere, ColliderShape.Box })
-                    foreach (DeepWater deep in new[] { DeepWater.On, DeepWater.Off })
+                    foreach (DeepWater deep in run.Quick ? new[] { DeepWater.On } : new[] { DeepWater.On, DeepWater.Off })
                     {
                         SolverSettings settings = SolverSettings.Default;
                         settings.deepWater = deep;
-                        int layers = across * 3 / 2, side = across * FloatingBody.WidthsAcross;
+                        int layers = across * 3 / 2, side = across * (run.Quick ? 3 : FloatingBody.WidthsAcross);
                         FloatingBody body = FloatingBody.Run(shape, across, layers, side, settings);
                         string name = shape == ColliderShape.Sphere ? "ball" : "cube";
                         summary.Add(name, across, layers, side, ObstaclesSection.Text(deep), body.Draft, body.TheoryDraft, body.LevelError, body.Period, body.TheoryPeriod, body.DampingRatio, body.Fit.Misfit);
