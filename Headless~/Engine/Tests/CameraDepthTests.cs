@@ -67,7 +67,7 @@ void surf (Input IN, inout SurfaceOutput o) {{ o.Albedo = 1; {body} }}
 ENDCG
 }} Fallback ""Diffuse"" }}");
 
-        static IEnumerable<string> WithShadowCaster() => new[] { "Standard", "Standard (Specular setup)", "Diffuse", "VertexLit", "Mobile/Diffuse", "Mobile/VertexLit", "Particles/Standard Surface" };
+        static IEnumerable<string> WithShadowCaster() => new[] { "Standard", "Standard (Specular setup)", "Diffuse", "VertexLit", "Mobile/Diffuse", "Mobile/VertexLit" };
 
         [TestCaseSource(nameof(WithShadowCaster))]
         public void It_holds_what_has_a_ShadowCaster_pass(string shader)

@@ -35,10 +35,8 @@ namespace Host.Tests
         [TestCase("Unlit/Texture")]
         [TestCase("Unlit/Transparent")]
         [TestCase("Sprites/Default")]
-        [TestCase("Particles/Standard Unlit")]
         [TestCase("Legacy Shaders/Diffuse")]
         [TestCase("Diffuse")]
-        [TestCase("Hidden/Internal-Colored")]
         public void Shader_Find_knows_it(string name) => Assert.That(new Material(Shader.Find(name)).passCount, Is.GreaterThan(0));
 
         [Test]
@@ -47,7 +45,7 @@ namespace Host.Tests
         [TestCase(10303, "Default-Material", "Standard")]
         [TestCase(10302, "Default-Diffuse", "Legacy Shaders/Diffuse")]
         [TestCase(10304, "Default-Skybox", "Skybox/Procedural")]
-        [TestCase(10308, "Default-ParticleSystem", "Particles/Standard Unlit")]
+        [TestCase(10308, "Default-ParticleSystem", "Sprites/Default")]
         [TestCase(10754, "Sprites-Default", "Sprites/Default")]
         public void Materials_are_found_by_their_file_ids(long id, string name, string shader)
         {

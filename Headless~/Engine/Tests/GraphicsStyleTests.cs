@@ -54,43 +54,6 @@ ENDCG } } }";
             Assert.That(Pixel(32, 16), Is.EqualTo(clear));
         }
 
-        sealed class QuadDrawer : MonoBehaviour
-        {
-            public Material Material;
-
-            void OnPostRender()
-            {
-                GL.PushMatrix();
-                Material.SetPass(0);
-                GL.LoadOrtho();
-                GL.Begin(GL.QUADS);
-                GL.Color(Color.red);
-                GL.Vertex3(0, 0, 0);
-                GL.Vertex3(0, 0.5f, 0);
-                GL.Vertex3(0.25f, 0.5f, 0);
-                GL.Vertex3(0.25f, 0, 0);
-                GL.End();
-                GL.PopMatrix();
-                GL.Begin(GL.TRIANGLES);
-                GL.Color(Color.green);
-                GL.Vertex3(4, 4, 0);
-                GL.Vertex3(4, 8, 0);
-                GL.Vertex3(8, 4, 0);
-                GL.End();
-            }
-        }
-
-        [Test]
-        public void GL_draws_in_OnPostRender_over_the_cameras_picture()
-        {
-            NewCamera().gameObject.AddComponent<QuadDrawer>().Material = new Material(Shader.Find("Hidden/Internal-Colored"));
-            Frame();
-            Assert.That(Pixel(4, 30), Is.EqualTo(new Color32(255, 0, 0, 255)), "the lower left quarter's left half");
-            Assert.That(Pixel(4, 14), Is.EqualTo(clear), "nothing in the upper half");
-            Assert.That(Pixel(18, 30), Is.EqualTo(clear));
-            Assert.That(Pixel(41, 6), Is.EqualTo(new Color32(0, 255, 0, 255)), "in the camera's space again");
-        }
-
         [Test]
         public void A_chain_of_blits_stays_upright_however_long()
         {
@@ -165,12 +128,7 @@ ENDCG } } }";
             GL.PushMatrix();
             GL.LoadOrtho();
             material.SetPass(0);
-            GL.Begin(GL.QUADS);
-            GL.TexCoord2(0, 0); GL.Vertex3(0, 0, 0);
-            GL.TexCoord2(0, 1); GL.Vertex3(0, 1, 0);
-            GL.TexCoord2(1, 1); GL.Vertex3(1, 1, 0);
-            GL.TexCoord2(1, 0); GL.Vertex3(1, 0, 0);
-            GL.End();
+            Graphics.DrawMeshNow(Resources.GetBuiltinResource<Mesh>("Quad.fbx"), Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)));
             GL.PopMatrix();
             RenderTexture.active = null;
             Assert.That(Read(first)[3], Is.EqualTo(new Vector4(1, 0, 0, 1)));

@@ -17,7 +17,8 @@ namespace Host.Assets
             [46] = "Standard", [45] = "Standard (Specular setup)", [7] = "Legacy Shaders/Diffuse", [30] = "Legacy Shaders/Transparent/Diffuse",
             [10750] = "Unlit/Transparent", [10751] = "Unlit/Transparent Cutout", [10752] = "Unlit/Texture", [10753] = "Sprites/Default", [10755] = "Unlit/Color",
             [104] = "Skybox/6 Sided", [106] = "Skybox/Procedural",
-            [200] = "Legacy Shaders/Particles/Additive", [210] = "Particles/Standard Surface", [211] = "Particles/Standard Unlit",
+            // Particles/Additive, Standard Surface and Standard Unlit: particles are not drawn here.
+            [200] = "Sprites/Default", [210] = "Sprites/Default", [211] = "Sprites/Default",
         };
 
         public static bool IsBuiltIn(string guid) => guid == Extra || guid == Default;

@@ -12,9 +12,9 @@ namespace UnityEngine.Headless
         static readonly Dictionary<string, string> materialShaders = new Dictionary<string, string>
         {
             [DefaultMaterialName] = "Standard", ["Default-Diffuse.mat"] = "Legacy Shaders/Diffuse", ["Default-Skybox.mat"] = "Skybox/Procedural",
-            ["Default-Particle.mat"] = "Legacy Shaders/Particles/Alpha Blended Premultiply", ["Default-ParticleSystem.mat"] = "Particles/Standard Unlit",
             [ErrorMaterialName] = "Hidden/InternalErrorShader",
-            ["Default-Line.mat"] = "Legacy Shaders/Particles/Alpha Blended", ["Sprites-Default.mat"] = "Sprites/Default",
+            // Neither particles nor lines are drawn here: their materials are there for who refers to them.
+            ["Default-Particle.mat"] = "Sprites/Default", ["Default-ParticleSystem.mat"] = "Sprites/Default", ["Default-Line.mat"] = "Sprites/Default", ["Sprites-Default.mat"] = "Sprites/Default",
         };
         static readonly Dictionary<string, Material> materials = new Dictionary<string, Material>();
 

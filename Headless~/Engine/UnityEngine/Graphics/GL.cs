@@ -4,8 +4,6 @@ namespace UnityEngine
 {
     public sealed class GL
     {
-        public const int TRIANGLES = 0x0004, TRIANGLE_STRIP = 0x0005, QUADS = 0x0007, LINES = 0x0001, LINE_STRIP = 0x0002;
-
         public static bool invertCulling { get => RenderState.InvertCulling; set => RenderState.InvertCulling = value; }
         public static bool wireframe { get; set; }
         public static bool sRGBWrite { get; set; }
@@ -22,51 +20,23 @@ namespace UnityEngine
 
         public static void LoadProjectionMatrix(Matrix4x4 mat) => BuiltinVariables.SetViewProjection(RenderState.View, mat);
 
-        public static void LoadIdentity()
-        {
-            model = Matrix4x4.identity;
-            BuiltinVariables.SetViewProjection(Matrix4x4.identity, RenderState.Projection);
-        }
+        public static void LoadIdentity() => BuiltinVariables.SetViewProjection(Matrix4x4.identity, RenderState.Projection);
 
         public static void LoadOrtho() => Load(Matrix4x4.Ortho(0, 1, 0, 1, -1, 100));
         public static void LoadPixelMatrix() => LoadPixelMatrix(0, RenderState.Width, 0, RenderState.Height);
         public static void LoadPixelMatrix(float left, float right, float bottom, float top) => Load(Matrix4x4.Ortho(left, right, bottom, top, -1, 100));
 
-        static void Load(Matrix4x4 projection)
-        {
-            model = Matrix4x4.identity;
-            BuiltinVariables.SetViewProjection(Matrix4x4.identity, projection);
-        }
+        static void Load(Matrix4x4 projection) => BuiltinVariables.SetViewProjection(Matrix4x4.identity, projection);
 
-        public static void MultMatrix(Matrix4x4 m) => model = m;
-
-        public static void PushMatrix() => stack.Push((model, RenderState.View, RenderState.Projection));
+        public static void PushMatrix() => stack.Push((RenderState.View, RenderState.Projection));
 
         public static void PopMatrix()
         {
-            Matrix4x4 view, projection;
-            (model, view, projection) = stack.Pop();
+            (Matrix4x4 view, Matrix4x4 projection) = stack.Pop();
             BuiltinVariables.SetViewProjection(view, projection);
         }
 
-        static Matrix4x4 model = Matrix4x4.identity;
-        static readonly System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4, Matrix4x4)> stack = new System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4, Matrix4x4)>();
-
-        // ---- vertices one by one, drawn with the pass of Material.SetPass
-
-        static readonly ImmediateMesh immediate = new ImmediateMesh();
-
-        public static void Begin(int mode) => immediate.Begin(mode);
-        public static void End() => immediate.End(model);
-        public static void Vertex3(float x, float y, float z) => Vertex(new Vector3(x, y, z));
-        public static void Vertex(Vector3 v) => immediate.Add(v);
-        public static void Color(Color c) => immediate.Color = c;
-        public static void TexCoord(Vector3 v) => MultiTexCoord(0, v);
-        public static void TexCoord2(float x, float y) => MultiTexCoord(0, new Vector3(x, y, 0));
-        public static void TexCoord3(float x, float y, float z) => MultiTexCoord(0, new Vector3(x, y, z));
-        public static void MultiTexCoord(int unit, Vector3 v) => immediate.SetTexCoord(unit, v);
-        public static void MultiTexCoord2(int unit, float x, float y) => MultiTexCoord(unit, new Vector3(x, y, 0));
-        public static void MultiTexCoord3(int unit, float x, float y, float z) => MultiTexCoord(unit, new Vector3(x, y, z));
+        static readonly System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4)> stack = new System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4)>();
 
         public static void Viewport(Rect pixelRect) => RenderState.SetViewport(pixelRect);
         public static void Clear(bool clearDepth, bool clearColor, Color backgroundColor) => Clear(clearDepth, clearColor, backgroundColor, 1);
