@@ -1,9 +1,10 @@
 using System;
 using Host.Assets;
 using Host.Baking;
+using Host.Bench;
 using Host.Commands;
-using Host.Fluids;
 using Host.Report;
+using Host.Studies;
 
 namespace Host
 {

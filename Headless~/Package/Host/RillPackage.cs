@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Host.Fluids;
 using Host.Output;
 using Rill;
 
@@ -22,9 +21,9 @@ namespace Host
 
         public override void EnterPlayer() => StageShader.EditorFind = null;
 
-        public override List<IRunProbe> Probes() => Fluids.Probes.OfScene();
+        public override List<IRunProbe> Probes() => Probing.Probes.OfScene();
 
-        public override string StateHash() => Fluids.StateHash.OfScene();
+        public override string StateHash() => Probing.StateHash.OfScene();
 
         // Puts back how the editor finds stages.
         sealed class EditorFind : IDisposable

@@ -1,8 +1,10 @@
 using System.Diagnostics;
 using System.IO;
 using Host;
-using Host.Fluids;
+using Host.Commands;
+using Host.Experiments;
 using Host.Report;
+using Host.Studies;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Host.Report.Methods;
+using Host.Studies.Methods;
 using NUnit.Framework;
 using Rill;
 using Unity.Collections;

@@ -1,5 +1,5 @@
 using System.Linq;
-using Host.Report.Methods;
+using Host.Studies.Methods;
 using NUnit.Framework;
 
 namespace Host.Tests

@@ -4,7 +4,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using Host.Fluids;
+using Host.Commands;
 using NUnit.Framework;
 using Rill;
 using Unity.Mathematics;

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
-using Host.Fluids;
+using Host.Experiments;
 using Host.Report;
 using Host.Report.ErrorTime;
 using NUnit.Framework;

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Host.Report.Methods;
+using Host.Studies.Methods;
 using Rill;
 using Unity.Mathematics;
 

@@ -1,9 +1,9 @@
 using System.Collections.Generic;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
 using Host.Report;
 using Host.Report.ErrorTime;
-using Host.Report.Thesis;
+using Host.Studies.Thesis;
 using NUnit.Framework;
 
 namespace Host.Tests

@@ -4,12 +4,13 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Host.Baking;
 using Rill;
 using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
-namespace Host.Baking
+namespace Host.Bench
 {
     /// <summary>Times bakes part by part: what the CPU does before, between and after the dispatches, and what the GPU does.</summary>
     static class BakeBench

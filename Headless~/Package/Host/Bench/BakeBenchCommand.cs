@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using Host.Assets;
+using Host.Baking;
 using Rill;
 
-namespace Host.Baking
+namespace Host.Bench
 {
     /// <summary><c>bench bake</c>: CPU and GPU time of bakes by the mesh's size. It prints figures and judges none.</summary>
     static class BakeBenchCommand

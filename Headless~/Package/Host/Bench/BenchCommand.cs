@@ -7,6 +7,7 @@ using System.Linq;
 using System.Text.Json;
 using Host.Baking;
 using Host.Commands;
+using Host.Experiments;
 using Rill;
 using Spectre.Console;
 using Unity.Mathematics;
@@ -14,7 +15,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary><c>bench</c>: GPU time of the solver's step, by stage, over windows of a breaking dam.</summary>
     static class BenchCommand

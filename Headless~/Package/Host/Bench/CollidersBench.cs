@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Commands;
+using Host.Experiments;
 using Host.Report;
 using Rill;
 using Unity.Collections;
@@ -13,7 +14,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary><c>bench colliders</c>: what colliders add to the GPU time of the solver's step, by stage and number of them, without and with their forces.</summary>
     static class CollidersBench

@@ -5,11 +5,12 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Commands;
+using Host.Experiments;
 using Host.Report;
 using Rill;
 using UnityEngine.Headless;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary><c>bench foam</c>: what foam adds to the GPU time of the solver's step, with so many foam particles over a dam that breaks.</summary>
     static class FoamBench

@@ -5,13 +5,14 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Commands;
+using Host.Experiments;
 using Host.Report;
 using Rill;
 using Unity.Mathematics;
 using UnityEngine.Headless;
 using Random = Unity.Mathematics.Random;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary><c>bench queries</c>: what probes and detectors take of the GPU after a step, over a dam that breaks.</summary>
     static class QueriesBench

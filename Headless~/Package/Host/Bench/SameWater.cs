@@ -8,7 +8,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary>
     /// Times the step that a fluid would take from the same state without its colliders: what these cost is the difference. Water that never met

@@ -3,7 +3,7 @@ using Rill;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary>The passes of a surface on the screen, for a camera that has the whole of a scene's box in view.</summary>
     sealed class ScreenPasses : IDisposable

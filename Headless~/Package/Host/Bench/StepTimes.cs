@@ -7,7 +7,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary>GPU milliseconds of a solver's steps within a window of a scene that is played from its start until there are enough.</summary>
     static class StepTimes

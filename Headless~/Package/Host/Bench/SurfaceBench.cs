@@ -5,11 +5,12 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Host.Commands;
+using Host.Experiments;
 using Host.Report;
 using Rill;
 using UnityEngine.Headless;
 
-namespace Host.Fluids
+namespace Host.Bench
 {
     /// <summary><c>bench surface</c>: GPU time of finding the water's surface, beside that of the step, and how much is drawn.</summary>
     static class SurfaceBench

@@ -10,7 +10,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
-namespace Host.Fluids
+namespace Host.Commands
 {
     /// <summary><c>explain</c>: what a scene's simulations cost in stages, kernels, variants and bytes, and why.</summary>
     static class ExplainCommand

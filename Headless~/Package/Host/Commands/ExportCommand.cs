@@ -4,12 +4,13 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Host.Assets;
+using Host.Experiments;
 using Host.Output;
 using Rill;
 using UnityEngine.Headless;
 using Object = UnityEngine.Object;
 
-namespace Host.Fluids
+namespace Host.Commands
 {
     /// <summary><c>export</c>: plays a scene and writes its particles into a sequence of files that other programs read.</summary>
     static class ExportCommand

@@ -3,10 +3,11 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
+using Host.Experiments;
 using Host.Report.Obstacles;
 using Rill;
 
-namespace Host.Fluids
+namespace Host.Commands
 {
     /// <summary><c>measure</c>: one scene with one setting, its errors and its GPU time.</summary>
     static class MeasureCommand

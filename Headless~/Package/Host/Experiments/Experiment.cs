@@ -6,7 +6,7 @@ using UnityEngine;
 using UnityEngine.Headless;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>A scene run with one setting: statistics over time, and GPU time by window and stage.</summary>
     sealed class Experiment

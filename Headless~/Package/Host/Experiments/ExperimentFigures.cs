@@ -2,7 +2,7 @@ using System.Linq;
 using Rill;
 using Unity.Mathematics;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>What a run with one setting comes to: the columns that the report's sweeps share. Measures as in Documentation~/solver.md.</summary>
     static class ExperimentFigures

@@ -6,7 +6,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>Blocks of fluid in a closed box, on a cubic lattice with offsets of ±0.02 spacings: what figures are measured on.</summary>
     sealed class ExperimentScene

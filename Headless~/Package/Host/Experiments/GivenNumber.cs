@@ -4,7 +4,7 @@ using System.Globalization;
 using System.Linq;
 using Rill;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>A number in a scene that a user names, "tank:8:112:0.02", with its limits.</summary>
     /// <param name="Otherwise">What it is where it is left out; null where it must be given.</param>

@@ -4,7 +4,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>What an experiment plays with one input: the package's solver, or one that differs from it.</summary>
     interface IExperimentSolver : IDisposable

@@ -4,7 +4,7 @@ using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>The package's solver with one input for all steps.</summary>
     sealed class PackageSolver : IExperimentSolver

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Unity.Mathematics;
 
-namespace Host.Fluids
+namespace Host.Experiments
 {
     /// <summary>
     /// Water that covers a floor in a few layers, column by column of about 4 spacings: a mean height over the whole floor counts

@@ -9,8 +9,8 @@ using Host.Report.Budget;
 using Host.Report.ErrorTime;
 using Host.Report.Extremes;
 using Host.Report.Obstacles;
-using Host.Report.Thesis;
-using Host.Report.Methods;
+using Host.Studies.Methods;
+using Host.Studies.Thesis;
 
 namespace Host.Report
 {

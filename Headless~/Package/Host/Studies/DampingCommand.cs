@@ -3,10 +3,11 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
+using Host.Report;
 using Rill;
 
-namespace Host.Report
+namespace Host.Studies
 {
     /// <summary><c>damping</c>: what the time step takes of motion that ideal water keeps, for numerical dampings and substeps.</summary>
     static class DampingCommand

@@ -4,12 +4,13 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Host.Experiments;
 using Rill;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Host.Fluids
+namespace Host.Studies
 {
     /// <summary>
     /// <c>study</c>: relaxation against stability. A tank that should stay still and a dam, each for a sweep of ω and

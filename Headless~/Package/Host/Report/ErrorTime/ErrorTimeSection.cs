@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
 
 namespace Host.Report.ErrorTime
 {

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
 using Rill;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Host.Fluids;
+using Host.Experiments;
 using Unity.Mathematics;
 
 namespace Host.Report.Extremes

@@ -1,5 +1,4 @@
 using System;
-using Host.Fluids;
 using Rill;
 
 namespace Host.Report.Extremes

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Host.Experiments;
 using Host.Report.Obstacles;
 using Rill;
 using Rill.Tests;

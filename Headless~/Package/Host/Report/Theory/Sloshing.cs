@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using Host.Fluids;
+using Host.Experiments;
 using Rill;
 using Unity.Mathematics;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
 using Rill;
 using Unity.Mathematics;
 

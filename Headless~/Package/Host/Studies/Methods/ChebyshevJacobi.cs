@@ -1,6 +1,6 @@
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>
     /// The Chebyshev semi-iterative method for Position Based Dynamics (Wang 2015): ω is 1 in the first passes, then

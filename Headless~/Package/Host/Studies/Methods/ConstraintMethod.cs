@@ -2,7 +2,7 @@ using System;
 using Rill;
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>How the passes of a substep correct the predicted positions: what the study varies.</summary>
     abstract class ConstraintMethod : IDisposable

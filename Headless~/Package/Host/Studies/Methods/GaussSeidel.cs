@@ -3,7 +3,7 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Coloured Gauss-Seidel: blocks of grid cells in colours, colour after colour within an iteration, in place.</summary>
     sealed class GaussSeidel : ConstraintMethod

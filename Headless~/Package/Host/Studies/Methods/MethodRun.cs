@@ -1,9 +1,9 @@
 using System;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
 using Rill;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>One method in one scene: its figures, and whether it stood.</summary>
     sealed class MethodRun

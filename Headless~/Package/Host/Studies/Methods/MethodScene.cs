@@ -1,8 +1,8 @@
 using System.Collections.Generic;
-using Host.Fluids;
+using Host.Experiments;
 using Unity.Mathematics;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>What every method is put to.</summary>
     /// <param name="IsStill">Water that should not move: its speed is noise. Where water flows, the jitter is.</param>

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     // Parameters of the two-level correction and of what surrounds the passes.
     static partial class MethodStudies

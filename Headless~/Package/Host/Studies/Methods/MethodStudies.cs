@@ -2,7 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Rill;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Which methods and parameters are compared: accelerators of the passes.</summary>
     static partial class MethodStudies

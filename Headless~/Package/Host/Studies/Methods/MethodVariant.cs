@@ -1,9 +1,9 @@
 using System;
-using Host.Fluids;
+using Host.Experiments;
 using Rill;
 using Unity.Mathematics;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>One point of a study's curve: a method, what it may spend, and the value that the study varies.</summary>
     sealed record MethodVariant

@@ -2,8 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using Host.Report;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     // Who is on the front and who beats the package's passes, by rule.
     sealed partial class MethodsPage

@@ -3,8 +3,9 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text;
+using Host.Report;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>The page of the method study, from its table alone.</summary>
     sealed partial class MethodsPage

@@ -1,8 +1,9 @@
 using System;
 using System.Diagnostics;
 using System.Linq;
+using Host.Report;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Accelerators of the passes and parameters of the two-level correction, each as a curve of error, noise and time.</summary>
     sealed class MethodsSection : ReportSection

@@ -3,7 +3,7 @@ using UnityEngine;
 using UnityEngine.Rendering;
 using Rill;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Jacobi passes whose motion is carried on: the kernels of Momentum.compute and an earlier iterate.</summary>
     abstract class MomentumMethod : PassByPass

@@ -2,7 +2,7 @@ using Rill;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>After each Jacobi pass, p* ← (1 − ω) p* + ω · mean of the neighbors' p* (Svensson 2016, eq. 4.14).</summary>
     sealed class NeighborMean : PassByPass

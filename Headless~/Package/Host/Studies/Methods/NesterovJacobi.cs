@@ -1,7 +1,7 @@
 using System;
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Nesterov's accelerated gradient over the Jacobi passes: t = (1 + √(1 + 4 t²))/2, β = (t − 1)/t of the next.</summary>
     sealed class NesterovJacobi : MomentumMethod

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Which of several runs nobody beats.</summary>
     static class ParetoFront

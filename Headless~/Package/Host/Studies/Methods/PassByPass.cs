@@ -2,7 +2,7 @@ using Rill;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>The package's Jacobi passes one by one, each with a relaxation of its own and something to follow it.</summary>
     abstract class PassByPass : ConstraintMethod

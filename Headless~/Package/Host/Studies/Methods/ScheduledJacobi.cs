@@ -2,7 +2,7 @@ using System;
 using System.Linq;
 using Rill;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Scheduled relaxation: a relaxation for each pass, some far above 1 (Yang and Mittal 2014).</summary>
     sealed class ScheduledJacobi : PassByPass

@@ -5,7 +5,7 @@ using Host.Shaders;
 using UnityEngine;
 using UnityEngine.Headless;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>Kernels of the study: files beside the host, that include the package's own.</summary>
     static class StudyShader

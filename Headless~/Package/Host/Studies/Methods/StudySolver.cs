@@ -1,13 +1,13 @@
 using System;
 using System.Collections.Generic;
-using Host.Fluids;
+using Host.Experiments;
 using Rill;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-namespace Host.Report.Methods
+namespace Host.Studies.Methods
 {
     /// <summary>
     /// The package's stages in the order of <see cref="PbfSolver.Step"/> with another method for the passes and other

@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
+using Host.Report;
 using Host.Report.ErrorTime;
 
-namespace Host.Report.Thesis
+namespace Host.Studies.Thesis
 {
     /// <summary>Figure 5.2: particles at 60 frames a second against iterations.</summary>
     sealed class ThesisCapacity : ThesisFigure

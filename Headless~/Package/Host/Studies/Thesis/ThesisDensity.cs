@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
+using Host.Report;
 using Host.Report.ErrorTime;
 
-namespace Host.Report.Thesis
+namespace Host.Studies.Thesis
 {
     /// <summary>Figures 5.3, 5.5 and 5.6: density against iterations and relaxation.</summary>
     sealed class ThesisDensity : ThesisFigure

@@ -1,6 +1,7 @@
-using Host.Fluids;
+using Host.Experiments;
+using Host.Report;
 
-namespace Host.Report.Thesis
+namespace Host.Studies.Thesis
 {
     /// <summary>One of the thesis's figures, or several that show the same data.</summary>
     abstract class ThesisFigure

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
+using Host.Report;
 
-namespace Host.Report.Thesis
+namespace Host.Studies.Thesis
 {
     /// <summary>The figures of Svensson's thesis made again with plain iterations: a part for each measuring that they rest on.</summary>
     sealed class ThesisSection : ReportSection

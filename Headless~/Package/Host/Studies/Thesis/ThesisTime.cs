@@ -1,10 +1,11 @@
 using System;
 using System.Linq;
-using Host.Fluids;
+using Host.Experiments;
+using Host.Report;
 using Host.Report.ErrorTime;
 using Rill;
 
-namespace Host.Report.Thesis
+namespace Host.Studies.Thesis
 {
     /// <summary>Figure 5.4: density over ten seconds.</summary>
     sealed class ThesisTime : ThesisFigure

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Host.Output;
 
-namespace Host.Fluids
+namespace Host.Probing
 {
     /// <summary>What runs measure. Each entry looks at the loaded scene and answers with its probes, none when there is nothing for it.</summary>
     static class Probes

@@ -4,7 +4,7 @@ using Rill;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
-namespace Host.Fluids
+namespace Host.Probing
 {
     /// <summary>One number for the state of all particles of a scene: equal runs have equal hashes.</summary>
     static class StateHash

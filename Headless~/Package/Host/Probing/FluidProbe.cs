@@ -6,7 +6,7 @@ using Host.Output;
 using Rill;
 using Object = UnityEngine.Object;
 
-namespace Host.Fluids
+namespace Host.Probing
 {
     /// <summary>A simulation's own statistics in a run's table: a value at the step at which a new measurement has come back.</summary>
     sealed class FluidProbe : IRunProbe

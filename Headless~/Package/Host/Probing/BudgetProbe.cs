@@ -5,7 +5,7 @@ using Host.Output;
 using Rill;
 using Object = UnityEngine.Object;
 
-namespace Host.Fluids
+namespace Host.Probing
 {
     /// <summary>What a simulation's budget chose in a run, and what the steps took.</summary>
     sealed class BudgetProbe : IRunProbe
