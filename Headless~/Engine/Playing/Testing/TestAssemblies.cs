@@ -1,0 +1,39 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.Loader;
+
+namespace Host.Testing
+{
+    /// <summary>Finds and loads built test assemblies: beside the host when published, else where the build put them.</summary>
+    static class TestAssemblies
+    {
+        static readonly string[] EngineTests = { "Engine.Tests" };
+
+        /// <param name="only">The file of another assembly, instead of all of these; null for none.</param>
+        public static List<Assembly> Load(bool host, bool package, string only = null)
+        {
+            var names = (host ? EngineTests.Concat(BuiltInPackage.Current.ProgramTests) : Array.Empty<string>()).Concat(package ? BuiltInPackage.Current.Tests : Array.Empty<string>());
+            string[] files = only != null ? new[] { Path.GetFullPath(only) } : names.Select(Find).Where(file => file != null).ToArray();
+            if (files.Length == 0)
+                throw new HostException($"no test assembly found near {AppContext.BaseDirectory}; build them, or run through Headless~/rill.");
+
+            // What a test assembly needs beyond the host's own assemblies lies beside it.
+            AssemblyLoadContext.Default.Resolving += (context, name) => files
+                .Select(file => Path.Combine(Path.GetDirectoryName(file), name.Name + ".dll"))
+                .Where(File.Exists).Select(context.LoadFromAssemblyPath).FirstOrDefault();
+            return files.Select(AssemblyLoadContext.Default.LoadFromAssemblyPath).ToList();
+        }
+
+        static string Find(string name)
+        {
+            string here = AppContext.BaseDirectory.TrimEnd(Path.DirectorySeparatorChar);
+            string configuration = Path.GetFileName(here);
+            return new[] { here, Path.Combine(here, "..", "..", name, configuration) }
+                .Select(folder => Path.GetFullPath(Path.Combine(folder, name + ".dll")))
+                .FirstOrDefault(File.Exists);
+        }
+    }
+}

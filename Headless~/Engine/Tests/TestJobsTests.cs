@@ -1,0 +1,203 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Threading;
+using Host.Testing;
+using NUnit.Framework;
+using NUnit.Framework.Internal;
+
+namespace Host.Tests
+{
+    /// <summary>Test runs of several processes, over planted fixtures of a few lines.</summary>
+    public class TestJobsTests
+    {
+        const string Planted = @"
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Threading;
+using NUnit.Framework;
+
+[SetUpFixture] public class Around
+{
+    public static int Entered;
+    [OneTimeSetUp] public void Enter() => Entered++;
+    [OneTimeTearDown] public void Leave() { if (Entered != 1) throw new InvalidOperationException(""entered "" + Entered); }
+}
+
+namespace Planted
+{
+    static class Notes
+    {
+        public static void Write(string what) => File.WriteAllText(Path.Combine(Path.GetDirectoryName(typeof(Notes).Assembly.Location), ""note-"" + what + ""-"" + Guid.NewGuid().ToString(""N"")), Environment.GetEnvironmentVariable(""LP_NUM_THREADS"") + "" "" + Process.GetCurrentProcess().Id);
+    }
+
+    public class Plain { [Test] public void One() { Assert.That(Around.Entered, Is.EqualTo(1)); Notes.Write(""plain""); } [Test] public void Two() { } [Test, Ignore(""planted"")] public void Three() { } }
+    public class Other { [Test] public void One() { Assert.That(Around.Entered, Is.EqualTo(1)); } [TestCase(1), TestCase(2)] public void Two(int n) { Console.Error.WriteLine(""noise""); } }
+    [TestFixture(1), TestFixture(2)] public class Twice { public Twice(int n) { } [Test] public void One() { } }
+    public class Third { [Test] public void One() { } }
+    [Category(""RunsAlone"")] public class Last { [Test] public void One() { Notes.Write(""alone""); } }
+}
+namespace Faulty
+{
+    public class Failing { [Test] public void One() { Assert.Fail(""planted failure""); } [Test] public void Two() { } }
+}
+namespace Dying
+{
+    public class Exits { [Test] public void One() { Environment.Exit(7); } }
+    public class Killed { [Test] public void One() { Process.GetCurrentProcess().Kill(); Thread.Sleep(10000); } }
+}
+namespace Slow
+{
+    public class Mixed { [Test] public void One() { } [Test, Category(""Long"")] public void Two() { } }
+    [Category(""Long"")] public class Whole { [Test] public void One() { } }
+    public class Brief { [TestCase(1), TestCase(2, Category = ""Long"")] public void One(int n) { } }
+}
+namespace Waiting
+{
+    public class Waits { [Test] public void One() { Planted.Notes.Write(""waits""); Thread.Sleep(60000); } }
+    public class AlsoWaits { [Test] public void One() { Planted.Notes.Write(""waits""); Thread.Sleep(60000); } }
+}";
+
+        PlantedAssemblies planted;
+
+        [SetUp]
+        public void Plant()
+        {
+            planted = new PlantedAssemblies();
+            planted.Bring("nunit.framework");
+            planted.Compile("Planted.Tests", Planted);
+        }
+
+        [TearDown]
+        public void Remove() => planted.Dispose();
+
+        Process Start(params string[] more)
+        {
+            string host = Assembly.GetEntryAssembly().Location;
+            var start = new ProcessStartInfo("dotnet", new[] { host, "test", "--no-validation", "--assembly", Path.Combine(planted.Assemblies, "Planted.Tests.dll") }.Concat(more)) { RedirectStandardOutput = true, RedirectStandardError = true };
+            start.Environment.Remove("LP_NUM_THREADS");     // this may be a worker itself
+            start.Environment["RILL_CACHE"] = planted.Root;
+            return Process.Start(start);
+        }
+
+        int Run(out string[] lines, params string[] more)
+        {
+            using Process process = Start(more);
+            process.ErrorDataReceived += (_, _) => { };
+            process.BeginErrorReadLine();
+            string output = process.StandardOutput.ReadToEnd();
+            process.WaitForExit();
+            TestContext.WriteLine(output);
+            lines = output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+            return process.ExitCode;
+        }
+
+        string[] Notes(string what) => Directory.GetFiles(planted.Assemblies, $"note-{what}-*").Select(File.ReadAllText).Where(text => text.Contains(' ')).ToArray();
+
+        [Test]
+        public void Two_processes_report_what_one_does()
+        {
+            Assert.That(Run(out string[] one, "--jobs", "1", "--filter", "Planted."), Is.EqualTo(0));
+            foreach (string note in Directory.GetFiles(planted.Assemblies, "note-*"))
+                File.Delete(note);
+            Assert.That(Run(out string[] two, "--jobs", "2", "--filter", "Planted."), Is.EqualTo(0));
+            // Fixtures end in another order, and take other times.
+            IEnumerable<string> Fixtures(string[] lines) => lines.Where(line => line.StartsWith("  ", StringComparison.Ordinal)).Select(line => line.Substring(0, line.LastIndexOf("  ", StringComparison.Ordinal))).OrderBy(line => line);
+            Assert.That(Fixtures(two), Is.EqualTo(Fixtures(one)));
+            Assert.That(two[0], Is.EqualTo("Planted.Tests"));
+            Assert.That(two.TakeLast(4), Is.EqualTo(one.TakeLast(4)));
+            Assert.That(two[^1], Is.EqualTo("9 passed, 0 failed, 1 skipped"));
+            Assert.That(two[^2], Is.EqualTo("7 test methods, 0 of them dispatched on the device"));
+
+            // Workers share the cores, and what runs alone has them all.
+            string[] shared = Notes("plain").Single().Split(' '), alone = Notes("alone").Single().Split(' ');
+            Assert.That(shared[0], Is.EqualTo(Math.Max(1, Environment.ProcessorCount / 2).ToString()));
+            Assert.That(alone[0], Is.EqualTo(Environment.ProcessorCount.ToString()));
+            Assert.That(alone[1], Is.Not.EqualTo(shared[1]), "a process of its own");
+        }
+
+        [TestCase("1"), TestCase("2")]
+        public void Tests_of_a_category_are_left_out_with_their_fixtures(string jobs)
+        {
+            Assert.That(Run(out string[] lines, "--jobs", jobs, "--filter", "Slow.", "--leave-out", "Long"), Is.EqualTo(0));
+            Assert.That(lines.Last(), Is.EqualTo("2 passed, 0 failed"));
+        }
+
+        [Test]
+        public void A_failing_test_in_a_worker_fails_the_run_with_its_message()
+        {
+            Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.Other", "--filter", "Planted.Third", "--filter", "Faulty."), Is.EqualTo(1));
+            int at = Array.FindIndex(lines, line => line.Trim().StartsWith("Failing", StringComparison.Ordinal));
+            Assert.That(lines[at], Does.Contain("1 passed, 1 FAILED"));
+            Assert.That(lines[at + 1], Is.EqualTo("    FAILED One"));
+            Assert.That(lines[at + 2], Is.EqualTo("      planted failure"));
+            Assert.That(lines[^1], Is.EqualTo("5 passed, 1 failed"));
+        }
+
+        [Test]
+        public void A_worker_that_dies_names_its_fixture_and_the_others_run()
+        {
+            Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.", "--filter", "Dying."), Is.EqualTo(1));
+            Assert.That(lines.Where(line => line.Contains("FAILED")).Select(line => line.Substring(line.IndexOf("FAILED", StringComparison.Ordinal))), Is.EquivalentTo(new[]
+            {
+                "FAILED: its worker process ended with exit code 7 while it ran Dying.Exits",
+                "FAILED: its worker process was ended by signal 9 (SIGKILL) while it ran Dying.Killed",
+            }));
+            Assert.That(lines[^1], Is.EqualTo("9 passed, 2 failed, 1 skipped"));
+        }
+
+        [Test]
+        public void Workers_end_with_the_run_that_is_stopped()
+        {
+            using Process run = Start("--jobs", "2", "--filter", "Waiting.");
+            Assert.That(SpinWait.SpinUntil(() => Notes("waits").Length == 2, 60000), "both wait");
+            int[] workers = Notes("waits").Select(note => int.Parse(note.Split(' ')[1])).ToArray();
+            Assert.That(workers.All(Runs));
+            Process.Start("kill", new[] { "-TERM", run.Id.ToString() }).WaitForExit();
+            Assert.That(run.WaitForExit(30000), "it ends");
+            Assert.That(run.ExitCode, Is.Not.EqualTo(0));
+            Assert.That(SpinWait.SpinUntil(() => !workers.Any(Runs), 30000), "its workers end");
+        }
+
+        static bool Runs(int id)
+        {
+            string status = $"/proc/{id}/stat";
+            try
+            {
+                return File.Exists(status) && !File.ReadAllText(status).Contains(") Z");
+            }
+            catch (IOException)
+            {
+                return false;
+            }
+        }
+
+        [TestCase("0")]
+        [TestCase("65")]
+        public void A_number_of_processes_that_cannot_be_is_refused(string jobs)
+        {
+            string host = Assembly.GetEntryAssembly().Location;
+            using Process process = Process.Start(new ProcessStartInfo("dotnet", new[] { host, "test", "--jobs", jobs }) { RedirectStandardError = true });
+            Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"{CommandLine.Name}: --jobs {jobs}: the number of processes is 1 to 64"));
+            process.WaitForExit();
+            Assert.That(process.ExitCode, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void The_longest_fixture_comes_first_and_before_it_what_never_ran()
+        {
+            var known = new TestDurations(planted.Root);
+            known.Note("Tests Short", 1.0);
+            known.Note("Tests Long", 9.0);
+            known.Save();
+            var read = new TestDurations(planted.Root);
+            Assert.That(new[] { "Tests Short", "Tests New", "Tests Long" }.OrderByDescending(read.Of), Is.EqualTo(new[] { "Tests New", "Tests Long", "Tests Short" }));
+            planted.Write("tests/durations.json", "{ \"Tests Lo");
+            Assert.That(new TestDurations(planted.Root).Of("Tests Long"), Is.EqualTo(double.PositiveInfinity), "a file that was cut short");
+        }
+    }
+}

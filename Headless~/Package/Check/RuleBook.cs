@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using Host.Check.Api;
+using Host.Check.Build;
+
+namespace Host.Check
+{
+    /// <summary>All rules, in the order of the table.</summary>
+    static class RuleBook
+    {
+        public static IReadOnlyList<Rule> All { get; } = new Rule[]
+        {
+            new MetaFilesRule(),
+            new FileNamesRule(),
+            new ManifestRule(),
+            new AssemblyDefinitionsRule(),
+            new ScriptNamesRule(),
+            new ReferencesRule(),
+            new ScriptFieldsRule(),
+            new RootRule(),
+            new TarballRule(),
+            new TestProjectRule(),
+            new EngineRule(),
+            new LinksRule(),
+            new GeneratedFilesRule(),
+            new ResourcesRule(),
+            new SceneReferencesRule(),
+            new FrameCallsRule(),
+            new StaticsRule(),
+            new ModulesRule(),
+            new UnityMembersRule(),
+            new SourceNamesRule(),
+            new NetStandardRule(),
+            new NUnitRule(),
+            new HostSurfaceRule(),
+            new PipelineSurfaceRule(),
+            new PipelineAdaptersRule(),
+            new RenderPassesRule(),
+            new FxcRule(),
+            new LayoutRule(),
+            new TargetsRule(),
+            new ConstantBuffersRule(),
+        };
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Host.Commands;
+using Host.Experiments;
+using Host.Report;
+using Rill;
+using Unity.Mathematics;
+using UnityEngine.Headless;
+using Random = Unity.Mathematics.Random;
+
+namespace Host.Bench
+{
+    /// <summary><c>bench queries</c>: what probes and detectors take of the GPU after a step, over a dam that breaks.</summary>
+    static class QueriesBench
+    {
+        const string Stage = "Rill.Queries";
+        const int First = 20, Last = 60;
+
+        public static Command Create()
+        {
+            var particles = new Option<int>("--particles") { Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
+            var probes = new Option<int>("--probes") { Description = $"Probes, 0 to {Queries.MaxProbes}.", DefaultValueFactory = _ => Queries.MaxProbes };
+            var detectors = new Option<int>("--detectors") { Description = $"Detectors, 0 to {Queries.MaxDetectors}: boxes of a third of the water's block along each side.", DefaultValueFactory = _ => Queries.MaxDetectors };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
+            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
+            var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
+            Option<string> shaders = ShadersOption.Create();
+            var command = new Command("queries", "Measures GPU milliseconds of probes and detectors after the step.") { particles, probes, detectors, steps, kernels, csv, shaders };
+            command.SetAction(parsed =>
+            {
+                ShadersOption.Use(parsed.GetValue(shaders));
+                Player.TimesKernels = parsed.GetValue(kernels);
+                GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
+                GivenNumber.CheckOption("--probes", parsed.GetValue(probes), 0, Queries.MaxProbes);
+                GivenNumber.CheckOption("--detectors", parsed.GetValue(detectors), 0, Queries.MaxDetectors);
+                if (parsed.GetValue(probes) + parsed.GetValue(detectors) == 0)
+                    throw new HostException("--probes 0 --detectors 0: there is nothing to measure. Give at least one of either.");
+                if (parsed.GetValue(steps) < StepTimes.MinSteps)
+                    throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
+                Execute(parsed.GetValue(particles), parsed.GetValue(probes), parsed.GetValue(detectors), parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
+                return 0;
+            });
+            return command;
+        }
+
+        static void Execute(int particles, int probes, int detectors, int steps, string csv, TextWriter output)
+        {
+            using var session = new Session(Session.Root());
+            ExperimentScene scene = ExperimentScene.Dam(particles);
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles of a dam, d = {scene.Spacing:0.#####} m, steps {First} to {Last}, {probes} probes, {detectors} detectors");
+            output.WriteLine(session.DescribeDevice());
+            output.WriteLine(setting);
+            if (session.Info.IsSoftware)
+                output.WriteLine("This device is a CPU: the figures say nothing about a GPU.");
+            output.WriteLine();
+            StepInput input = ExperimentFigures.Input(SolverSettings.Default);
+            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin));
+            QueryInput asked = Ask(scene, probes, detectors);
+            solver.MakeQueries();
+            Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, First, Last, steps, cmd => solver.RecordQueries(cmd, asked, 0));
+            var table = new ReportTable("particles", "probes", "detectors", "stage", "median_ms", "p10_ms", "p90_ms", "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
+            output.WriteLine($"{"",-34}{"median ms",12}{"10 %",10}{"90 %",10}");
+            foreach ((string stage, StepTimes.Spread spread) in times.Where(time => time.Key == Stage || time.Key == StepTimes.Step || time.Key.StartsWith("Queries", StringComparison.Ordinal)))
+            {
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-34}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
+                table.Add(scene.Particles, probes, detectors, stage, spread.Median, spread.Low, spread.High, spread.Count);
+            }
+            if (csv != null)
+                table.Save(Path.GetFullPath(csv));
+        }
+
+        // Anywhere over the floor that the water comes to.
+        static QueryInput Ask(ExperimentScene scene, int probes, int detectors)
+        {
+            var random = new Random(5u);
+            var asked = new QueryInput { pointCount = probes, detectorCount = detectors, up = new float3(0f, 1f, 0f) };
+            float3 block = scene.Blocks[0].counts;
+            for (int i = 0; i < probes; i++)
+                asked.points[i] = new float4(random.NextFloat3(0f, math.min(new float3(1.5f, 1f, 1f) * block, scene.Box)), 0f);
+            for (int i = 0; i < detectors; i++)
+            {
+                float3 half = block / 6f, center = random.NextFloat3(half, math.max(block - half, half));
+                asked.detectors[i] = new DetectorRegion { rotation = quaternion.identity.value, center = center, shape = (uint)DetectorShape.Box, size = half, low = center - half - 0.9f, high = center + half + 0.9f };
+            }
+            return asked;
+        }
+    }
+}

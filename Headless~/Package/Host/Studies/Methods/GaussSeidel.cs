@@ -1,0 +1,67 @@
+using Rill;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Host.Studies.Methods
+{
+    /// <summary>Coloured Gauss-Seidel: blocks of grid cells in colours, colour after colour within an iteration, in place.</summary>
+    sealed class GaussSeidel : ConstraintMethod
+    {
+        readonly ComputeShader shader = StudyShader.Load("GaussSeidel");
+        readonly int sweep, push, stride;
+
+        /// <param name="byConstraint">A constraint moves its neighbors too, in 27 colours; else each particle itself, in 8.</param>
+        public GaussSeidel(bool byConstraint)
+        {
+            sweep = shader.FindKernel(byConstraint ? "SweepConstraints" : "SweepParticles");
+            push = shader.FindKernel("Push");
+            stride = byConstraint ? 3 : 2;
+        }
+
+        /// <summary>Blocks from one of a colour to the next along an axis.</summary>
+        public int Stride => stride;
+
+        public override void Record(CommandBuffer cmd, StudySolver solver, in StepInput input)
+        {
+            ParticleBuffers particles = solver.Particles;
+            solver.RecordPackagePasses(cmd, input.settings.relaxation, 0);      // the list and first multipliers, into Current
+            solver.BindConstants(cmd, shader);
+            solver.Lists.Bind(cmd, shader, sweep);
+            cmd.SetComputeBufferParam(shader, sweep, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, sweep, Ids.CellStarts, solver.Search.CellStarts);
+            cmd.SetComputeIntParam(shader, Ids.Stride, stride);
+            int3 perBlock = solver.Layout.CellsPerRadius;       // a block is a list radius wide
+            cmd.SetComputeIntParams(shader, Ids.BlockCells, perBlock.x, perBlock.y, perBlock.z);
+            if (solver.Coarse != null)
+                RecordPush(cmd, solver);
+
+            int3 blocks = (solver.Layout.CellCounts + perBlock - 1) / perBlock;
+            int3 ofColour = (blocks + stride - 1) / stride;
+            for (int iteration = 0; iteration < input.settings.iterations; iteration++)
+                for (int colour = 0; colour < stride * stride * stride; colour++)
+                {
+                    cmd.SetComputeIntParam(shader, Ids.Colour, colour);
+                    CoarseGrid.Dispatch(cmd, shader, sweep, ofColour.x * ofColour.y * ofColour.z);
+                }
+            (particles.Current, particles.Predicted) = (particles.Predicted, particles.Current);
+        }
+
+        void RecordPush(CommandBuffer cmd, StudySolver solver)
+        {
+            cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, solver.Coarse.Constants, 0, solver.Coarse.Constants.stride);
+            cmd.SetComputeBufferParam(shader, push, Ids.Positions, solver.Particles.Current);
+            cmd.SetComputeBufferParam(shader, push, CoarseIds.Displacements, solver.Coarse.Displacements);
+            solver.DispatchParticles(cmd, shader, push);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int Colour = Shader.PropertyToID("_Colour");
+            public static readonly int Stride = Shader.PropertyToID("_Stride");
+            public static readonly int BlockCells = Shader.PropertyToID("_BlockCells");
+        }
+    }
+}

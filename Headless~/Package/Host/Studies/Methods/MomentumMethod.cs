@@ -1,0 +1,28 @@
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+using Rill;
+
+namespace Host.Studies.Methods
+{
+    /// <summary>Jacobi passes whose motion is carried on: the kernels of Momentum.compute and an earlier iterate.</summary>
+    abstract class MomentumMethod : PassByPass
+    {
+        readonly ComputeShader shader = StudyShader.Load("Momentum");
+        GraphicsBuffer previous;
+
+        public override void Dispose() => GpuBuffer.Release(ref previous);
+
+        protected void RecordKernel(CommandBuffer cmd, StudySolver solver, string name, double weight)
+        {
+            previous ??= GpuBuffer.Structured<float4>("Study.Previous", solver.Layout.Capacity);
+            int kernel = shader.FindKernel(name);
+            solver.BindConstants(cmd, shader);
+            cmd.SetComputeFloatParam(shader, "_Weight", (float)weight);
+            cmd.SetComputeBufferParam(shader, kernel, "_From", solver.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, "_Previous", previous);
+            cmd.SetComputeBufferParam(shader, kernel, "_Corrected", solver.Particles.Predicted);
+            solver.DispatchParticles(cmd, shader, kernel);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+using System;
+using System.IO;
+using System.Linq;
+using NUnit.Framework;
+
+namespace Host.Tests
+{
+    /// <summary>Projects that use the package from its source.</summary>
+    public class PackageProjectTests
+    {
+        [Test]
+        public void The_package_plays_in_a_project_that_refers_to_its_folder()
+        {
+            using var run = new ForeignRun(Path.Combine(PackageFolder.Path, "TestProject~"), 2, "Dam Break", "--size", "160x90");
+            run.MustHaveSucceeded();
+            Assert.That(run.Output.First(), Does.Match(@"^Rill: (\d+) of \1 scripts compiled$"));
+            Assert.That(run.Errors.Where(line => line.StartsWith("error", StringComparison.Ordinal)), Is.Empty);
+        }
+
+        /// <summary>The manifest of Pool asks for the package by a git address; its tests use the package's assertions.</summary>
+        [Test]
+        public void The_tests_of_a_project_run_over_the_package_at_hand()
+        {
+            var run = new ProjectRun(Path.Combine(PackageFolder.Tests, "Projects", "Pool"));
+            run.MustHaveEnded(1, "FAILED A_pool_too_small_for_its_water_loses_some", "were refused, since the capacity is 100: raise it or add less.", "2 passed, 1 failed");
+            Assert.That(run.Output.First(line => line.StartsWith("Rill: ")), Does.Match(@"^Rill: (\d+) of \1 scripts compiled$"));
+            Assert.That(run.Errors, Has.Some.StartsWith("warning: the package com.rill.fluids is taken from ").And.Some.Contains("packages that are not here: com.unity.ide.rider 3.0.24"));
+            Assert.That(run.Errors.Where(line => line.Contains("left out")), Is.Empty);
+            Assert.That(run.Everything, Does.Contain("PoolTests.cs:line"));
+        }
+    }
+}

@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using System.Linq;
+using Host.Experiments;
+using Host.Report;
+using Host.Report.ErrorTime;
+using Host.Studies.Thesis;
+using NUnit.Framework;
+
+namespace Host.Tests
+{
+    /// <summary>What the report's sweeps call held, and what they derive.</summary>
+    public class SweepResultTests
+    {
+        static readonly Dictionary<string, object> Good = new Dictionary<string, object>
+        {
+            ["scene"] = "dam", ["deep"] = "on", ["seconds"] = 8, ["volume"] = 1.01, ["volume_lowest"] = 0.99, ["energy"] = 1.0002,
+            ["ms_moving"] = 1.5, ["ms_settled"] = 1.2, ["error_moving"] = 0.004, ["error_settled"] = 0.006,
+        };
+
+        static SweepResult Result(params (string column, object value)[] changes)
+        {
+            var table = new ReportTable(ExperimentFigures.Columns);
+            table.Add(ExperimentFigures.Columns.Select(column => changes.Where(change => change.column == column).Select(change => change.value).FirstOrDefault() ?? (Good.TryGetValue(column, out object value) ? value : 0)).ToArray());
+            return SweepResult.All(table).Single();
+        }
+
+        [Test]
+        public void A_run_within_all_limits_holds() => Assert.That(Result().Fault, Is.Null);
+
+        [TestCase("escaped", 1, "loses particles")]
+        [TestCase("non_finite", 3, "loses particles")]
+        [TestCase("volume_lowest", 0.94, "collapses")]
+        [TestCase("volume_lowest", double.NaN, "collapses")]
+        [TestCase("energy", 1.02, "gains energy")]
+        [TestCase("energy", double.NaN, "gains energy")]
+        [TestCase("volume", 1.06, "boils")]
+        public void A_run_beyond_a_limit_does_not_hold(string column, double value, string fault) => Assert.That(Result((column, value)).Fault, Is.EqualTo(fault));
+
+        [Test]
+        public void The_volume_of_water_still_on_its_way_is_not_judged() => Assert.That(Result(("seconds", 2), ("volume", 1.3)).Fault, Is.Null);
+
+        [Test]
+        public void Time_and_error_are_those_of_the_worse_window()
+        {
+            Assert.That(Result().Milliseconds, Is.EqualTo(1.5));
+            Assert.That(Result().Error, Is.EqualTo(0.006));
+        }
+
+        [Test]
+        public void Particles_for_a_time_lie_between_the_sizes_measured()
+        {
+            var points = new[] { (100_000d, 0.2), (1_000_000d, 2.0), (4_000_000d, 8.0) };
+            Assert.That(ThesisCapacity.Particles(points, 1.0), Is.EqualTo(500_000).Within(1));
+            Assert.That(ThesisCapacity.Particles(points, 2.0), Is.EqualTo(1_000_000).Within(1));
+            Assert.That(ThesisCapacity.Particles(points, 0.1), Is.NaN, "below the smallest");
+            Assert.That(ThesisCapacity.Particles(points, 9.0), Is.NaN, "above the largest");
+        }
+    }
+}
