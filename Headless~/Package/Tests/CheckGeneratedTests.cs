@@ -9,7 +9,7 @@ namespace Host.Tests
     /// <summary>Generated files that are stale, missing, or cannot be made.</summary>
     public sealed class CheckGeneratedTests
     {
-        const string Table = "Runtime/Solver/Device/KernelNeeds.Generated.cs";
+        const string Table = "Runtime/Gpu/Device/KernelNeeds.Generated.cs";
 
         const string Shader = "#pragma kernel A Name=A WIDE=1\n#pragma kernel B\n#pragma multi_compile_local _ MORE\nStructuredBuffer<uint> _In; RWStructuredBuffer<uint> _Out; RWStructuredBuffer<uint> _Other; Texture2D<float> _Map;\ngroupshared uint g_A[64];\n" +
             "#ifdef WIDE\n[numthreads(64,2,1)] void Name(uint3 id : SV_DispatchThreadID, uint t : SV_GroupIndex) { g_A[t & 63] = id.x; GroupMemoryBarrierWithGroupSync(); _Out[id.x] = _In[id.x] + g_A[63 - (t & 63)]\n" +

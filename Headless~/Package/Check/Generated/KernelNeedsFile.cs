@@ -21,7 +21,7 @@ namespace Host.Check
 
         public KernelNeedsFile(string cacheFolder) => this.cacheFolder = cacheFolder;
 
-        public override string Path => "Runtime/Solver/Device/KernelNeeds.Generated.cs";
+        public override string Path => "Runtime/Gpu/Device/KernelNeeds.Generated.cs";
 
         public override string Text(PackageTree package, Findings findings)
         {

@@ -10,7 +10,7 @@ namespace Host.Check
     /// <summary>What C# and HLSL share, in HLSL: a file for each name that [SharedWithHlsl] gives in the package's main assembly.</summary>
     sealed class SharedHlslFiles : GeneratedFiles
     {
-        const string OfThePackage = "Runtime/Solver/SharedWithHlslAttribute.cs";
+        const string OfThePackage = "Runtime/Gpu/SharedWithHlslAttribute.cs";
 
         public override string Folder => "Shaders/Generated/";
 
