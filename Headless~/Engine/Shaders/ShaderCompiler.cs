@@ -8,7 +8,7 @@ namespace Host.Shaders
     /// <summary>One entry point of one variant, to be compiled.</summary>
     sealed class CompileRequest
     {
-        /// <summary>For messages: "Shaders/PrefixSum.compute (SumTiles)".</summary>
+        /// <summary>For messages: "Shaders/Gpu/PrefixSum.compute (SumTiles)".</summary>
         public string Name;
         public ShaderStage Stage;
         /// <summary>As in #pragma target: 50 for shader model 5.0.</summary>

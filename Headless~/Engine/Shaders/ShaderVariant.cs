@@ -9,7 +9,7 @@ namespace Host.Shaders
     /// </summary>
     sealed class ShaderVariant
     {
-        /// <summary>"Shaders/PrefixSum.compute".</summary>
+        /// <summary>"Shaders/Gpu/PrefixSum.compute".</summary>
         public string File;
         /// <summary>The kernel; for a pass its name and the entry point: "Particles/ParticleVertex".</summary>
         public string Program;

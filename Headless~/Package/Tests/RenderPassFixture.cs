@@ -70,7 +70,7 @@ namespace Host.Tests
         /// <param name="edit">Changes the text of the .shader file first; null = as it is.</param>
         internal static Material MaterialOf(string file, string pipeline = "", Func<string, string> edit = null)
         {
-            string folder = Path.Combine(PackageFolder.Path, "Shaders"), path = Path.Combine(folder, file), edited = null;
+            string folder = Path.Combine(PackageFolder.Path, "Shaders", "Rendering"), path = Path.Combine(folder, file), edited = null;
             string Resolve(string name) => name.Contains(pipeline == "HDRenderPipeline" ? "high-definition" : "universal") ? pipeline.Length > 0 ? path : null : edit != null && name.EndsWith(".hlsl") ? Path.Combine(folder, name) : null;
             if (edit != null)
             {
@@ -79,7 +79,7 @@ namespace Host.Tests
             }
             try
             {
-                return new Material(Shader.Create(ShaderImporter.ImportShader(edited ?? path, "Shaders/" + file, Resolve, new ShaderCache(), pipeline)));
+                return new Material(Shader.Create(ShaderImporter.ImportShader(edited ?? path, "Shaders/Rendering/" + file, Resolve, new ShaderCache(), pipeline)));
             }
             finally
             {

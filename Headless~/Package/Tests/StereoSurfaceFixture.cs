@@ -18,7 +18,7 @@ namespace Host.Tests
         private protected const string Refracting = "refracting", Blended = "blended", Milky = "milky", Foamy = "foamy";
         private protected const int Few = 4;
 
-        static readonly string shaders = Path.Combine(PackageFolder.Path, "Shaders");
+        static readonly string shaders = Path.Combine(PackageFolder.Path, "Shaders", "Rendering");
 
         [SetUp]
         public void PutOnHeadset()

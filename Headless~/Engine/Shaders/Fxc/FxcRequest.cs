@@ -15,7 +15,7 @@ namespace Host.Shaders
     /// <summary>One entry point of one variant for FXC.</summary>
     sealed class FxcRequest
     {
-        /// <summary>For messages: "Shaders/PrefixSum.compute (SumTiles)".</summary>
+        /// <summary>For messages: "Shaders/Gpu/PrefixSum.compute (SumTiles)".</summary>
         public string Name;
         /// <summary>
         /// Preprocessed here: since 2022.1 Unity always runs its own preprocessor first (EditorSettings.cachingShaderPreprocessor

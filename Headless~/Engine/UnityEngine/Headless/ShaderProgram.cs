@@ -8,7 +8,7 @@ namespace UnityEngine.Headless
     /// <summary>One compiled entry point and what it needs bound. Made by the shader importer, consumed by both sides of <see cref="IGraphicsDevice"/>.</summary>
     internal sealed class ShaderProgram
     {
-        /// <summary>For messages: file and kernel or pass, e.g. "Shaders/PrefixSum.compute (SumTiles)".</summary>
+        /// <summary>For messages: file and kernel or pass, e.g. "Shaders/Gpu/PrefixSum.compute (SumTiles)".</summary>
         public string Name;
         public ShaderStage Stage;
         public byte[] Spirv;

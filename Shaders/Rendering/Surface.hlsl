@@ -1,0 +1,288 @@
+// Shades the water's surface: one rectangle over the textures that FluidSurfaceRecorder filled for this camera, with depth. The
+// SubShader around it says for which pipeline, see View.hlsl. Includes nothing of Unity's.
+//
+//   _SurfaceDepth       in  Texture2DArray, a slice for each eye: see SurfaceView.hlsl
+//   _SurfaceNormals     in  xyz unit normal, world; w variance of the normals around
+//   _SurfaceThickness   in  water along the ray in front of the scene, m, or of each of four phases
+//   _SurfaceFoam        in  see FoamLayer.hlsl; where RILL_FOAM is on
+//   the scene's colour and depth as the pipeline gives them; where RILL_REFRACTION is on
+#include "MainLight.hlsl"
+#include "SurfaceView.hlsl"
+#include "SurfaceRectangle.hlsl"
+#include "Environment.hlsl"
+#include "Fog.hlsl"
+#include "../Generated/PhaseFrame.hlsl"
+#ifdef RILL_FOAM
+#include "FoamLayer.hlsl"
+#endif
+
+Texture2DArray<float> _SurfaceDepth;
+Texture2DArray<float4> _SurfaceNormals;
+Texture2DArray<float4> _SurfaceThickness;
+SamplerState rill_linear_clamp_sampler;
+
+#ifdef RILL_REFRACTION
+#if defined(RILL_HIGH_DEFINITION)
+Texture2DArray _ColorPyramidTexture;
+#define RILL_SCENE_COLOR(uv) _ColorPyramidTexture.SampleLevel(rill_linear_clamp_sampler, float3(InColorPyramid(uv), eyeIndex), 0)
+#define RILL_SCENE_ARRAY
+#elif defined(RILL_STEREO)
+#ifdef RILL_UNIVERSAL
+#define _SceneColor _CameraOpaqueTexture
+#endif
+Texture2DArray _SceneColor;
+#define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)
+#define RILL_SCENE_ARRAY
+#else
+#ifdef RILL_UNIVERSAL
+#define _SceneColor _CameraOpaqueTexture
+#endif
+Texture2D _SceneColor;
+#define RILL_SCENE_COLOR(uv) _SceneColor.SampleLevel(rill_linear_clamp_sampler, uv, 0)
+#endif
+#include "SceneDepth.hlsl"
+
+#if defined(RILL_HIGH_DEFINITION)
+// HDRP's textures are as large as the largest camera needs; this one uses their first texels.
+float2 InColorPyramid(float2 uv)
+{
+    uint width, height, slices;
+    _ColorPyramidTexture.GetDimensions(width, height, slices);
+    return min(uv * _SceneSize.xy, _SceneSize.xy - 0.5) / float2(width, height);
+}
+#endif
+#endif
+
+float4 _Absorption;         // rgb 1/m
+float4 _Scattering;         // rgb colour, linear; w 1/m
+float _HasPhases;           // 1 where each phase has a look of its own, the next two; else 0: a keyword would double the variants
+float4 _PhaseAbsorption[kMaxPhases]; // as above
+float4 _PhaseScattering[kMaxPhases];
+float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
+
+struct SurfacePoint
+{
+    float3 world;
+    float3 normal;
+    float3 ray;             // unit, away from the eye
+    float z;                // depth along the view, m
+    float stretch;          // length of the ray for 1 m of depth along the view
+    float roughness;        // perceptual
+};
+
+SurfacePoint PointOn(float2 picture)
+{
+    int2 texel = int2(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0));
+    float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));
+    if (depth == 0.0)
+        discard;
+    float4 normal = _SurfaceNormals.Load(int4(texel, eyeIndex, 0));
+
+    SurfacePoint p;
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    SurfaceRay middle = RayThrough(TexelPicture(texel), eyeIndex);
+    p.z = FromSurfaceDepth(depth, eyeIndex);
+    // From the middle of the texel along its plane: no steps where textures are smaller than the screen.
+    float3 there = middle.origin + middle.direction * p.z;
+    float facing = dot(normal.xyz, ray.direction);
+    float z = dot(normal.xyz, there - ray.origin) / min(facing, -1e-4);
+    p.z = abs(z - p.z) < 0.02 * p.z ? z : p.z;
+    p.stretch = length(ray.direction);
+    p.ray = ray.direction / p.stretch;
+    p.world = ray.origin + ray.direction * p.z;
+    p.normal = normal.xyz;
+    p.roughness = sqrt(sqrt(saturate(pow(_SurfaceOptics.z, 4.0) + normal.w)));      // variances of slopes add up
+    return p;
+}
+
+#ifdef RILL_REFRACTION
+static const int kRefractionSteps = 8;      // that halve how much of the bend is known to be hidden
+static const float kRefractionReach = 0.8;  // of the depth that a ray should reach: the scene there may be nearer by the rest, as no floor is flat
+
+float SceneDepthAt(float2 picture)
+{
+    return FromSurfaceDepth(FlipDepth(SceneDepth(picture, eyeIndex)), eyeIndex);
+}
+
+// Whether the scene that a filtered sample takes in is as far away as the ray there: what hides it must not show in its place.
+bool IsBehind(float2 picture, float z)
+{
+    float2 texel = 1.0 / SceneSize();        // half of one, on the picture
+    float nearest = min(min(SceneDepthAt(picture - texel), SceneDepthAt(picture + texel)),
+        min(SceneDepthAt(picture + float2(texel.x, -texel.y)), SceneDepthAt(picture + float2(-texel.x, texel.y))));
+    return nearest >= z;
+}
+
+// The scene behind, along the refracted ray for as long as there is water. Where something in front hides that, or the ray hits
+// something, only as far along as that: the path is then shorter.
+float3 Refracted(SurfacePoint p, float2 picture, float3 bent, inout float path)
+{
+    float4 clip = mul(_SurfaceWorldToClip[eyeIndex], float4(p.world + bent * path, 1.0));
+    float2 shift = clip.w > 0.0 ? clip.xy / max(clip.w, 1e-6) - picture : 0.0;
+    // As far as the picture goes.
+    float2 room = (1.0 - abs(picture) * sign(picture * shift)) / max(abs(shift), 1e-6);
+    float inside = saturate(min(room.x, room.y));
+    shift *= inside;
+    // How far the ray gets along the view; short of it, since the floor need not be flat.
+    float reach = kRefractionReach * inside * (DepthAlongView(clip, eyeIndex) - p.z);
+    if (!IsBehind(picture + shift, p.z + reach))
+    {
+        float seen = 0.0, hidden = 1.0;
+        for (int i = 0; i < kRefractionSteps; i++)
+        {
+            float middle = 0.5 * (seen + hidden);
+            bool isSeen = IsBehind(picture + shift * middle, p.z + reach * middle);
+            seen = isSeen ? middle : seen;
+            hidden = isSeen ? hidden : middle;
+        }
+        shift *= seen;
+        path *= seen;
+    }
+    return RILL_SCENE_COLOR((picture + shift) * 0.5 + 0.5).rgb;
+}
+#endif
+
+// The water along a ray.
+struct Medium
+{
+    float thickness;        // m
+    float3 absorption;      // 1/m
+    float3 color;           // that is scattered, linear
+    float scattering;       // 1/m
+};
+
+Medium MediumAt(float2 picture)
+{
+    float3 at = float3(picture * 0.5 + 0.5, eyeIndex);
+    Medium m;
+    m.absorption = _Absorption.rgb;
+    m.color = _Scattering.rgb;
+    m.scattering = _Scattering.w;
+    float4 thickness = max(_SurfaceThickness.SampleLevel(rill_linear_clamp_sampler, at, 0), 0.0);
+    m.thickness = _HasPhases > 0.5 ? dot(thickness, 1.0) : thickness.x;
+    if (_HasPhases > 0.5 && m.thickness > 1e-6)
+    {
+        // The mean of those along the ray, as if they were stirred: exact for what is absorbed.
+        float3 absorbed = 0.0, scattered = 0.0;
+        float rate = 0.0;
+        for (uint i = 0; i < 4; i++)
+        {
+            absorbed += _PhaseAbsorption[i].rgb * thickness[i];
+            scattered += _PhaseScattering[i].rgb * (_PhaseScattering[i].w * thickness[i]);
+            rate += _PhaseScattering[i].w * thickness[i];
+        }
+        m.absorption = absorbed / m.thickness;
+        m.color = scattered / max(rate, 1e-9);
+        m.scattering = rate / m.thickness;
+    }
+    return m;
+}
+
+// Reflectance of a dielectric (Schlick 1994).
+float Fresnel(float cosine, float roughness)
+{
+    float reflectance = _SurfaceOptics.y;
+    return reflectance + (max(1.0 - roughness, reflectance) - reflectance) * pow(saturate(1.0 - cosine), 5.0);
+}
+
+MainLight LightOfSurface()
+{
+    MainLight light = GetMainLight();
+#if defined(RILL_HIGH_DEFINITION)
+    light.color *= RILL_EXPOSURE / 3.14159265;      // from lux to the radiance of a white surface
+#endif
+    return light;
+}
+
+// GGX (Walter et al. 2007) with the visibility of Hammon 2017, for a light of unit radiance times pi.
+float Highlight(float3 normal, float3 toEye, float3 toLight, float roughness)
+{
+    float3 halfway = toEye + toLight;
+    halfway *= rsqrt(max(dot(halfway, halfway), 1e-12));
+    float nl = saturate(dot(normal, toLight)), nv = saturate(dot(normal, toEye)) + 1e-4, nh = saturate(dot(normal, halfway));
+    float alpha = max(roughness * roughness, 0.002), squared = alpha * alpha;
+    float spread = nh * nh * (squared - 1.0) + 1.0;
+    float visibility = 0.5 / max(lerp(2.0 * nl * nv, nl + nv, alpha), 1e-4);
+    return min(squared / (spread * spread) * visibility * Fresnel(dot(toLight, halfway), 0.0) * nl, 64.0);
+}
+
+#ifdef RILL_FOAM
+bool IsWater(float2 picture)
+{
+    return _SurfaceDepth.Load(int4(clamp((picture * 0.5 + 0.5) * _SurfaceSize.xy, 0.0, _SurfaceSize.xy - 1.0), eyeIndex, 0)) > 0.0;
+}
+
+// What flies where there is no water behind it.
+float4 Spray(FoamLayer foam, float2 picture, out float depth)
+{
+    if (foam.front < 0.01)
+        discard;
+    SurfaceRay ray = RayThrough(picture, eyeIndex);
+    float3 world = ray.origin + ray.direction * foam.z;
+    float4 clip = WorldToClip(world);
+    depth = DeviceDepth(clip);
+    MainLight light = LightOfSurface();
+    float3 lit = LitFoam(Environment(float3(0.0, 1.0, 0.0), 1.0), light.color * MainLightShadow(light, world, clip), light.direction.y);
+    return float4(ApplyFog(lit * foam.front, foam.front, foam.z), foam.front);
+}
+#endif
+
+float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_Target
+{
+    RestoreView(input);
+    float2 picture = input.picture.xy;
+#ifdef RILL_FOAM
+    FoamLayer foam = FoamLayerAt(picture, eyeIndex, rill_linear_clamp_sampler);
+    if (!IsWater(picture))
+        return Spray(foam, picture, depth);
+#endif
+    SurfacePoint p = PointOn(picture);
+    float4 clip = WorldToClip(p.world);
+    depth = DeviceDepth(clip);
+
+    float3 toEye = -p.ray;
+    float facing = dot(p.normal, toEye);
+    p.normal = normalize(p.normal + toEye * max(0.05 - facing, 0.0));       // none of those that are seen looks away
+    facing = saturate(dot(p.normal, toEye));
+    Medium medium = MediumAt(picture);
+#ifdef RILL_REFRACTION
+    // The textures of thickness are coarse: what stands in the water keeps its edges by its own depth.
+    medium.thickness = min(medium.thickness, max(SceneDepthAt(picture) - p.z, 0.0) * p.stretch);
+#endif
+
+    MainLight light = LightOfSurface();
+    float3 lightColor = light.color * MainLightShadow(light, p.world + light.direction * _SurfaceOptics.w, clip);
+    float3 around = Environment(p.normal, 1.0);
+    float reflectance = Fresnel(facing, p.roughness);
+    float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye, light.direction, p.roughness);
+
+    float path = medium.thickness;
+#ifdef RILL_REFRACTION
+    // As deep below the surface as the straight ray gets, which is where a floor is.
+    float3 bent = refract(p.ray, p.normal, 1.0 / _SurfaceOptics.x);
+    path *= dot(p.ray, p.normal) / min(dot(bent, p.normal), -0.05);
+    float3 behind = Refracted(p, picture, bent, path);
+#endif
+    float3 through = exp(-(medium.absorption + medium.scattering) * path);
+    float3 lit = (around + lightColor * (0.5 * saturate(dot(p.normal, light.direction)) + 0.25)) * medium.color;
+    float3 scattered = lit * (1.0 - exp(-medium.scattering * path));
+#ifdef RILL_FOAM
+    // Under water it hides what is behind it, and is seen through what is in front of it.
+    float3 foamLight = LitFoam(around, lightColor, dot(p.normal, light.direction));
+    float3 under = foamLight * exp(-(medium.absorption + medium.scattering) * foam.below) + lit * (1.0 - exp(-medium.scattering * foam.below));
+    scattered = lerp(scattered, under, foam.under);
+    through *= 1.0 - foam.under;
+#endif
+#ifdef RILL_REFRACTION
+    float3 color = (behind * through + scattered) * (1.0 - reflectance) + mirrored;
+    float coverage = 1.0;
+#else
+    float coverage = 1.0 - (1.0 - reflectance) * dot(through, 1.0 / 3.0);
+    float3 color = scattered * (1.0 - reflectance) + mirrored;
+#endif
+#ifdef RILL_FOAM
+    color = lerp(color, foamLight, foam.front);
+    coverage = lerp(coverage, 1.0, foam.front);
+#endif
+    return float4(ApplyFog(color, coverage, p.z), coverage);
+}

@@ -1,0 +1,188 @@
+// Solid colliders: their shapes as signed distances, their motion in a substep, and which of them are near a place.
+// Lengths in d, in the domain's frame. Include after Solver.hlsl.
+#ifndef RILL_COLLIDERS_INCLUDED
+#define RILL_COLLIDERS_INCLUDED
+
+#include "../../Generated/Colliders.hlsl"
+#include "../../Rendering/Rotations.hlsl"
+
+static const uint kNoCollider = 0xFFFFu;
+
+static const float kSameSurfaceCosine = 0.9;          // cosine between the normals of surfaces that are one
+static const float kOtherSurfaceCosine = 0.5;         // and of those that are two
+
+StructuredBuffer<Collider> _Colliders;
+Texture3D<float> _Fields;                   // the distances of all meshes, brick by brick; see FieldAtlas.cs
+Texture3D<float> _Heights;                  // the heights of all height fields, the same way
+SamplerState sampler_LinearClamp;
+
+// ---- frames
+
+float3 ToCollider(Collider collider, float3 p)
+{
+    return Unrotate(collider.rotation, p - collider.position);
+}
+
+// The same at the start of the substep.
+float3 ToLastCollider(Collider collider, float3 p)
+{
+    return Unrotate(collider.lastRotation, p - collider.lastPosition);
+}
+
+float3 FromCollider(Collider collider, float3 local)
+{
+    return collider.position + Rotate(collider.rotation, local);
+}
+
+float3 FromLastCollider(Collider collider, float3 local)
+{
+    return collider.lastPosition + Rotate(collider.lastRotation, local);
+}
+
+// How the collider's matter that is at p at the end of the substep moved in it.
+float3 SurfaceMotion(Collider collider, float3 p)
+{
+    return p - FromLastCollider(collider, ToCollider(collider, p));
+}
+
+// How the collider's surface moves by a point: half of how matter came there in the substep and of how it would go on. What turns comes
+// along a chord, which ends inward of where it began, but its surface as a whole goes nowhere.
+float3 CentralMotion(Collider collider, float3 p)
+{
+    return 0.5 * (FromCollider(collider, ToLastCollider(collider, p)) - FromLastCollider(collider, ToCollider(collider, p)));
+}
+
+// ---- signed distances in a collider's own frame: xyz the direction in which the distance grows, w the distance
+
+float4 SphereDistance(float3 p, float radius)
+{
+    float lengthSquared = dot(p, p);
+    float inverse = lengthSquared > 1e-12 ? rsqrt(lengthSquared) : 0.0;
+    return float4(inverse > 0.0 ? p * inverse : float3(0.0, 1.0, 0.0), lengthSquared * inverse - radius);
+}
+
+float4 BoxDistance(float3 p, float3 halfSides)
+{
+    float3 side = p >= 0.0 ? 1.0 : -1.0;
+    float3 q = abs(p) - halfSides;
+    float3 beyond = max(q, 0.0);
+    float lengthSquared = dot(beyond, beyond);
+    if (lengthSquared > 0.0)
+    {
+        float inverse = rsqrt(lengthSquared);
+        return float4(side * beyond * inverse, lengthSquared * inverse);
+    }
+    float nearest = max(q.x, max(q.y, q.z));
+    float3 face = q.x == nearest ? float3(1.0, 0.0, 0.0) : q.y == nearest ? float3(0.0, 1.0, 0.0) : float3(0.0, 0.0, 1.0);
+    return float4(side * face, nearest);
+}
+
+// Place in the atlas of the collider's shape.
+float3 FieldPosition(Collider collider, float3 p)
+{
+    return collider.fieldCenter + p * collider.fieldScale;
+}
+
+float FieldDistance(Collider collider, float3 p)
+{
+    return _Fields.SampleLevel(sampler_LinearClamp, FieldPosition(collider, p), 0.0) * collider.fieldUnit;
+}
+
+// Inside its volume by central differences. Outside it the surface is taken to be where the nearest place inside sees it.
+float4 MeshDistance(Collider collider, float3 p)
+{
+    float3 q = clamp(p, -collider.size, collider.size);
+    float3 low = max(q - 0.5 * collider.voxel, -collider.size);
+    float3 high = min(q + 0.5 * collider.voxel, collider.size);
+    float3 slope = float3(FieldDistance(collider, float3(high.x, q.yz)) - FieldDistance(collider, float3(low.x, q.yz)),
+        FieldDistance(collider, float3(q.x, high.y, q.z)) - FieldDistance(collider, float3(q.x, low.y, q.z)),
+        FieldDistance(collider, float3(q.xy, high.z)) - FieldDistance(collider, float3(q.xy, low.z))) / max(high - low, 1e-6);
+    float steepness = dot(slope, slope);
+    float3 direction = steepness > 1e-8 ? slope * rsqrt(steepness) : float3(0.0, 1.0, 0.0);
+    float distance = FieldDistance(collider, q);
+    float3 fromSurface = p - q + direction * distance;
+    float lengthSquared = dot(fromSurface, fromSurface);
+    if (any(p != q) && lengthSquared > 0.0)
+        return float4(fromSurface * rsqrt(lengthSquared), sqrt(lengthSquared));
+    return float4(direction, distance);
+}
+
+float GroundHeight(Collider collider, float2 place)
+{
+    return _Heights.SampleLevel(sampler_LinearClamp, FieldPosition(collider, float3(place.x, 0.0, place.y)), 0.0) * collider.fieldUnit;
+}
+
+// From the ground below p as if it were a plane; beyond its sides there is none.
+float4 HeightDistance(Collider collider, float3 p)
+{
+    float2 q = clamp(p.xz, -collider.size.xz, collider.size.xz);
+    float2 beyond = p.xz - q;
+    float height = GroundHeight(collider, q);
+    float2 low = max(q - collider.voxel, -collider.size.xz);
+    float2 high = min(q + collider.voxel, collider.size.xz);
+    float2 slope = float2(GroundHeight(collider, float2(high.x, q.y)) - GroundHeight(collider, float2(low.x, q.y)),
+        GroundHeight(collider, float2(q.x, high.y)) - GroundHeight(collider, float2(q.x, low.y))) / max(high - low, 1e-6);
+    float fraction = rsqrt(1.0 + dot(slope, slope));
+    float3 normal = float3(-slope.x, 1.0, -slope.y) * fraction;
+    float distance = (p.y - height) * fraction;
+    if (all(beyond == 0.0))
+        return float4(normal, distance);
+    float3 fromSurface = float3(beyond.x, 0.0, beyond.y) + normal * max(distance, 0.0);
+    float lengthSquared = dot(fromSurface, fromSurface);
+    return float4(fromSurface * rsqrt(lengthSquared), sqrt(lengthSquared));
+}
+
+float4 LocalDistance(Collider collider, float3 p)
+{
+    float4 result;
+    if (collider.shape == kSphere)
+        result = SphereDistance(p, collider.size.x);
+    else if (collider.shape == kBox)
+        result = BoxDistance(p, collider.size);
+    else if (collider.shape == kCapsule)
+        result = SphereDistance(p - float3(0.0, clamp(p.y, -collider.size.y, collider.size.y), 0.0), collider.size.x);
+    else if (collider.shape == kPlane)
+        result = float4(0.0, 1.0, 0.0, p.y);
+    else if (collider.shape == kHeightField)
+        result = HeightDistance(collider, p);
+    else
+        result = MeshDistance(collider, p);
+    return (collider.flags & kInsideOut) != 0 ? -result : result;
+}
+
+// No further from the surface than this, signed: for steps along a path and for bins.
+float MinDistance(Collider collider, float3 p)
+{
+    float3 q = clamp(p, -collider.size, collider.size);
+    float outside = length(p - q);
+    float distance;
+    if (collider.shape == kMesh)
+    {
+        distance = FieldDistance(collider, q);
+        distance = outside > 0.0 ? max(outside, distance - outside) : distance;
+        distance = (collider.flags & kInsideOut) != 0 ? -distance : distance;
+    }
+    else if (collider.shape == kHeightField)
+    {
+        float2 beyond = p.xz - q.xz;
+        distance = any(beyond != 0.0) ? length(beyond) : (p.y - GroundHeight(collider, q.xz)) * collider.minFraction;
+    }
+    else
+        distance = LocalDistance(collider, p).w;
+    return distance;
+}
+
+// The distance itself, where 'least' is what MinDistance says of p: less than it only over a height field.
+float SurfaceDistance(Collider collider, float3 p, float least)
+{
+    return collider.shape == kHeightField ? HeightDistance(collider, p).w : least;
+}
+
+// In the domain's frame, at the end of the substep.
+float4 DomainDistance(Collider collider, float3 p)
+{
+    float4 local = LocalDistance(collider, ToCollider(collider, p));
+    return float4(Rotate(collider.rotation, local.xyz), local.w);
+}
+
+#endif
