@@ -12,7 +12,7 @@
 #ifndef RILL_FOAM_INCLUDED
 #define RILL_FOAM_INCLUDED
 
-#include "Foam.hlsl"
+#include "../Generated/Foam.hlsl"
 
 static const float kFoamComes = 0.05;   // of its life, in which it appears
 static const float kFoamGoes = 0.6;     // from which it fades
