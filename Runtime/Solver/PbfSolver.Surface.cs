@@ -27,7 +27,7 @@ namespace Rill
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
             surface ??= new SurfaceParticles(Layout);
-            bool hasSteps = lastSubsteps > 0 && !isRestored;
+            bool hasSteps = lastSubsteps > 0 && !isRestored && !HasMarked;       // the neighbor lists do not know which particles are gone
             float substepTime = input.timeStep / Math.Max(lastSubsteps, 1);
             SurfaceVersion++;
             surface.Record(cmd, hasSteps ? constants : null, particles, densityConstraint.Lists, neighborSearch, hasNew || !hasSteps, substepTime, SurfaceVersion, substepsSinceSurface, hasSteps ? restingRegions : null, hasSteps ? coarseCorrection : null);
