@@ -12,6 +12,7 @@ namespace Rill
         const int MaxPhase = 7;
 
         Action onRefusals;
+        NativeArray<float4> batchPositions, batchVelocities;       // of the last small batch, used again
         bool saidRefused, saidOutside;
 
         /// <summary>
@@ -37,25 +38,26 @@ namespace Rill
             GetPose(out Vector3 place, out Quaternion rotation);
             Quaternion toDomain = Quaternion.Inverse(rotation);
             float3 low = float.MaxValue, high = float.MinValue, size = (float3)domainSize / particleSpacing;
-            using (var local = new NativeArray<float4>(positions.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
-            using (var localVelocities = new NativeArray<float4>(positions.Length, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
+            if (positions.Length == 0)
+                return;
+            Reserve(ref batchPositions, positions.Length);
+            Reserve(ref batchVelocities, positions.Length);
+            for (int i = 0; i < positions.Length; i++)
             {
-                NativeArray<float4> to = local, velocitiesTo = localVelocities;
-                for (int i = 0; i < positions.Length; i++)
-                {
-                    float4 position = new float4(ToDomain(positions[i], place, toDomain), 0f) / particleSpacing;
-                    to[i] = position;
-                    velocitiesTo[i] = new float4((float3)(toDomain * (Vector3)velocities[i]), 0f) / particleSpacing;
-                    if (!math.all(math.isfinite(position.xyz)))
-                        continue;       // the first step culls it
-                    low = math.min(low, math.clamp(position.xyz, 0f, size));
-                    high = math.max(high, math.clamp(position.xyz, 0f, size));
-                }
-                uint tag = TagFor(phase, lifetime);
-                pbf.BeginBatch(onRefusals);
-                pbf.AddInSpacings(local, localVelocities, low, high, tag);
-                pbf.EndBatch();
+                float4 position = new float4(ToDomain(positions[i], place, toDomain), 0f) / particleSpacing;
+                batchPositions[i] = position;
+                batchVelocities[i] = new float4((float3)(toDomain * (Vector3)velocities[i]), 0f) / particleSpacing;
+                if (!math.all(math.isfinite(position.xyz)))
+                    continue;       // the first step culls it
+                low = math.min(low, math.clamp(position.xyz, 0f, size));
+                high = math.max(high, math.clamp(position.xyz, 0f, size));
             }
+            uint tag = TagFor(phase, lifetime);
+            pbf.BeginBatch(onRefusals);
+            pbf.AddInSpacings(batchPositions.GetSubArray(0, positions.Length), batchVelocities.GetSubArray(0, positions.Length), low, high, tag);
+            pbf.EndBatch();
+            if (positions.Length > ParticleUpload.KeptBatch)
+                ReleaseBatches();
         }
 
         /// <summary>
@@ -202,6 +204,24 @@ namespace Rill
             return pbf.TagFor(phase, ends ? math.max((int)math.round(lifetime * stepRate), 1) : 0);
         }
 
+        static void Reserve(ref NativeArray<float4> array, int count)
+        {
+            if (array.IsCreated && array.Length >= count)
+                return;
+            if (array.IsCreated)
+                array.Dispose();
+            array = new NativeArray<float4>(Mathf.NextPowerOfTwo(count), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+        }
+
+        void ReleaseBatches()
+        {
+            if (batchPositions.IsCreated)
+                batchPositions.Dispose();
+            if (batchVelocities.IsCreated)
+                batchVelocities.Dispose();
+            batchPositions = batchVelocities = default;
+        }
+
         // False where there is no graphics device, and so nothing to do.
         bool IsReadyTo(string act)
         {
@@ -211,7 +231,7 @@ namespace Rill
                 return false;
             if (pbf != null && layoutChanged)
             {
-                OnDisable();
+                Release();
                 OnEnable();
             }
             if (pbf == null)

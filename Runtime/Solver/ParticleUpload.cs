@@ -12,7 +12,8 @@ namespace Rill
         const int MaxBatch = 1 << 20;
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
-        const int KeptBatch = 1 << 14;      // particles of a batch whose buffers stay for the next
+        /// <summary>Most particles of a batch of a script whose buffers stay for the next.</summary>
+        public const int KeptBatch = 1 << 14;
 
         readonly int append, commit, clear, countMarked, removeAll, countRefused;
         readonly LocalKeyword withTags;

@@ -7,6 +7,8 @@ using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 using UnityEngine.TestTools;
+using UnityEngine.TestTools.Constraints;
+using Is = NUnit.Framework.Is;
 
 namespace Rill.Tests
 {
@@ -219,6 +221,35 @@ namespace Rill.Tests
                 Assert.That(statistics.refused, Is.InRange(51, 58));
                 Assert.That(scene.Fluid.Solver.RefusedOfScripts, Is.EqualTo(statistics.refused));
                 LogAssert.NoUnexpectedReceived();
+            }
+        }
+
+        [Test]
+        public void Adding_clearing_and_removing_in_every_frame_allocate_no_managed_memory()
+        {
+            using (SourceScene scene = Basin(5000).Step())
+            using (var positions = new NativeArray<float3>(50, Allocator.Persistent))
+            using (var velocities = new NativeArray<float3>(50, Allocator.Persistent))
+            {
+                int frames = 0;
+                TestDelegate frame = () =>
+                {
+                    frames++;
+                    scene.Fluid.AddParticles(positions, velocities, 2, 1f);
+                    scene.Fluid.RemoveInside(FluidShape.Sphere(Vector3.zero, 0.1f));
+                    scene.Step();
+                };
+                for (int i = 0; i < 10; i++)
+                {
+                    frame();
+                    AsyncGPUReadback.WaitAllRequests();
+                }
+                for (int i = 0; i < 10; i++)
+                {
+                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                    AsyncGPUReadback.WaitAllRequests();
+                }
+                Assert.That(scene.AssertConserved().drained, Is.EqualTo(frames * 50).And.GreaterThan(900));
             }
         }
 
