@@ -9,7 +9,7 @@ namespace Rill.Editor
         [InitializeOnLoadMethod]
         static void Watch() => AssemblyReloadEvents.beforeAssemblyReload += Release;
 
-        static void Release()
+        internal static void Release()
         {
             foreach (FluidSimulation fluid in Resources.FindObjectsOfTypeAll<FluidSimulation>())
                 fluid.ReleaseKept();

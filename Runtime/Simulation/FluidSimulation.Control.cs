@@ -94,6 +94,34 @@ namespace Rill
         }
 
         /// <summary>
+        /// Moves the box, and leaves the water where it is in the world: for a box that follows a target. What then lies outside is removed and
+        /// counts as drained. Nothing is pushed, neither by the box nor by what moved in it in this frame. Foam begins again.
+        /// </summary>
+        /// <remarks>
+        /// Memory stays that of the box, however large the world. Setting the transform instead takes the water along. The part of the box that
+        /// is new is empty: <see cref="Fill(FluidShape, Vector3, int, float)"/> of the whole box fills it and leaves the rest as it is.
+        /// </remarks>
+        /// <param name="position">Of this object, world space, m.</param>
+        /// <exception cref="ArgumentException">The position is not finite.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        public void Recenter(Vector3 position)
+        {
+            if (!math.all(math.isfinite((float3)position)))
+                throw new ArgumentException($"A box at {position} is nowhere: give finite numbers.", nameof(position));
+            bool isRunning = IsReadyTo("moving its box");
+            if (isRunning && !HasStages(StageSet.ParticleEdits))
+                return;
+            GetPose(out Vector3 before, out Quaternion rotation);
+            transform.position = position;
+            if (!isRunning)
+                return;
+            pbf.Shift((float3)(Quaternion.Inverse(rotation) * (before - position)) / particleSpacing);
+            FollowTransform();
+            StandStill();
+            ClearMotions();
+        }
+
+        /// <summary>
         /// Fills a shape at once, as far as there is room: not nearer than 0.9 spacings to a particle that is there, not in a collider where the
         /// last step left it, and not outside the box. What the capacity does not hold is refused, counted and logged once. Does nothing in a
         /// player without a graphics device, and where the stage ParticleEdits is not in the build, which is logged.

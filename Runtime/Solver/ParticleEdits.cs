@@ -6,19 +6,20 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What scripts do to the particles between steps: removes those inside a shape, and adds those of a batch that have room. Made when first needed.</summary>
+    /// <summary>What scripts do to the particles between steps: removes those inside a shape, moves them against the box, and adds those of a batch that have room. Made when first needed.</summary>
     sealed class ParticleEdits : IDisposable
     {
         const int MaxBatch = 1 << 20;
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleEdits");
-        readonly int removeInside, removeInsideAsleep, findSpace, findSpaceWithColliders, addFree, addFreeTagged, commitFree;
+        readonly int removeInside, removeInsideAsleep, shift, findSpace, findSpaceWithColliders, addFree, addFreeTagged, commitFree;
         readonly CommandBuffer commands = new CommandBuffer { name = "Rill.ParticleEdits" };
 
         public ParticleEdits()
         {
             removeInside = shader.FindKernel("RemoveInside");
             removeInsideAsleep = shader.FindKernel("RemoveInsideAsleep");
+            shift = shader.FindKernel("Shift");
             findSpace = shader.FindKernel("FindSpace");
             findSpaceWithColliders = shader.FindKernel("FindSpaceWithColliders");
             addFree = shader.FindKernel("AddFree");
@@ -41,6 +42,20 @@ namespace Rill
             commands.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
             resting?.BindMotion(commands, shader, kernel);
             particles.DispatchAlive(commands, shader, kernel);
+            Graphics.ExecuteCommandBuffer(commands);
+        }
+
+        /// <summary>Moves all particles in the domain's frame at once, and takes out those that then lie outside.</summary>
+        /// <param name="by">d.</param>
+        public void Shift(GraphicsBuffer constants, ParticleBuffers particles, float3 by)
+        {
+            commands.Clear();
+            commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            commands.SetComputeVectorParam(shader, Ids.ShiftBy, new float4(by, 0f));
+            commands.SetComputeBufferParam(shader, shift, Ids.Positions, particles.Current);
+            commands.SetComputeBufferParam(shader, shift, Ids.StartPositions, particles.Start);
+            commands.SetComputeBufferParam(shader, shift, Ids.Counters, particles.Counters);
+            particles.DispatchAlive(commands, shader, shift);
             Graphics.ExecuteCommandBuffer(commands);
         }
 
@@ -136,6 +151,8 @@ namespace Rill
             public static readonly int ShapeHalf = Shader.PropertyToID("_ShapeHalf");
             public static readonly int ShapeRotation = Shader.PropertyToID("_ShapeRotation");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
+            public static readonly int ShiftBy = Shader.PropertyToID("_ShiftBy");
+            public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");
             public static readonly int Order = Shader.PropertyToID("_Order");
             public static readonly int Free = Shader.PropertyToID("_Free");
             public static readonly int FreeBefore = Shader.PropertyToID("_FreeBefore");

@@ -50,6 +50,24 @@ namespace Rill
             markedAfter = stepIndex + 1;
         }
 
+        /// <summary>Moves all particles in the domain's frame, at once, and removes those that then lie outside. Foam, and what the coarse grid knows, begin again.</summary>
+        /// <param name="by">d.</param>
+        public void Shift(float3 by)
+        {
+            PrepareConstants();
+            Edits.Shift(constants, particles, by);
+            markedAfter = stepIndex + 1;
+            InvalidateSurface();
+            InvalidateParticles(false);
+            foam?.Clear();
+            ReleaseCoarse();
+            restingRegions?.Wake();
+            if (!math.all(minAdded <= maxAdded))
+                return;
+            minAdded = math.clamp(minAdded + by, 0f, Layout.DomainSize);
+            maxAdded = math.clamp(maxAdded + by, 0f, Layout.DomainSize);
+        }
+
         /// <summary>Adds those of some particles that have room between the others and beside the colliders, at once.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocity">d/s, of all.</param>

@@ -254,6 +254,62 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void A_box_that_is_put_elsewhere_leaves_the_water_where_it_is_in_the_world_and_removes_what_is_outside()
+        {
+            using (SourceScene scene = Basin())
+            {
+                scene.Fluid.transform.SetPositionAndRotation(new Vector3(30f, 1f, -8f), Quaternion.Euler(0f, 30f, 0f));
+                scene.Fluid.Restart();
+                scene.Step(5);
+                ParticleState before = scene.Read();
+                Matrix4x4 toWorld = scene.Fluid.DomainToWorld;
+                Vector3 along = scene.Fluid.transform.right;
+                scene.Fluid.Recenter(scene.Fluid.transform.position + 0.3f * along);
+                ParticleState after = scene.Read();
+                Assert.That(after.Count, Is.EqualTo(before.Count), "until the step");
+                int removed = 0;
+                for (int i = 0; i < after.Count; i++)
+                {
+                    bool isOutside = before.positions[i].x < 3f + 0.25f;
+                    removed += isOutside ? 1 : 0;
+                    Assert.That(math.all(math.isfinite(after.positions[i].xyz)), Is.EqualTo(!isOutside), $"particle {i} at {before.positions[i].x} d");
+                    Vector3 was = toWorld.MultiplyPoint3x4(before.positions[i].xyz);
+                    if (!isOutside)
+                        Assert.That(Vector3.Distance(scene.Fluid.DomainToWorld.MultiplyPoint3x4(after.positions[i].xyz), was), Is.LessThan(0.26f * Spacing).And.LessThan(before.positions[i].x < 3.5f ? 1f : 1e-4f));
+                }
+                Compare.Same("velocities", after.velocities, before.velocities);
+                Assert.That(removed, Is.EqualTo(60));       // three layers of 20
+                scene.Step(3);
+                FluidStatistics statistics = scene.AssertConserved();
+                Assert.That(statistics.drained, Is.EqualTo(removed));
+                Assert.That(statistics.speedMax, Is.LessThan(1.5f));        // what gravity gives in 3 steps and a wall that is gone
+            }
+        }
+
+        [Test]
+        public void A_lake_around_a_target_that_moves_stays_calm_and_keeps_its_amount([Values] DeepWater deepWater)
+        {
+            using (var scene = new SourceScene(new Vector3(1.6f, 1f, 0.8f), Spacing, 2000, deepWater))
+            {
+                scene.Fill(0.8f).Step(60);
+                int before = scene.Read().Count;
+                float worst = 0f;
+                for (int i = 1; i <= 6; i++)
+                {
+                    scene.Fluid.Recenter(new Vector3(0.2f * i, 0f, 0f));
+                    scene.Fluid.Fill(FluidShape.Box(new Vector3(0.2f * i, -0.1f, 0f), new Vector3(1.6f, 0.8f, 0.8f)));
+                    scene.Step(15);
+                    worst = math.max(worst, scene.Measure().speed);
+                }
+                FluidStatistics statistics = scene.AssertConserved();
+                TestContext.Out.WriteLine($"{before} particles, {statistics.particles} after six moves, rms speed at most {worst:0.000} m/s, density error {statistics.densityError:0.0000}");
+                Assert.That(statistics.particles, Is.EqualTo(before).Within(0.05f * before));
+                Assert.That(worst, Is.LessThan(0.3f));
+                Assert.That(statistics.drained, Is.GreaterThan(600));
+            }
+        }
+
+        [Test]
         public void Misuse_names_what_is_wrong()
         {
             using (SourceScene scene = Basin().Step())
@@ -264,6 +320,7 @@ namespace Rill.Tests
                 Assert.That(Assert.Throws<ArgumentException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 100f))).Message, Does.Contain("more than 16,777,216 particles of spacing 0.1 m"));
                 Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 1f), default, 8)).Message, Does.Contain("0 to 7"));
                 Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 1f), default, 0, -1f)).Message, Does.Contain("86400"));
+                Assert.That(Assert.Throws<ArgumentException>(() => fluid.Recenter(new Vector3(float.NaN, 0f, 0f))).Message, Does.Contain("finite"));
                 Assert.Throws<ArgumentNullException>(() => fluid.Fill((FluidVolume)null));
                 Exception inPass = null;
                 fluid.BeforeStep += (commands, particles) => inPass = Assert.Throws<InvalidOperationException>(() => fluid.Clear());

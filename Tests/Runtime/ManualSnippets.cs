@@ -86,6 +86,20 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void FollowATarget(FluidSimulation fluid, Transform target, Transform lake)
+        {
+            #region Follow a target
+            Vector3 away = target.position - fluid.transform.position;
+            away.y = 0f;                                                                // along the ground
+            if (away.magnitude > 4f * fluid.ParticleSpacing)
+            {
+                fluid.Recenter(fluid.transform.position + away);                        // what is outside then is removed
+                lake.position = fluid.transform.position;                               // a Fluid Volume as wide as the box
+                fluid.Fill(lake.GetComponent<FluidVolume>());                           // fills what is new, and nothing else
+            }
+            #endregion
+        }
+
         static void DisableAndEnable(FluidSimulation fluid, GameObject pooled, bool keeps)
         {
             #region Keep or drop the water of a disabled fluid
@@ -339,6 +353,16 @@ namespace Rill.Tests
             FillAndRemove(fluid, Vector3.zero, true);
             yield return null;
             Assert.That(FluidAssert.Measure(fluid).particles, Is.Zero);
+            var target = new GameObject("Target").transform;
+            target.SetParent(root.transform, false);
+            target.localPosition = 0.5f * Vector3.right;
+            FluidVolume lake = new GameObject("Lake").AddComponent<FluidVolume>();
+            lake.transform.SetParent(root.transform, false);
+            lake.Size = new Vector3(2f, 0.4f, 1f);
+            FollowATarget(fluid, target, lake.transform);
+            Assert.That(root.transform.position.x, Is.EqualTo(0.5f));
+            yield return null;
+            Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(20 * 4 * 10));
             SimulateWhatIsSeen(fluid);
             int before = fluid.StepCount;
             for (int i = 0; i < 8; i++)

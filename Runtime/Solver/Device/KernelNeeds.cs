@@ -92,6 +92,7 @@ namespace Rill
                 case "PHASES":
                 case "PROJECTION":
                 case "FIND":
+                case "SHIFT":
                 case "TAGGED":
                 case "REDUCE":
                 case "REMOVE":
