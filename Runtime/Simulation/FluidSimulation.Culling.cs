@@ -80,7 +80,7 @@ namespace Rill
                 return false;
             if (cullingDistance > 0f && bounds.SqrDistance(camera.transform.position) > cullingDistance * cullingDistance)
                 return false;
-            GeometryUtility.CalculateFrustumPlanes(camera, planes);
+            GeometryUtility.CalculateFrustumPlanes(camera.cullingMatrix, planes);      // holds both eyes
             return GeometryUtility.TestPlanesAABB(planes, bounds);
         }
 

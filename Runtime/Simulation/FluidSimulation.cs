@@ -273,6 +273,8 @@ namespace Rill
             ValidateSettings();
             shaders.Follow(UsedStages);
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
+            if (!keepStateOnDisable)
+                ReleaseKept();
         }
 
         // After the scripts and animations that move what acts on the fluid.

@@ -209,6 +209,7 @@ namespace Rill
             new KernelNeed("ParticleAccess", "CopyOut", "", 128, 0, 6, 1, 0),
             new KernelNeed("ParticleEdits", "RemoveInside", "REMOVE", 128, 0, 2, 2, 0),
             new KernelNeed("ParticleEdits", "RemoveInsideAsleep", "REMOVE RILL_SLEEP", 128, 0, 3, 3, 0),
+            new KernelNeed("ParticleEdits", "Shift", "SHIFT", 128, 0, 3, 3, 0),
             new KernelNeed("ParticleEdits", "FindSpace", "FIND", 128, 0, 5, 1, 0),
             new KernelNeed("ParticleEdits", "FindSpaceWithColliders", "FIND WITH_COLLIDERS", 128, 0, 7, 1, 2),
             new KernelNeed("ParticleEdits", "AddFree", "", 128, 0, 6, 4, 0),
