@@ -96,7 +96,7 @@ namespace Rill.Tests
         static PropertyInfo PropertyOf(Type component, FieldInfo field)
         {
             if (!Names.TryGetValue($"{field.DeclaringType.Name}.{field.Name}", out string name))
-                name = char.ToUpperInvariant(field.Name[0]) + field.Name.Substring(1);
+                name = field.Name.Substring(0, 1).ToUpperInvariant() + field.Name.Substring(1);
             return component.GetProperty(name, BindingFlags.Instance | BindingFlags.Public);
         }
 
