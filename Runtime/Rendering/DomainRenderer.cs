@@ -26,6 +26,15 @@ namespace Rill
 
         MaterialPropertyBlock edgeProperties, floorProperties;
 
+        /// <summary>Colour of the box's edges; alpha has no effect.</summary>
+        public Color Edges { get => edges; set => edges = value; }
+
+        /// <summary>Colour of the floor's lighter tiles; alpha has no effect.</summary>
+        public Color Floor { get => floor; set => floor = value; }
+
+        /// <summary>Side of a floor tile, m, at least 0.001.</summary>
+        public float Tile { get => tile; set => tile = Mathf.Max(value, 1e-3f); }
+
         // What stands around the fluid is a frame to look at, not a thing.
         DomainRenderer() : base(ShadowCastingMode.Off) { }
 

@@ -66,6 +66,25 @@ namespace Rill
         readonly Vector4[] palette = new Vector4[Phases];
         MaterialPropertyBlock properties;
 
+        /// <summary>Radius of a sphere, particle spacings, 0.1 to 2.</summary>
+        public float Radius { get => radius; set => radius = Mathf.Clamp(value, 0.1f, 2f); }
+
+        /// <summary>Colour where what is shown is 0; alpha has no effect.</summary>
+        public Color SlowColor { get => slowColor; set => slowColor = value; }
+
+        /// <summary>Colour at half of <see cref="ColorRange"/>; alpha has no effect.</summary>
+        public Color MiddleColor { get => middleColor; set => middleColor = value; }
+
+        /// <summary>Colour at <see cref="ColorRange"/> and above; alpha has no effect.</summary>
+        public Color FastColor { get => fastColor; set => fastColor = value; }
+
+        /// <summary>Colours of the phases 0 to 7. A phase beyond those that are there has the last.</summary>
+        /// <exception cref="ArgumentNullException">Set to null.</exception>
+        public Color[] PhaseColors { get => phaseColors; set => phaseColors = value ?? throw new ArgumentNullException(nameof(value)); }
+
+        /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
+        public Color Ambient { get => ambient; set => ambient = value; }
+
         /// <summary>What the colour of a particle shows.</summary>
         public Quantity ColorBy { get => colorBy; set => colorBy = value; }
 

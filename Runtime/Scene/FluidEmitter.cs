@@ -43,7 +43,7 @@ namespace Rill
         const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;
         const float MaxWait = 1f;           // s
         const float MinSpeed = 0.01f, MaxSpeed = 1000f, MaxRate = 1e6f;
-        const float MaxLifetime = 86400f;      // s: fits the steps that a tag holds
+        internal const float MaxLifetime = 86400f;      // s: fits the steps that a tag holds
 
         [Tooltip("Where the fluid comes from: a box, sphere or disc around this object, or the surface of a mesh along its normals.")]
         [SerializeField] EmitterShape shape = EmitterShape.Disc;

@@ -8,38 +8,6 @@ namespace Rill
     // Filling: from world space into the domain's frame.
     public sealed partial class FluidSimulation
     {
-        /// <summary>
-        /// Adds particles at once. Those beyond the capacity are refused and counted in the statistics. Does nothing in a player
-        /// without a graphics device, as on a dedicated server.
-        /// </summary>
-        /// <param name="positions">World space, m.</param>
-        /// <param name="velocities">World space, m/s; as many as positions.</param>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device.</exception>
-        /// <exception cref="ArgumentException">Unequal lengths.</exception>
-        public void AddParticles(NativeArray<float3> positions, NativeArray<float3> velocities)
-        {
-            if (positions.Length != velocities.Length)
-                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both.");
-            if (pbf == null && HasNoGraphics)
-                return;
-            if (pbf == null)
-                throw new InvalidOperationException($"FluidSimulation '{name}' is not running: enable it before adding particles.");
-
-            GetPose(out Vector3 place, out Quaternion rotation);
-            Quaternion toDomain = Quaternion.Inverse(rotation);
-            using (var local = new NativeArray<float4>(positions.Length, Allocator.Persistent))
-            using (var localVelocities = new NativeArray<float4>(positions.Length, Allocator.Persistent))
-            {
-                NativeArray<float4> to = local, velocitiesTo = localVelocities;
-                for (int i = 0; i < positions.Length; i++)
-                {
-                    to[i] = new float4(ToDomain(positions[i], place, toDomain), 0f);
-                    velocitiesTo[i] = new float4((float3)(toDomain * (Vector3)velocities[i]), 0f);
-                }
-                pbf.Add(local, localVelocities);
-            }
-        }
-
         void FillVolumes()
         {
             long filled = 0;

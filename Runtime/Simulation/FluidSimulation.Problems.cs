@@ -22,6 +22,7 @@ namespace Rill
             problems.AddIfAny(leftOutCount > 0 ? TooManyProblem : null);
             problems.AddIfAny(missingProblem);
             problems.AddIfAny(StartStateProblem);
+            problems.AddIfAny(pbf.RefusedOfScripts > 0 ? RefusedProblem : null);
             problems.AddIfAny(isTooViscous ? TooViscousProblem : null);
             foreach ((DeviceFeature _, string refusal) in gate.Refusals)
                 problems.Add(refusal);

@@ -101,6 +101,7 @@ namespace Rill
                 case StageSet.ForceFields: return "force fields";
                 case StageSet.Queries: return "probes and detectors";
                 case StageSet.ParticleAccess: return "the removal and the readback of particles by scripts";
+                case StageSet.ParticleEdits: return "Fill, RemoveInside and Recenter";
                 case StageSet.Surface: return "the water's surface";
                 default: return group.ToString();
             }

@@ -85,15 +85,6 @@ namespace Rill
         /// <summary>Length of a fixed step, s.</summary>
         public float FixedStep => 1f / stepRate;
 
-        /// <summary>Distance between particles at rest, m.</summary>
-        public float ParticleSpacing => particleSpacing;
-
-        /// <summary>Inner size of the box, m.</summary>
-        public Vector3 DomainSize => domainSize;
-
-        /// <summary>Most particles.</summary>
-        public int Capacity => capacity;
-
         /// <summary>Whether time stands still.</summary>
         public bool Paused { get => paused; set => paused = value; }
 
@@ -174,6 +165,7 @@ namespace Rill
         public void Restart()
         {
             ThrowInPass();
+            ReleaseKept();
             if (pbf == null)
                 return;
             pbf.Clear();
@@ -229,7 +221,10 @@ namespace Rill
             FollowTransform();
 
             ValidateSettings();
+            bool resumes = TryResume();
             shaders.Hold();
+            if (resumes)
+                return;
             try
             {
                 SolverLayout layout = MakeLayout();
@@ -252,6 +247,16 @@ namespace Rill
 
         void OnDisable()
         {
+            if (!TryKeep())
+                Release();
+        }
+
+        void OnDestroy() => ReleaseKept();
+
+        void Release()
+        {
+            ReleaseKept();
+            ReleaseBatches();
             pbf?.Dispose();
             pbf = null;
             ClearColliders();
@@ -268,6 +273,8 @@ namespace Rill
             ValidateSettings();
             shaders.Follow(UsedStages);
             layoutChanged |= pbf != null && !Matches(pbf.Layout);
+            if (!keepStateOnDisable)
+                ReleaseKept();
         }
 
         // After the scripts and animations that move what acts on the fluid.
@@ -279,7 +286,7 @@ namespace Rill
         {
             if (layoutChanged)
             {
-                OnDisable();
+                Release();
                 OnEnable();
             }
             if (pbf == null)
@@ -294,12 +301,14 @@ namespace Rill
             lastFrameTime = FrameTime;
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's way back from no place.
-            if (paused || !moves)
+            float rate = TimeRate();
+            if (rate < 1f || !moves)
                 StandStill();
-            if (paused || !moves && !poseIsLost)
+            if (rate < 1f || !moves && !poseIsLost)
                 ClearMotions();
-            if (paused)
+            if (rate <= 0f)
                 return;
+            frameTime *= rate;
 
             BeginBudgetFrame(frameTime);
             int steps = clock.Advance(frameTime, FixedStep, maxStepsPerFrame);
@@ -415,6 +424,7 @@ namespace Rill
             Limit.Finite("gravity", ref gravity, DefaultGravity, ref problem);
             Limit.Clamp("step rate", ref stepRate, 10f, 1000f, DefaultStepRate, ref problem);
             Limit.Clamp("max steps per frame", ref maxStepsPerFrame, 1, 16, ref problem);
+            ValidateCulling(ref problem);
             clamped = problem;
             if (problem != null)
                 Debug.LogWarning($"Rill: FluidSimulation '{name}': {problem}", this);

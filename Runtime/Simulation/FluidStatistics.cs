@@ -57,7 +57,7 @@ namespace Rill
         public int added;
         /// <summary>Particles let in by emitters, since the reset.</summary>
         public int emitted;
-        /// <summary>Particles taken out by drains, by passes of scripts or since their lifetime was over, since the reset.</summary>
+        /// <summary>Particles taken out by drains, by scripts or since their lifetime was over, since the reset.</summary>
         public int drained;
         /// <summary>Particles due from emitters and given up since they found no room for a second, since the reset.</summary>
         public int blocked;

@@ -24,7 +24,7 @@ namespace Rill
         public void RecordSurface(CommandBuffer cmd, in StepInput input)
         {
             surface ??= new SurfaceParticles(Layout);
-            bool hasSteps = lastSubsteps > 0 && !isRestored;
+            bool hasSteps = lastSubsteps > 0 && !isRestored && !HasMarked;       // the neighbor lists do not know which particles are gone
             StepInput last = input;
             last.settings.substeps = Math.Max(lastSubsteps, 1);
             SurfaceVersion++;

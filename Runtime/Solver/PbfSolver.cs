@@ -124,6 +124,8 @@ namespace Rill
             ReleaseViscoelasticity();       // the next fluid is not stretched
             ReleaseExtrapolation();
             ClearSources();
+            refusals?.Clear();
+            markedAfter = 0;
             restingRegions?.Wake();
             minAdded = float.MaxValue;
             maxAdded = float.MinValue;
@@ -158,16 +160,15 @@ namespace Rill
         /// <summary>As <see cref="Add"/>, in d and d/s; velocities as many as positions, or one for all.</summary>
         /// <param name="low">Lowest coordinates of the positions, d, within the domain.</param>
         /// <param name="high">And the highest.</param>
-        public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high)
+        /// <param name="tag">Of all of them, see ParticleTags.hlsl; what it asks for is there.</param>
+        public void AddInSpacings(NativeArray<float4> positions, NativeArray<float4> velocities, float3 low, float3 high, uint tag = 0)
         {
-            particleUpload.Append(particles, Layout.Capacity, positions, velocities, tags);
-            maxParticles += positions.Length;
-            minAdded = math.min(minAdded, low);
-            maxAdded = math.max(maxAdded, high);
-            particleUpload.Trim();
-            restingRegions?.Wake();
-            SurfaceIsCurrent = false;
-            hasNew = true;
+            particleUpload.Append(particles, Layout.Capacity, positions, velocities, tags, tag);
+            NoteAdded(positions.Length, low, high);
+            if (lastSubsteps > 0)
+                particleUpload.TrimLarge();
+            else
+                particleUpload.Trim();
         }
 
         /// <summary>Records one step: algorithm 1 of the paper, once a substep.</summary>
@@ -300,6 +301,7 @@ namespace Rill
             ReleaseStatistics();
             ReleaseQueries();
             ReleaseSurface();
+            ReleaseEdits();
             GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);
         }

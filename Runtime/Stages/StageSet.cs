@@ -28,9 +28,11 @@ namespace Rill
         ParticleAccess = 1 << 16,
         /// <summary>Probes and detectors.</summary>
         Queries = 1 << 17,
+        /// <summary>What scripts fill and remove between steps.</summary>
+        ParticleEdits = 1 << 18,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 18) - 1,
+        All = (1 << 19) - 1,
     }
 
     static class StageSets
@@ -90,6 +92,7 @@ namespace Rill
                 case StageSet.DomainRenderer: return "DomainRenderer";
                 case StageSet.MeshBaking: return "MeshSdf";
                 case StageSet.ParticleAccess: return "ParticleAccess";
+                case StageSet.ParticleEdits: return "ParticleEdits";
                 case StageSet.Queries: return "Queries";
                 default: return null;
             }

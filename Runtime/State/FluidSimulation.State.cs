@@ -54,7 +54,7 @@ namespace Rill
                 return;
             if (pbf != null && layoutChanged)
             {
-                OnDisable();
+                Release();
                 OnEnable();
             }
             if (pbf == null)

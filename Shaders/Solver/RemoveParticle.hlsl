@@ -2,10 +2,12 @@
 #ifndef RILL_REMOVE_PARTICLE_INCLUDED
 #define RILL_REMOVE_PARTICLE_INCLUDED
 
+#include "RemovedMark.hlsl"
+
 // Its position is no number from here on. The sort counts every such as not finite, which is taken back in advance.
 void Remove(uint i, float3 p)
 {
-    _Positions[i] = asfloat(0x7fc00000u);
+    _Positions[i] = asfloat(kRemovedBits);
     InterlockedAdd(_Counters[kDrained], 1);
     InterlockedAdd(_Counters[kNonFinite], 0xFFFFFFFFu);
     WakeRegion(p);

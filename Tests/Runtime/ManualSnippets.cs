@@ -71,8 +71,50 @@ namespace Rill.Tests
                     to[i] = (float3)at + d * new float3(i % Side, i / Side % Side, i / (Side * Side));      // a spacing apart
                     velocitiesTo[i] = new float3(0f, -3f, 0f);
                 }
-                fluid.AddParticles(positions, velocities);      // world space, m and m/s
+                fluid.AddParticles(positions, velocities, phase: 1, lifetime: 5f);      // world space, m and m/s; gone after 5 s
             }
+            #endregion
+        }
+
+        static void FillAndRemove(FluidSimulation fluid, Vector3 center, bool empties)
+        {
+            #region Fill and remove
+            fluid.RemoveInside(FluidShape.Sphere(center, 0.3f));                        // those whose centre is inside
+            fluid.Fill(FluidShape.Box(center + 0.5f * Vector3.up, 0.4f * Vector3.one), velocity: Vector3.down);
+            if (empties)
+                fluid.Clear();                                                          // all of it; time and emitters go on
+            #endregion
+        }
+
+        static void FollowATarget(FluidSimulation fluid, Transform target, Transform lake)
+        {
+            #region Follow a target
+            Vector3 away = target.position - fluid.transform.position;
+            away.y = 0f;                                                                // along the ground
+            if (away.magnitude > 4f * fluid.ParticleSpacing)
+            {
+                fluid.Recenter(fluid.transform.position + away);                        // what is outside then is removed
+                lake.position = fluid.transform.position;                               // a Fluid Volume as wide as the box
+                fluid.Fill(lake.GetComponent<FluidVolume>());                           // fills what is new, and nothing else
+            }
+            #endregion
+        }
+
+        static void DisableAndEnable(FluidSimulation fluid, GameObject pooled, bool keeps)
+        {
+            #region Keep or drop the water of a disabled fluid
+            pooled.SetActive(false);                                        // its water stays as it is
+            fluid.KeepStateOnDisable = keeps;                               // false gives its memory back now
+            pooled.SetActive(true);                                         // goes on, or begins again
+            #endregion
+        }
+
+        static void SimulateWhatIsSeen(FluidSimulation fluid)
+        {
+            #region Simulate only what is seen
+            fluid.CullingMode = FluidCullingMode.Slow;      // or Pause
+            fluid.CulledRate = 0.25f;                       // a quarter of the steps while no camera sees the box
+            fluid.CullingDistance = 50f;                    // m; cameras further away do not count
             #endregion
         }
 
@@ -285,6 +327,48 @@ namespace Rill.Tests
             StartAgain(fluid);
             Assert.That(fluid.StepCount, Is.EqualTo(0));
             yield return AssertScene(fluid);
+            Time.captureDeltaTime = 0f;
+        }
+
+        [UnityTest]
+        public IEnumerator The_snippets_that_control_a_fluid_do_what_the_page_says()
+        {
+            root = MakeFluid();
+            var fluid = root.GetComponent<FluidSimulation>();
+            Time.captureDeltaTime = 1f / 60f;
+            for (int i = 0; i < 3; i++)
+                yield return null;
+            FillAndRemove(fluid, new Vector3(-0.6f, -0.4f, 0f), false);
+            yield return null;
+            FluidStatistics changed = FluidAssert.Measure(fluid);
+            Assert.That(changed.drained, Is.InRange(80, 140), "a sphere of radius 0.3 m at 1,000 particles a cubic metre holds 113");
+            Assert.That(changed.added, Is.InRange(8 * 12 * 10 + 1, 8 * 12 * 10 + 64));
+            DisableAndEnable(fluid, root, true);
+            Assert.That(fluid.StepCount, Is.EqualTo(4));
+            yield return null;
+            Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(changed.particles));
+            DisableAndEnable(fluid, root, false);
+            Assert.That(fluid.StepCount, Is.Zero);
+            yield return null;
+            FillAndRemove(fluid, Vector3.zero, true);
+            yield return null;
+            Assert.That(FluidAssert.Measure(fluid).particles, Is.Zero);
+            var target = new GameObject("Target").transform;
+            target.SetParent(root.transform, false);
+            target.localPosition = 0.5f * Vector3.right;
+            FluidVolume lake = new GameObject("Lake").AddComponent<FluidVolume>();
+            lake.transform.SetParent(root.transform, false);
+            lake.Size = new Vector3(2f, 0.4f, 1f);
+            FollowATarget(fluid, target, lake.transform);
+            Assert.That(root.transform.position.x, Is.EqualTo(0.5f));
+            yield return null;
+            Assert.That(FluidAssert.Measure(fluid).particles, Is.EqualTo(20 * 4 * 10));
+            SimulateWhatIsSeen(fluid);
+            int before = fluid.StepCount;
+            for (int i = 0; i < 8; i++)
+                yield return null;
+            Assert.That(fluid.IsCulled, "there is no camera");
+            Assert.That(fluid.StepCount - before, Is.EqualTo(2));
             Time.captureDeltaTime = 0f;
         }
 

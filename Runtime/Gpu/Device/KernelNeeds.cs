@@ -42,7 +42,8 @@ namespace Rill
                 case "FoamSources": return DeviceFeature.Foam;
                 case "ForceFields": return DeviceFeature.ForceFields;
                 case "MeshSdf": return DeviceFeature.Baking;
-                case "ParticleAccess": return DeviceFeature.ParticleAccess;
+                case "ParticleAccess":
+                case "ParticleEdits": return DeviceFeature.ParticleAccess;
                 case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
@@ -90,6 +91,9 @@ namespace Rill
                 case "PATHS":
                 case "PHASES":
                 case "PROJECTION":
+                case "FIND":
+                case "SHIFT":
+                case "TAGGED":
                 case "REDUCE":
                 case "REMOVE":
                 case "RESIDUAL":

@@ -51,6 +51,9 @@ namespace Rill
         /// <summary>How much one particle covers of what is behind its middle, 0 to 1.</summary>
         public float Opacity { get => opacity; set { opacity = value; Validate(); } }
 
+        /// <summary>Light from all around, added to the sun's; alpha has no effect.</summary>
+        public Color Ambient { get => ambient; set => ambient = value; }
+
         /// <summary>Light whose direction and colour the foam takes; null for the scene's main light (in HDRP, from above).</summary>
         public Light Sun { get => sun; set => sun = value; }
 

@@ -12,8 +12,12 @@ namespace Rill
         const int MaxBatch = 1 << 20;
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
-        readonly int append, commit, clear;
+        /// <summary>Most particles of a batch of a script whose buffers stay for the next.</summary>
+        public const int KeptBatch = 1 << 14;
+
+        readonly int append, commit, clear, countMarked, removeAll, countRefused;
         readonly LocalKeyword withTags;
+        CommandBuffer commands;         // kept: adding allocates nothing
         GraphicsBuffer batchPositions, batchVelocities;
 
         public ParticleUpload()
@@ -21,6 +25,9 @@ namespace Rill
             append = shader.FindKernel("Append");
             commit = shader.FindKernel("CommitAppend");
             clear = shader.FindKernel("Clear");
+            countMarked = shader.FindKernel("CountMarked");
+            removeAll = shader.FindKernel("RemoveAll");
+            countRefused = shader.FindKernel("CountRefused");
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
         }
 
@@ -36,6 +43,29 @@ namespace Rill
             cmd.DispatchCompute(shader, clear, 1, 1, 1);
         }
 
+        /// <summary>Records the removal of all particles, which count as drained; all other counters go on.</summary>
+        public void RemoveAll(CommandBuffer cmd, ParticleBuffers particles)
+        {
+            cmd.SetComputeBufferParam(shader, countMarked, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, countMarked, Ids.Counters, particles.Counters);
+            particles.DispatchAlive(cmd, shader, countMarked);
+            cmd.SetComputeBufferParam(shader, removeAll, Ids.Counters, particles.Counters);
+            cmd.SetComputeBufferParam(shader, removeAll, Ids.AliveArguments, particles.AliveArguments);
+            cmd.DispatchCompute(shader, removeAll, 1, 1, 1);
+        }
+
+        /// <summary>Counts, before and after a batch, what of it is refused.</summary>
+        /// <param name="refused">uint [1].</param>
+        public void CountRefused(ParticleBuffers particles, GraphicsBuffer refused, bool isIn)
+        {
+            Commands.Clear();
+            Commands.SetComputeIntParam(shader, Ids.BatchIsIn, isIn ? 1 : 0);
+            Commands.SetComputeBufferParam(shader, countRefused, Ids.Counters, particles.Counters);
+            Commands.SetComputeBufferParam(shader, countRefused, Ids.RefusedOfScripts, refused);
+            Commands.DispatchCompute(shader, countRefused, 1, 1, 1);
+            Graphics.ExecuteCommandBuffer(Commands);
+        }
+
         /// <summary>Records the arguments for the particles that the counters tell of.</summary>
         public void RecordArguments(CommandBuffer cmd, ParticleBuffers particles, int capacity)
         {
@@ -47,29 +77,35 @@ namespace Rill
         /// <summary>Adds particles at once, in batches; their upload buffers live until the next call or <see cref="Trim"/>.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocities">xyz, d/s; as many as positions, or one for all.</param>
-        /// <param name="tags">In which they have no phase and no end; null for none.</param>
-        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities, ParticleTags tags = null)
+        /// <param name="tags">Null for none.</param>
+        /// <param name="tag">Of all of them, see ParticleTags.hlsl: 0 for no phase and no end.</param>
+        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities, ParticleTags tags = null, uint tag = 0)
         {
             bool isShared = velocities.Length == 1;
             if (positions.Length != velocities.Length && !isShared)
                 throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both, or one velocity to all.");
 
-            using (var cmd = new CommandBuffer { name = "Rill.ParticleUpload" })
+            for (int first = 0; first < positions.Length; first += MaxBatch)
             {
-                for (int first = 0; first < positions.Length; first += MaxBatch)
-                {
-                    int count = Math.Min(MaxBatch, positions.Length - first);
-                    int velocityCount = isShared ? 1 : count;
-                    Reserve(ref batchPositions, "Rill.BatchPositions", count);
-                    Reserve(ref batchVelocities, "Rill.BatchVelocities", velocityCount);
-                    batchPositions.SetData(positions, first, 0, count);
-                    batchVelocities.SetData(velocities, isShared ? 0 : first, 0, velocityCount);
-                    cmd.Clear();
-                    cmd.SetComputeIntParam(shader, Ids.VelocityStride, isShared ? 0 : 1);
-                    RecordAppend(cmd, particles, capacity, count, tags);
-                    Graphics.ExecuteCommandBuffer(cmd);
-                }
+                int count = Math.Min(MaxBatch, positions.Length - first);
+                int velocityCount = isShared ? 1 : count;
+                Reserve(ref batchPositions, "Rill.BatchPositions", count);
+                Reserve(ref batchVelocities, "Rill.BatchVelocities", velocityCount);
+                batchPositions.SetData(positions, first, 0, count);
+                batchVelocities.SetData(velocities, isShared ? 0 : first, 0, velocityCount);
+                Commands.Clear();
+                Commands.SetComputeIntParam(shader, Ids.VelocityStride, isShared ? 0 : 1);
+                Commands.SetComputeIntParam(shader, Ids.BatchTag, (int)tag);
+                RecordAppend(Commands, particles, capacity, count, tags);
+                Graphics.ExecuteCommandBuffer(Commands);
             }
+        }
+
+        /// <summary>Releases upload buffers that are larger than those of a burst.</summary>
+        public void TrimLarge()
+        {
+            if (batchPositions != null && batchPositions.count > KeptBatch)
+                Trim();
         }
 
         /// <summary>Releases the upload buffers.</summary>
@@ -79,7 +115,14 @@ namespace Rill
             GpuBuffer.Release(ref batchVelocities);
         }
 
-        public void Dispose() => Trim();
+        public void Dispose()
+        {
+            Trim();
+            commands?.Dispose();
+            commands = null;
+        }
+
+        CommandBuffer Commands => commands ??= new CommandBuffer { name = "Rill.ParticleUpload" };
 
         static void Reserve(ref GraphicsBuffer buffer, string name, int count)
         {
@@ -121,6 +164,9 @@ namespace Rill
             public static readonly int BatchVelocities = Shader.PropertyToID("_BatchVelocities");
             public static readonly int VelocityStride = Shader.PropertyToID("_VelocityStride");
             public static readonly int BatchCount = Shader.PropertyToID("_BatchCount");
+            public static readonly int BatchIsIn = Shader.PropertyToID("_BatchIsIn");
+            public static readonly int RefusedOfScripts = Shader.PropertyToID("_RefusedOfScripts");
+            public static readonly int BatchTag = Shader.PropertyToID("_BatchTag");
             public static readonly int BatchCapacity = Shader.PropertyToID("_BatchCapacity");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int StartPositions = Shader.PropertyToID("_StartPositions");

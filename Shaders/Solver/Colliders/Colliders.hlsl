@@ -4,7 +4,7 @@
 #define RILL_COLLIDERS_INCLUDED
 
 #include "../../Generated/Colliders.hlsl"
-#include "../../Rendering/Rotations.hlsl"
+#include "../../Gpu/Rotations.hlsl"
 
 static const uint kNoCollider = 0xFFFFu;
 

@@ -479,6 +479,7 @@ namespace Rill.Tests
                 emitter.enabled = true;
                 scene.Step(6);
                 Assert.That(scene.Count(ParticleCounter.Emitted), Is.EqualTo(32).Within(2));
+                scene.Fluid.KeepStateOnDisable = false;
                 scene.Fluid.enabled = false;
                 Assert.That(emitter.Emitted, Is.Zero);
                 scene.Fluid.enabled = true;

@@ -63,7 +63,7 @@ namespace Rill.Tests
         [UnityTest]
         public IEnumerator Enabled_and_disabled_twenty_times_it_runs_as_it_did_at_first()
         {
-            FluidSimulation fluid = Dam();
+            FluidSimulation fluid = Dam(f => f.KeepStateOnDisable = false);
             yield return Frames(5);
             ParticleState first = State(fluid);
             for (int i = 0; i < 20; i++)

@@ -113,6 +113,7 @@ namespace Rill.Tests
             using (var readback = new ParticleReadback())
             {
                 scene.Step(2);
+                scene.Fluid.KeepStateOnDisable = false;
                 scene.Fluid.RequestParticles(readback);
                 FluidSimulation fluid = scene.Fluid;
                 switch (interruption)

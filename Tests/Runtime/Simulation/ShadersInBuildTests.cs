@@ -69,7 +69,7 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
-            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "Queries")] string stage)
+            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
             fluid.StatisticsInterval = 0;
@@ -114,7 +114,7 @@ namespace Rill.Tests
             fluid.ShadersInBuild = ShadersInBuild.AllFeatures;
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
-            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "Queries" })
+            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries" })
                 SwitchOn(stage, fluid);
             fluid.gameObject.AddComponent<ParticleRenderer>();
             fluid.gameObject.AddComponent<DomainRenderer>();
@@ -200,6 +200,7 @@ namespace Rill.Tests
                 case "Statistics": fluid.StatisticsInterval = 1; break;
                 case "CoarseGrid": fluid.Settings = With(fluid.Settings, DeepWater.On, 0f); break;
                 case "ParticleAccess": fluid.BeforeStep += (commands, particles) => { }; break;
+                case "ParticleEdits": fluid.Fill(FluidShape.Sphere(fluid.transform.position, 0.2f)); break;
                 case "Colliders": Add<FluidCollider>(null); break;
                 case "Emitters": Add<FluidEmitter>(fluid.transform); break;
                 case "Drains": Add<FluidDrain>(fluid.transform); break;

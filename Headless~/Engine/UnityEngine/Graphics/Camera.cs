@@ -27,10 +27,15 @@ namespace UnityEngine
         internal static List<Camera> InDrawOrder()
         {
             var order = new List<Camera>(active);
-            for (int i = 1; i < order.Count; i++)       // insertion keeps equal depths in order of activation
-                for (int k = i; k > 0 && order[k].depth < order[k - 1].depth; k--)
-                    (order[k], order[k - 1]) = (order[k - 1], order[k]);
+            Order(order, order.Count);
             return order;
+        }
+
+        static void Order(IList<Camera> cameras, int count)
+        {
+            for (int i = 1; i < count; i++)       // insertion keeps equal depths in order of activation
+                for (int k = i; k > 0 && cameras[k].depth < cameras[k - 1].depth; k--)
+                    (cameras[k], cameras[k - 1]) = (cameras[k - 1], cameras[k]);
         }
 
         public static Camera current { get; internal set; }
@@ -50,11 +55,11 @@ namespace UnityEngine
 
         public static int GetAllCameras(Camera[] cameras)
         {
-            List<Camera> order = InDrawOrder();
-            if (cameras.Length < order.Count)
-                throw new ArgumentException($"GetAllCameras: the array has room for {cameras.Length} of {order.Count} cameras.");
-            order.CopyTo(cameras);
-            return order.Count;
+            if (cameras.Length < active.Count)
+                throw new ArgumentException($"GetAllCameras: the array has room for {cameras.Length} of {active.Count} cameras.");
+            active.CopyTo(cameras);
+            Order(cameras, active.Count);
+            return active.Count;
         }
 
         // ---- what and how it draws

@@ -15,6 +15,7 @@ namespace Rill.Tests
         static SourceScene Scene(DeviceLimits limits, DeepWater deepWater = DeepWater.Off)
         {
             var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 6000, deepWater);
+            scene.Fluid.KeepStateOnDisable = false;
             scene.Fluid.enabled = false;
             scene.Fluid.PretendedLimits = limits;
             scene.Fluid.enabled = true;
@@ -86,6 +87,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Error, new Regex("FluidSimulation 'Fluid' is off: kernel .* " + Regex.Escape(says)));
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.05f, 100))
             {
+                scene.Fluid.KeepStateOnDisable = false;
                 scene.Fluid.enabled = false;
                 scene.Fluid.PretendedLimits = new DeviceLimits(buffers, buffers, threads, 16384);
                 scene.Fluid.enabled = true;

@@ -194,6 +194,7 @@ namespace Rill.Tests
                 AssertNone(probe);
                 scene.Step();
                 probe.Flushed();
+                scene.Fluid.KeepStateOnDisable = false;
                 scene.Fluid.enabled = false;
                 AssertNone(probe);
                 scene.Fluid.enabled = true;

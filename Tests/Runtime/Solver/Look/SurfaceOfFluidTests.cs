@@ -92,6 +92,27 @@ namespace Rill.Tests
         }
 
         [Test]
+        public void What_is_removed_between_steps_leaves_numbers_to_draw_also_where_the_surface_is_found_again()
+        {
+            Frame(draws: true);
+            fluid.Paused = true;
+            int before = SurfaceShape.Read(fluid.Solver).Length;
+            ParticleState state = TestFluid.Read(fluid.Solver);
+            Vector3 middle = fluid.DomainToWorld.MultiplyPoint3x4(state.positions.Aggregate(float4.zero, (sum, p) => sum + p / state.Count).xyz);
+            fluid.RemoveInside(FluidShape.Sphere(middle + 2f * fluid.ParticleSpacing * Vector3.up, 3f * fluid.ParticleSpacing));
+            Frame(draws: true);
+            Assert.That(SurfaceShape.Read(fluid.Solver).Length, Is.EqualTo(before), "as it was, until the next step");
+            using (var positions = new NativeArray<float3>(new[] { new float3(0.4f, 0.4f, 0.4f) }, Allocator.Temp))
+            using (var velocities = new NativeArray<float3>(1, Allocator.Temp))
+                fluid.AddParticles(positions, velocities);
+            Frame(draws: true);
+            int left = TestFluid.Read(fluid.Solver).positions.Count(p => math.all(math.isfinite(p.xyz)));
+            Assert.That(left, Is.InRange(350, 480));
+            Assert.That(SurfaceShape.Read(fluid.Solver).Length, Is.EqualTo(left), "drops");
+            Assert.That(SurfaceShape.Read(fluid.Solver).All(shape => math.all(math.isfinite(shape.center)) && math.all(math.isfinite(shape.semiAxes))));
+        }
+
+        [Test]
         public void A_restart_brings_the_surface_of_what_is_filled_in_again()
         {
             for (int frame = 0; frame < 20; frame++)
