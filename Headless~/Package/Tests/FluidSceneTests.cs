@@ -122,6 +122,7 @@ namespace Host.Tests
         public void Twenty_cycles_of_enabling_leave_nothing_alive()
         {
             FluidSimulation simulation = Build("particles and domain drawn");
+            simulation.KeepStateOnDisable = false;
             PlayerLoop.Frame(FrameTime);
             simulation.gameObject.SetActive(false);
             PlayerLoop.Frame(FrameTime);

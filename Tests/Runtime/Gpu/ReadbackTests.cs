@@ -23,6 +23,7 @@ namespace Rill.Tests
                 scene.Step();
                 Assert.That(scene.Fluid.Solver.StatisticsPending);
 
+                scene.Fluid.KeepStateOnDisable = false;
                 scene.Fluid.enabled = false;
                 Assert.That(request.done, Is.False, "somebody else's");
                 Assert.That(PendingReadbacks.Count, Is.EqualTo(1), "its own");

@@ -387,6 +387,7 @@ namespace Rill.Tests
             surface.CastShadows = ShadowCastingMode.On;
             surface.ShadowOpacity = 1f;
             fluid.Gravity = Vector3.zero;
+            fluid.KeepStateOnDisable = false;      // each time it begins with other water
             FluidVolume volume = fluid.GetComponentInChildren<FluidVolume>(true);
             volume.transform.localPosition = Vector3.zero;
             var left = new float[3];
