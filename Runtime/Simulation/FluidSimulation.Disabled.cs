@@ -15,7 +15,7 @@ namespace Rill
         /// by default, since what is pooled or culled by being disabled should not lose its water. Off: it gives its memory back and begins
         /// again. Turning it off while the fluid is disabled gives the memory back at once.
         /// </summary>
-        /// <remarks>A fluid that is destroyed gives all back. One whose box, spacing, capacity or neighbor lists changed meanwhile begins again.</remarks>
+        /// <remarks>A fluid that is destroyed gives all back. A budget measures again. One whose box, spacing, capacity or neighbor lists changed meanwhile begins again.</remarks>
         public bool KeepStateOnDisable
         {
             get => keepStateOnDisable;
@@ -47,6 +47,7 @@ namespace Rill
                 return false;
             kept = pbf;
             pbf = null;
+            ReleaseBudget();        // its recorder is one of a few
             shaders.Release();
             return true;
         }

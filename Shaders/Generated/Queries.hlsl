@@ -40,8 +40,10 @@ static const uint kProbeWords = 16;    // words of a probe's result
 static const uint kDetectorWords = 22;    // words of a detector's result: 64-bit sums, of the velocity along x, y, z and of the volume of each phase
 static const float kVolumeScale = 65536.0;    // steps of a particle's volume
 static const float kVelocityScale = 256.0;    // steps of a particle's velocity times its volume, 1 d/s
-static const uint kParticlesPerThread = 8;    // particles that a thread of the detectors visits
-static const uint kProbeGroup = 256;    // threads of a probe
-static const uint kSamples = 128;    // densities along gravity that a probe finds at a time
+static const uint kParticlesPerThread = 4;    // particles that a thread of the detectors visits
+static const uint kProbeGroup = 256;    // threads of a probe's groups
+static const uint kSamples = 32;    // densities along gravity that a group finds
+static const uint kColumns = 16;    // columns around a probe in which the surface is found too
+static const uint kGroupColumns = 4;    // columns of a group
 
 #endif

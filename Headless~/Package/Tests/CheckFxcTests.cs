@@ -95,7 +95,7 @@ namespace Host.Tests
         public void A_fault_in_an_include_of_the_package_is_seen_once_with_kernels_that_have_it()
         {
             using (var copy = new PackageCopy())
-                copy.Catches(new FxcRule(), () => copy.Replace("Shaders/Solver/GridRows.hlsl", "#endif", "float Planted(float4 four) { return four; }\n#endif"), "Shaders/Solver/GridRows.hlsl(", "warning X3206", "Shaders/Solver/Pbf/DensityConstraint.compute (BuildList)", " more");
+                copy.Catches(new FxcRule(), () => copy.Replace("Shaders/Solver/GridRows.hlsl", "#endif", "float Planted(float4 four) { return four; }\n#endif"), "Shaders/Solver/GridRows.hlsl(", "warning X3206", "Shaders/Solver/Look/SurfaceParticles.compute (Estimate", " more");
         }
 
         [Test]

@@ -63,7 +63,7 @@ namespace Host.Tests
         [Test]
         public void Buffers_of_a_vertex_program_do_not_fit_OpenGL_ES()
         {
-            Assert.That(Cell("Draw.shader", "GLES 3.1", "V"), Does.StartWith("no: 1 storage buffers of 0; spirv-cross: SPIRV-Cross threw an exception: BaseVertex"));
+            Assert.That(Cell("Draw.shader", "GLES 3.1", "V"), Is.EqualTo("no: 1 storage buffers of 0"));
             Assert.That(Cell("Draw.shader", "GLES 3.1", "F"), Is.EqualTo("yes"));
         }
 

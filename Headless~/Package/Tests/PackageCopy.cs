@@ -19,7 +19,7 @@ namespace Host.Tests
         {
             this.assemblies = assemblies;
             string package = PackageFolder.Path;
-            foreach (string file in new PackageTree(package).Files.Where(f => !NotNeeded.Any(folder => f.StartsWith(folder, StringComparison.Ordinal))).Append(".npmignore").Append("TestProject~/Assets/.gitkeep"))
+            foreach (string file in new PackageTree(package).Files.Where(f => !NotNeeded.Any(folder => f.StartsWith(folder, StringComparison.Ordinal))).Append("Headless~/Engine/README.md").Append(".npmignore").Append("TestProject~/Assets/.gitkeep"))
                 Write(file, File.ReadAllBytes(Path.Combine(package, file)));
         }
 

@@ -107,13 +107,19 @@ namespace Rill
         [SharedWithHlsl("Queries")] public const double VelocityScale = 256.0;
 
         /// <summary>particles that a thread of the detectors visits</summary>
-        [SharedWithHlsl("Queries")] const int ParticlesPerThread = 8;
+        [SharedWithHlsl("Queries")] const int ParticlesPerThread = 4;
 
-        /// <summary>threads of a probe</summary>
+        /// <summary>threads of a probe's groups</summary>
         [SharedWithHlsl("Queries")] const int ProbeGroup = 256;
 
-        /// <summary>densities along gravity that a probe finds at a time</summary>
-        [SharedWithHlsl("Queries")] const int Samples = 128;
+        /// <summary>densities along gravity that a group finds</summary>
+        [SharedWithHlsl("Queries")] const int Samples = 32;
+
+        /// <summary>columns around a probe in which the surface is found too</summary>
+        [SharedWithHlsl("Queries")] const int Columns = 16;
+
+        /// <summary>columns of a group</summary>
+        [SharedWithHlsl("Queries")] const int GroupColumns = 4;
 
         /// <summary>Requests that may be on their way: an answer to each frame, though it comes some frames later.</summary>
         public const int RingSize = 4;
@@ -125,19 +131,22 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Queries");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Queries");
-        readonly int probe, detect;
+        readonly int findSurface, findSurroundings, fitNormal, detect;
         readonly LocalKeyword withTags;
         readonly Readback[] ring = new Readback[RingSize];
-        readonly uint[] zeros = new uint[MaxDetectors * DetectorWords];
-        GraphicsBuffer points, detectors;
+        readonly uint[] zeros = new uint[Words];
+        GraphicsBuffer points, detectors, ringHeights;
 
         public Queries()
         {
-            probe = shader.FindKernel("Probe");
+            findSurface = shader.FindKernel("FindSurface");
+            findSurroundings = shader.FindKernel("FindSurroundings");
+            fitNormal = shader.FindKernel("FitNormal");
             detect = shader.FindKernel("Detect");
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
+            ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * Columns);
             for (int i = 0; i < RingSize; i++)
             {
                 int slot = i;
@@ -169,15 +178,19 @@ namespace Rill
             cmd.SetKeyword(shader, withTags, tags != null);
             if (input.pointCount > 0)
             {
-                bool hasUp = math.any(input.up != 0f);
-                float length = math.dot(math.abs(input.up), layout.DomainSize);     // at least that of any line through the box
                 cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
-                cmd.SetComputeVectorParam(shader, Ids.Up, new Vector4(input.up.x, input.up.y, input.up.z, hasUp ? 1f : 0f));
-                cmd.SetComputeIntParam(shader, Ids.ColumnChunks, hasUp ? math.max((int)math.ceil(length / ChunkLength), 1) : 1);
-                cmd.SetComputeBufferParam(shader, probe, Ids.CellStarts, search.CellStarts);
-                cmd.SetComputeBufferParam(shader, probe, Ids.Points, points);
-                Bind(cmd, probe, particles, tags, results);
-                cmd.DispatchCompute(shader, probe, input.pointCount, 1, 1);
+                cmd.SetBufferData(results, zeros, 0, 0, input.pointCount * ProbeWords);
+                cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)input.up);
+                if (math.any(input.up != 0f))
+                {
+                    float length = math.dot(math.abs(input.up), layout.DomainSize);     // at least that of any line through the box
+                    BindProbes(cmd, findSurface, particles, tags, search, results);
+                    cmd.DispatchCompute(shader, findSurface, input.pointCount, math.max((int)math.ceil(length / ChunkLength), 1), 1);
+                }
+                BindProbes(cmd, findSurroundings, particles, tags, search, results);
+                cmd.DispatchCompute(shader, findSurroundings, input.pointCount, Columns / GroupColumns + 2, 1);
+                BindProbes(cmd, fitNormal, particles, tags, search, results);
+                cmd.DispatchCompute(shader, fitNormal, input.pointCount, 1, 1);
             }
             if (input.detectorCount > 0)
             {
@@ -227,6 +240,7 @@ namespace Rill
                 readback?.Dispose();
             GpuBuffer.Release(ref points);
             GpuBuffer.Release(ref detectors);
+            GpuBuffer.Release(ref ringHeights);
         }
 
         /// <param name="stage">The stage, or null where none was made.</param>
@@ -239,14 +253,24 @@ namespace Rill
                 return description;
             string variant = tags != null ? ParticleTags.Keyword : null;
             if (probes > 0)
-                description.Kernel("Queries", "Probe", 0, variant);
+                foreach (string kernel in new[] { "FindSurface", "FindSurroundings", "FitNormal" })
+                    description.Kernel("Queries", kernel, 0, variant);
             if (regions > 0)
                 description.Kernel("Queries", "Detect", 0, variant);
             description.Buffer("Rill.Queries.Points", stage.points);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
+            description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);
             foreach (Readback readback in stage.ring)
                 description.Buffer("Rill.Queries.Results", readback.Buffer);
             return description;
+        }
+
+        void BindProbes(CommandBuffer cmd, int kernel, ParticleBuffers particles, ParticleTags tags, NeighborSearch search, GraphicsBuffer results)
+        {
+            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Points, points);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
+            Bind(cmd, kernel, particles, tags, results);
         }
 
         void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, ParticleTags tags, GraphicsBuffer results)
@@ -269,7 +293,7 @@ namespace Rill
             public static readonly int Detectors = Shader.PropertyToID("_Detectors");
             public static readonly int Results = Shader.PropertyToID("_Results");
             public static readonly int Up = Shader.PropertyToID("_Up");
-            public static readonly int ColumnChunks = Shader.PropertyToID("_ColumnChunks");
+            public static readonly int RingHeights = Shader.PropertyToID("_RingHeights");
             public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");
             public static readonly int DetectorCount = Shader.PropertyToID("_DetectorCount");
         }
