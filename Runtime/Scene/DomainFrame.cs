@@ -24,6 +24,9 @@ namespace Rill
             inverseSpacing = 1f / spacing;
         }
 
+        /// <summary>m.</summary>
+        public float Spacing => spacing;
+
         public float3 Point(Vector3 world) => ((float3)(toDomain * (world - position)) + half) * inverseSpacing;
 
         /// <summary>Of a direction, a velocity or an acceleration: m to d.</summary>

@@ -61,8 +61,8 @@ namespace Rill
             if ((refused & DeviceFeature.Colliders) != 0)
                 input.colliders = null;
             else if ((refused & DeviceFeature.Reactions) != 0)
-                for (int i = 0; i < colliders.Count; i++)
-                    colliders.Items[i].reacts = false;
+                for (int i = 0; i < colliders.Set.Count; i++)
+                    colliders.Set.Items[i].reacts = false;
             if ((refused & DeviceFeature.DeepWater) != 0)
             {
                 input.settings.deepWater = DeepWater.Off;

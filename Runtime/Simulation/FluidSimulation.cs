@@ -259,7 +259,7 @@ namespace Rill
             ReleaseBatches();
             pbf?.Dispose();
             pbf = null;
-            ClearColliders();
+            colliders.Clear();
             ReleaseBudget();
             ReleaseSources();
             commands?.Dispose();
@@ -397,7 +397,7 @@ namespace Rill
                 settings = effective,
                 material = material,
                 needsDensity = NeedsDensity,
-                colliders = colliders,
+                colliders = colliders.Set,
                 tracksPhases = TrackPhases,
                 foam = NeedsFoam ?? default,
                 foamSeed = seed,
@@ -450,7 +450,7 @@ namespace Rill
         void ClearMotions()
         {
             TeleportParts();
-            collidersJump = true;
+            colliders.Jumped = true;
         }
 
         // Says what is wrong and stops this component, and nothing else in the scene.

@@ -3,7 +3,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the stages of a step share: where they record, the particles and their lists, and the stages that others read. Made anew for each step.</summary>
+    /// <summary>What the stages of a step share: where they record, the particles and their lists, and the stages that others read. One is made for each step.</summary>
     readonly struct StepContext
     {
         /// <summary>Null where stages are described and nothing is recorded.</summary>

@@ -148,7 +148,7 @@ namespace Rill
                 lastDuration = lastDuration,
                 goneEmitters = goneEmitters,
                 goneDrains = goneDrains,
-                collidersJump = collidersJump ? 1u : 0u,
+                collidersJump = colliders.Jumped ? 1u : 0u,
             });
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             var emitterRecords = new List<EmitterRecord>();
@@ -161,37 +161,13 @@ namespace Rill
                     drainRecords.Add(drain.Save(frame));
             SetIfAny(contents, SnapshotSection.Emitters, emitterRecords);
             SetIfAny(contents, SnapshotSection.Drains, drainRecords);
-            SetIfAny(contents, SnapshotSection.Colliders, SaveColliders(frame));
+            SetIfAny(contents, SnapshotSection.Colliders, colliders.Save(frame));
         }
 
         static void SetIfAny<T>(SnapshotContents contents, SnapshotSection section, List<T> records) where T : struct
         {
             if (records.Count > 0)
                 contents.SetValues<T>(section, records.ToArray());
-        }
-
-        List<ColliderRecord> SaveColliders(in DomainFrame frame)
-        {
-            var records = new List<ColliderRecord>();
-            for (int i = 0; i < colliders.Count; i++)
-            {
-                ColliderMotion motion = colliders.Items[i];
-                FluidCollider owner = colliderOwners[i];
-                ColliderMotion now = default;
-                bool isThere = owner != null && owner.isActiveAndEnabled && owner.Describe(out now) == null;
-                if (isThere)
-                    ToDomain(ref now, frame);
-                records.Add(new ColliderRecord
-                {
-                    shape = (int)motion.shape,
-                    size = motion.size,
-                    now = isThere ? new PoseRecord(now.end) : default,
-                    end = new PoseRecord(motion.end),
-                    seen = new PoseRecord(motion.seen),
-                    follows = isThere && colliderTeleports[i] == owner.Teleports ? 1u : 0u,
-                });
-            }
-            return records;
         }
 
         void LoadScene(SnapshotContents contents)
@@ -217,7 +193,7 @@ namespace Rill
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             LoadParts(contents, time, frame);
             LoadColliders(contents.Values<ColliderRecord>(SnapshotSection.Colliders), frame);
-            collidersJump = time.collidersJump != 0;
+            colliders.Jumped = time.collidersJump != 0;
         }
 
         void LoadParts(SnapshotContents contents, in TimeRecord time, in DomainFrame frame)
@@ -246,42 +222,12 @@ namespace Rill
         // Those that are where they were go on from there; the others are new to the fluid, and wake what rests.
         void LoadColliders(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame)
         {
-            colliderOwners ??= new FluidCollider[ColliderSet.Most];
-            colliderTeleports ??= new int[ColliderSet.Most];
-            int before = colliders.Count;
-            colliders.Count = 0;
-            foreach (ColliderRecord record in records)
-                if (record.follows != 0 && TryFind(record, frame, out FluidCollider owner, out ColliderMotion motion))
-                {
-                    motion.start = motion.end = record.end.Pose;
-                    motion.seen = record.seen.Pose;
-                    motion.size = record.size;      // to the bit
-                    colliderOwners[colliders.Count] = owner;
-                    colliderTeleports[colliders.Count] = owner.Teleports;
-                    colliders.Items[colliders.Count++] = motion;
-                }
-            if (records.Length > 0 && colliders.Count == records.Length && HasStages(StageSet.Colliders))
-                pbf.AdoptColliders(colliders);
+            int before = colliders.Set.Count;
+            bool areAllThere = colliders.Load(records, frame, SamePlace);
+            if (records.Length > 0 && areAllThere && HasStages(StageSet.Colliders))
+                pbf.AdoptColliders(colliders.Set);
             else if (records.Length + before > 0)
-                colliders.Version++;
-            colliders.Order++;      // sums of forces begin again
-        }
-
-        bool TryFind(in ColliderRecord record, in DomainFrame frame, out FluidCollider found, out ColliderMotion motion)
-        {
-            motion = default;
-            found = null;
-            foreach (FluidCollider collider in FluidCollider.Enabled)
-            {
-                if (Array.IndexOf(colliderOwners, collider, 0, colliders.Count) >= 0 || collider.Describe(out motion) != null)
-                    continue;
-                ToDomain(ref motion, frame);
-                if ((int)motion.shape != record.shape || math.distance(motion.size, record.size) > SamePlace || !record.now.IsAt(motion.end, SamePlace))
-                    continue;
-                found = collider;
-                return true;
-            }
-            return false;
+                colliders.Set.Version++;
         }
     }
 }

@@ -106,10 +106,10 @@ namespace Host.Tests
             {
                 "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *", "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous",     // which has the density
             }),
-            ("a probe", null, Part<FluidProbe>(), new[] { "+1 Queries.compute Probe", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a probe", null, Part<FluidProbe>(), new[] { "+1 Queries.compute FindSurface", "+1 Queries.compute FindSurroundings", "+1 Queries.compute FitNormal", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
             ("a detector", null, Part<FluidDetector>(), new[] { "+1 Queries.compute Detect", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
             ("a second probe and a detector beside one", Part<FluidProbe>(), s => { Part<FluidProbe>()(s); Part<FluidDetector>()(s); }, new[] { "+1 Queries.compute Detect" }),
-            ("a probe beside a phase", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), Part<FluidProbe>(), new[] { $"+1 Queries.compute Probe {ParticleTags.Keyword}", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a probe beside a phase", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), Part<FluidProbe>(), new[] { $"+1 Queries.compute FindSurface {ParticleTags.Keyword}", $"+1 Queries.compute FindSurroundings {ParticleTags.Keyword}", $"+1 Queries.compute FitNormal {ParticleTags.Keyword}", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
             ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still), new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}", "+1 Rill.Emitters.*" }),
             ("foam", null, s => { s.gameObject.AddComponent<FluidFoam>(); PlayerLoop.Frame(FrameTime); }, new[]      // it asks for foam in its first frame
             {

@@ -1,0 +1,62 @@
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    // What the fluid does to colliders: asked for after the steps of a frame, handed to them when it has come.
+    sealed partial class ColliderRegistry
+    {
+        // A collider whose sums are on their way.
+        struct Taken
+        {
+            public FluidCollider owner;
+            public RelativeMotion motion;
+            public float arm;       // of the moment, d
+        }
+
+        Taken[] taken;
+        int takenCount;
+        double takenImpulse;        // N s of a displacement of one particle by d
+        Quaternion takenRotation;
+
+        /// <summary>Records the handing over of the sums since the last.</summary>
+        /// <param name="rotation">Of the domain, world space.</param>
+        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, float spacing, Quaternion rotation)
+        {
+            taken ??= new Taken[ColliderSet.Most];
+            takenCount = Set.Count;
+            for (int i = 0; i < takenCount; i++)
+            {
+                taken[i].owner = entries[i].owner;
+                taken[i].arm = Set.Items[i].MomentArm;
+                if (Set.Items[i].reacts)
+                    taken[i].motion = entries[i].track.Take();
+            }
+            takenRotation = rotation;
+            double d = spacing;
+            takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep / VelocityExtrapolation.FractionAtOnce(input);
+            reactions.RecordTake(commands);
+        }
+
+        /// <summary>Hands the forces that have come to the colliders that are still there.</summary>
+        /// <param name="spacing">m.</param>
+        public void Deliver(ColliderReactions reactions, FluidSimulation fluid, float spacing)
+        {
+            if (reactions == null || !(reactions.Duration > 0f))
+                return;
+            double scale = -takenImpulse / reactions.Duration;
+            for (int i = 0; i < takenCount; i++)
+            {
+                FluidCollider owner = taken[i].owner;
+                bool left = i >= Set.Count || !ReferenceEquals(entries[i].owner, owner);
+                if (left || owner == null || !owner.MeasuresForce)
+                    continue;
+                reactions.Get(i, out double3 sum, out double3 moment);
+                var force = (Vector3)(float3)(sum * scale);
+                var torque = (Vector3)(float3)(moment * (scale * spacing * taken[i].arm));
+                owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[i].motion));
+            }
+        }
+    }
+}

@@ -1,0 +1,151 @@
+using System;
+using Unity.Mathematics;
+
+namespace Rill
+{
+    /// <summary>The colliders that reach into a fluid's box, in an order that stays while they do, with how they moved since the last steps.</summary>
+    sealed partial class ColliderRegistry
+    {
+        // A collider of the last steps, beside its motion in the set.
+        struct Entry
+        {
+            public FluidCollider owner;
+            public ColliderMotion motion;       // of the steps before: what the set held then
+            public ColliderTrack track;
+            public int teleports;
+        }
+
+        /// <summary>What the solver takes: in the domain's frame, d.</summary>
+        public readonly ColliderSet Set = new ColliderSet();
+
+        Entry[] entries, last;      // null until there was a collider
+        int lastCount;
+
+        /// <summary>What moved since the last steps has not moved through the fluid.</summary>
+        public bool Jumped { get; set; }
+
+        /// <summary>Those near the box beyond the most that a fluid takes.</summary>
+        public int LeftOutCount { get; private set; }
+
+        /// <summary>The first of them; null for none.</summary>
+        public FluidCollider FirstLeftOut { get; private set; }
+
+        public void Clear() => Set.Count = 0;
+
+        /// <summary>Gathers the colliders that can touch a fluid in the coming steps.</summary>
+        /// <param name="size">Of the domain, d.</param>
+        /// <param name="duration">Fluid time of the steps, s.</param>
+        /// <param name="substepTime">s.</param>
+        public void Collect(FluidSimulation fluid, in DomainFrame frame, float3 size, FixedStepClock clock, float duration, float substepTime)
+        {
+            if (FluidCollider.Enabled.Count == 0 && Set.Count == 0)
+                return;
+            MakeEntries();
+            for (int i = 0; i < Set.Count; i++)
+                entries[i].motion = Set.Items[i];
+            (entries, last) = (last, entries);
+            lastCount = Set.Count;
+            Set.Count = 0;
+            FirstLeftOut = null;
+            LeftOutCount = 0;
+            bool changed = false, reordered = false;
+            foreach (FluidCollider collider in FluidCollider.Enabled)
+            {
+                if (!collider.TryDescribe(out ColliderMotion motion))
+                    continue;
+                ToDomain(ref motion, frame);
+                int before = LastIndex(collider);
+                bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen));
+                if (follows)
+                    Follow(ref motion, last[before].motion, clock);
+                if (!IsNear(motion, size))
+                {
+                    if (before >= 0)
+                        collider.Leave(fluid);
+                    continue;
+                }
+                if (Set.Count == ColliderSet.Most)
+                {
+                    FirstLeftOut = FirstLeftOut == null ? collider : FirstLeftOut;
+                    LeftOutCount++;
+                    continue;
+                }
+                int index = Set.Count++;
+                reordered |= before != index;
+                changed |= before != index || !SameShape(motion, last[before].motion);
+                Set.Items[index] = motion;
+                ref Entry entry = ref entries[index];
+                entry.owner = collider;
+                entry.teleports = collider.Teleports;
+                if (!motion.reacts)
+                    continue;
+                RigidPose pose = frame.World(motion.end);
+                entry.track = follows && last[before].motion.reacts ? last[before].track : ColliderTrack.At(pose);
+                entry.track.Follow(pose, duration, substepTime);
+            }
+            Jumped = false;
+            if (changed || Set.Count != lastCount)
+                Set.Version++;
+            if (reordered)
+                Set.Order++;
+        }
+
+        void MakeEntries()
+        {
+            entries ??= new Entry[ColliderSet.Most];
+            last ??= new Entry[ColliderSet.Most];
+        }
+
+        int LastIndex(FluidCollider collider)
+        {
+            int likely = Set.Count;       // where it is as long as none before it came or went
+            if (likely < lastCount && ReferenceEquals(last[likely].owner, collider))
+                return likely;
+            return IndexOf(last, lastCount, collider);
+        }
+
+        static int IndexOf(Entry[] entries, int count, FluidCollider collider)
+        {
+            for (int i = 0; i < count; i++)
+                if (ReferenceEquals(entries[i].owner, collider))
+                    return i;
+            return -1;
+        }
+
+        static void ToDomain(ref ColliderMotion motion, in DomainFrame frame)
+        {
+            motion.end = new RigidPose(frame.Point(motion.end.position), frame.Rotation(motion.end.rotation));
+            motion.start = motion.seen = motion.end;
+            motion.size /= frame.Spacing;
+            motion.voxel /= frame.Spacing;
+            motion.fieldUnit /= frame.Spacing;
+        }
+
+        // Frames and steps differ: an even motion is even in the fluid only if a collider goes as far in the steps as it went in their time.
+        static void Follow(ref ColliderMotion motion, in ColliderMotion before, FixedStepClock clock)
+        {
+            motion.start = before.end;
+            double reached = clock.FrameInterval - clock.FrameLag;       // after the frame before, s
+            if (reached >= 0.0)
+                motion.end = RigidPose.Between(before.seen, motion.seen, (float)(reached / clock.FrameInterval));
+            else
+                motion.end = RigidPose.Between(before.end, before.seen, (float)(1.0 + reached / clock.LastFrameLag));
+        }
+
+        // Whether it or its path comes near enough to be felt; what has no end, or holds the fluid, does.
+        static bool IsNear(in ColliderMotion motion, float3 size)
+        {
+            if (motion.shape == ColliderShape.Plane || motion.shape == ColliderShape.HeightField || motion.insideOut)
+                return true;
+            float3 nearest = math.clamp(motion.end.position, 0f, size);
+            float reach = motion.Radius + (float)LatticeKernels.Support + math.distance(motion.start.position, motion.end.position);
+            return math.distancesq(nearest, motion.end.position) < reach * reach;
+        }
+
+        static bool SameShape(in ColliderMotion a, in ColliderMotion b)
+        {
+            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && math.all(a.mirrored == b.mirrored) && a.voxel == b.voxel && a.friction == b.friction
+                && a.bounciness == b.bounciness && a.insideOut == b.insideOut && a.contributesDensity == b.contributesDensity;
+        }
+    }
+}
