@@ -128,6 +128,16 @@ namespace Waiting
         }
 
         [Test]
+        public void A_category_that_no_test_has_is_refused_by_name()
+        {
+            using Process run = Start("--leave-out", "Lang");
+            string said = run.StandardError.ReadToEnd();
+            run.WaitForExit();
+            Assert.That(said, Does.Contain("--leave-out Lang: no test has that category; there are Long, RunsAlone."));
+            Assert.That(run.ExitCode, Is.Not.Zero);
+        }
+
+        [Test]
         public void A_failing_test_in_a_worker_fails_the_run_with_its_message()
         {
             Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.Other", "--filter", "Planted.Third", "--filter", "Faulty."), Is.EqualTo(1));

@@ -70,6 +70,8 @@ namespace Host.Commands
             if (choice.Strict)
                 throw new HostException("--strict goes with --project; tests of the package are always run so.");
             List<Assembly> assemblies = TestAssemblies.Load(host: !choice.PackageOnly, package: !choice.HostOnly, choice.Assembly);
+            if (choice.LeftOut.Length > 0 && choice.Worker == null)
+                CheckCategories(choice, assemblies);
             TestFilter filter = choice.Filter;
 
             TextWriter output = Console.Out;
@@ -100,6 +102,14 @@ namespace Host.Commands
             if (choice.IsWhole && tally.DispatchingMethods < dispatching)
                 complaints.Add($"only {tally.DispatchingMethods} test methods dispatched on the device; the floor is {dispatching}");
             return Summarize(choice, tally, facts, validation.Count, complaints, output);
+        }
+
+        static void CheckCategories(Choice choice, List<Assembly> assemblies)
+        {
+            List<string> there = assemblies.SelectMany(TestRun.Categories).Distinct().OrderBy(name => name, StringComparer.Ordinal).ToList();
+            string unknown = choice.LeftOut.FirstOrDefault(name => !there.Contains(name));
+            if (unknown != null)
+                throw new HostException($"--leave-out {unknown}: no test has that category; there are {string.Join(", ", there)}.");
         }
 
         static int ExecuteProject(Choice choice, bool list, int? jobs)

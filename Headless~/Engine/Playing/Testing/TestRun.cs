@@ -69,6 +69,11 @@ namespace Host.Testing
         public static IEnumerable<string> List(Assembly assembly, TestFilter filter) =>
             Leaves(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Where(test => filter.Pass(test)).Select(test => test.FullName);
 
+        /// <summary>Categories of tests and fixtures, each once.</summary>
+        public static IEnumerable<string> Categories(Assembly assembly) => CategoriesOf(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Distinct();
+
+        static IEnumerable<string> CategoriesOf(ITest test) => test.Properties[NUnit.Framework.Internal.PropertyNames.Category].Cast<string>().Concat(test.Tests.SelectMany(CategoriesOf));
+
         /// <summary>The fixtures of which a test passes the filter.</summary>
         public static IEnumerable<(string Name, bool IsAlone)> Fixtures(Assembly assembly, TestFilter filter) =>
             Leaves(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct().Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
