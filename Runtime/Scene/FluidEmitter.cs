@@ -43,6 +43,7 @@ namespace Rill
         const int NoShape = FirstOwnProblem, TooFast = FirstOwnProblem + 1, NoCapacity = FirstOwnProblem + 2, Covered = FirstOwnProblem + 3;
         const float MaxWait = 1f;           // s
         const float MinSpeed = 0.01f, MaxSpeed = 1000f, MaxRate = 1e6f;
+        internal const int MaxPhase = 7;
         internal const float MaxLifetime = 86400f;      // s: fits the steps that a tag holds
 
         [Tooltip("Where the fluid comes from: a box, sphere or disc around this object, or the surface of a mesh along its normals.")]
@@ -262,7 +263,7 @@ namespace Rill
             Limit.Clamp("inherit velocity", ref inheritVelocity, 0f, 1f, 1f, ref problem);
             Limit.Clamp("delay", ref delay, 0f, float.MaxValue, 0f, ref problem);
             Limit.Clamp("duration", ref duration, 0f, float.MaxValue, 0f, ref problem);
-            Limit.Clamp("phase", ref phase, 0, 7, ref problem);
+            Limit.Clamp("phase", ref phase, 0, MaxPhase, ref problem);
             Limit.Clamp("lifetime", ref lifetime, 0f, MaxLifetime, 0f, ref problem);
             Limit.Finite("size", ref size, Vector3.one * 0.2f, ref problem);
             Limit.Clamp("radius", ref radius, 0f, float.MaxValue, 0.1f, ref problem);

@@ -9,8 +9,6 @@ namespace Rill
     // Control by scripts while the fluid runs: what they add, fill and remove between steps.
     public sealed partial class FluidSimulation
     {
-        const int MaxPhase = 7;
-
         Action onRefusals;
         NativeArray<float4> batchPositions, batchVelocities;       // of the last small batch, used again
         bool saidRefused, saidOutside;
@@ -190,13 +188,13 @@ namespace Rill
                 throw new ArgumentException($"The shape of {(Vector3)(2f * box.Extent)} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {particleSpacing} m, the most of one simulation. Shrink it or raise the spacing.");
             var lattice = new VolumeLattice((int3)across, particleSpacing);
             RoundedBox whole = box;      // in which the centre of a particle lies whose sphere is inside
-            float inset = 0.5f * particleSpacing;
-            whole.radius = math.max(box.radius - inset, 0f);
-            whole.half = math.max(box.half - math.max(inset - box.radius, 0f), 0f);
+            float margin = 0.5f * particleSpacing, tolerance = 1e-3f * particleSpacing;      // rounding would leave a sphere a particle short
+            whole.radius = math.max(box.radius - margin, 0f) + tolerance;
+            whole.half = math.max(box.half - math.max(margin - box.radius, 0f), 0f);
             using (var marks = new NativeArray<byte>(lattice.Total, Allocator.Persistent, NativeArrayOptions.UninitializedMemory))
             {
                 NativeArray<byte> to = marks;
-                int inside = lattice.Mark(new Grown(whole, 1e-3f * particleSpacing), to.AsSpan());
+                int inside = lattice.Mark(whole, to.AsSpan());
                 var positions = new NativeArray<float4>(inside, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
                 if (inside > 0)
                     lattice.Fill(to.AsSpan(), new Random(math.hash(new int2(seed, inside)) | 1u), float3.zero, box.center, box.rotation, positions.AsSpan());
@@ -204,24 +202,10 @@ namespace Rill
             }
         }
 
-        // A sphere that rounding would leave a particle short.
-        readonly struct Grown : IVolume
-        {
-            readonly RoundedBox box;
-
-            public Grown(RoundedBox box, float by)
-            {
-                box.radius += by;
-                this.box = box;
-            }
-
-            public bool Contains(float3 place) => box.Contains(place);
-        }
-
         static void CheckTag(int phase, float lifetime)
         {
-            if (phase < 0 || phase > MaxPhase)
-                throw new ArgumentOutOfRangeException(nameof(phase), phase, $"A phase is 0 to {MaxPhase}.");
+            if (phase < 0 || phase > FluidEmitter.MaxPhase)
+                throw new ArgumentOutOfRangeException(nameof(phase), phase, $"A phase is 0 to {FluidEmitter.MaxPhase}.");
             if (!(lifetime >= 0f) || lifetime > FluidEmitter.MaxLifetime)
                 throw new ArgumentOutOfRangeException(nameof(lifetime), lifetime, $"A lifetime is 0, for ever, to {FluidEmitter.MaxLifetime} s.");
         }

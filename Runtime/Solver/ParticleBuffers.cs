@@ -95,6 +95,9 @@ namespace Rill
             SortedArguments = GpuBuffer.Arguments("Rill.SortedArguments");
         }
 
+        /// <summary>Groups of <see cref="Group"/> threads that hold so many.</summary>
+        public static int Groups(int count) => (count + Group - 1) / Group;
+
         /// <summary>Records a kernel for the particles alive at the start of a step.</summary>
         public void DispatchAlive(CommandBuffer cmd, ComputeShader shader, int kernel) => Dispatch(cmd, shader, kernel, AliveArguments);
 
@@ -105,7 +108,7 @@ namespace Rill
         void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, GraphicsBuffer arguments)
         {
             if (capacity <= DirectCapacity)
-                cmd.DispatchCompute(shader, kernel, (capacity + Group - 1) / Group, 1, 1);
+                cmd.DispatchCompute(shader, kernel, Groups(capacity), 1, 1);
             else
                 cmd.DispatchCompute(shader, kernel, arguments, GpuBuffer.DispatchArgumentsAt);
         }

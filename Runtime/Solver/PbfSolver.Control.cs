@@ -46,7 +46,7 @@ namespace Rill
         public void RemoveInside(in RoundedBox shape)
         {
             PrepareConstants();
-            Edits.RemoveInside(constants, particles, shape, restingRegions);
+            Edits.RemoveInside(BetweenSteps(Edits.Commands), shape);
             markedAfter = stepIndex + 1;
         }
 
@@ -55,7 +55,7 @@ namespace Rill
         public void Shift(float3 by)
         {
             PrepareConstants();
-            Edits.Shift(constants, particles, by);
+            Edits.Shift(BetweenSteps(Edits.Commands), by);
             markedAfter = stepIndex + 1;
             InvalidateSurface();
             InvalidateParticles(false);
@@ -77,7 +77,7 @@ namespace Rill
         public void AddWhereFree(NativeArray<float4> positions, float3 velocity, float3 low, float3 high, uint tag)
         {
             PrepareConstants();
-            Edits.AddWhereFree(constants, particles, neighborSearch, Layout.Capacity, positions, velocity, tag, tags, colliders);
+            Edits.AddWhereFree(BetweenSteps(Edits.Commands), positions, velocity, tag, tags);
             NoteAdded(positions.Length, low, high);
         }
 

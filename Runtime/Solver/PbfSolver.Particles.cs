@@ -48,7 +48,7 @@ namespace Rill
             // After a step its constants are there; of these, the listing reads the layout alone.
             if (lastSubsteps == 0)
                 UploadConstants(cmd, new StepInput { timeStep = 1f, settings = SolverSettings.Default, material = FluidMaterial.Water });
-            Access.RecordOrder(cmd, constants, particles, neighborSearch);
+            Access.RecordOrder(BetweenSteps(cmd));
         }
 
         /// <summary>Before the passes of a step, which then find the phases that its input asks for.</summary>

@@ -19,7 +19,7 @@ namespace Rill
         public void RecordQueries(CommandBuffer cmd, QueryInput input, int slot)
         {
             queried = input;
-            queries.Record(cmd, constants, particles, neighborSearch, Layout, tags, input, slot);
+            queries.Record(BetweenSteps(cmd), tags, input, slot);
         }
 
         /// <summary>Gives back what answering needs, where nothing asks any more.</summary>

@@ -325,6 +325,9 @@ namespace Rill
         StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true) => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
             hasSteps ? coarseCorrection : null, hasSteps ? restingRegions : null, colliders, velocityExtrapolation);
 
+        // For what looks at the particles as the last step left them, or edits them: there is no input.
+        StepContext BetweenSteps(CommandBuffer cmd) => Context(cmd, default);
+
         // Made when first needed, and again for another size of its cells; null where the scene does without. So are the other stages.
         void CoarseFor(in StepInput input)
         {

@@ -48,5 +48,8 @@ namespace Rill
 
         /// <summary>Records the step's constants as what a shader reads.</summary>
         public void BindConstants(ComputeShader shader) => Commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, Constants, 0, Constants.stride);
+
+        /// <summary>Records those of the coarse grid, which has to be there.</summary>
+        public void BindCoarseConstants(ComputeShader shader) => Commands.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Coarse.Constants, 0, Coarse.Constants.stride);
     }
 }

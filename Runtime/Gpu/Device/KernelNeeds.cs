@@ -81,6 +81,7 @@ namespace Rill
                 case "ESTIMATE":
                 case "FEW":
                 case "FIELDS":
+                case "FIND":
                 case "FIRST":
                 case "FLOW":
                 case "LAST":
@@ -91,9 +92,6 @@ namespace Rill
                 case "PATHS":
                 case "PHASES":
                 case "PROJECTION":
-                case "FIND":
-                case "SHIFT":
-                case "TAGGED":
                 case "REDUCE":
                 case "REMOVE":
                 case "RESIDUAL":
@@ -101,10 +99,12 @@ namespace Rill
                 case "RILL_RAW":
                 case "ROWS":
                 case "SHAPE":
+                case "SHIFT":
                 case "SMALL":
                 case "SMOOTH":
                 case "SPAWN":
                 case "STORE_DRAWN":
+                case "TAGGED":
                 case "VOLUME": return DeviceFeature.None;
                 case "CARRIES":
                 case "WITH_COLLIDERS": return DeviceFeature.Colliders;

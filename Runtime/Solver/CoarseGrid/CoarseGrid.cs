@@ -71,7 +71,7 @@ namespace Rill
         /// <summary>Records a kernel for so many cells: ParticleIndex of Solver.hlsl numbers its threads.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
         {
-            int groups = (cells + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
+            int groups = ParticleBuffers.Groups(cells);
             cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
         }
 

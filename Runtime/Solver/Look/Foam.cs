@@ -68,8 +68,8 @@ namespace Rill
             countSpawned = sources.FindKernel("CountSpawned");
             twoLists = new LocalKeyword(sources, NeighborLists.TwoListsKeyword);
 
-            foamGroups = Groups(budget);
-            fluidGroups = Groups(layout.Capacity);
+            foamGroups = ParticleBuffers.Groups(budget);
+            fluidGroups = ParticleBuffers.Groups(layout.Capacity);
             int3 counts = (layout.CellCounts + layout.CellsPerRadius - 1) / layout.CellsPerRadius;
             cellTotal = counts.x * counts.y * counts.z;
             cellCounts = new[] { counts.x, counts.y, counts.z, cellTotal };
@@ -209,8 +209,6 @@ namespace Rill
         }
 
         static readonly uint[] NoParticles = { 0, 1, 0, 0, 1, 1, 1, 0, 0, 2, 0, 0 };      // as StoreArguments writes it
-
-        static int Groups(int count) => (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
 
         void RecordSources(in StepContext step)
         {

@@ -164,7 +164,7 @@ namespace Rill
             int kernel = estimate.For(LeavesOutDeep(step)).Index;
             if (LeavesOutDeep(step))
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, kernel, Ids.CoarseSurface, step.Coarse.Surface);
             }
             BindNeighbors(step, kernel);

@@ -73,7 +73,7 @@ namespace Rill
             step.BindConstants(shader);
             if (step.Coarse != null)
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, build, CoarseIds.Bins, step.Coarse.Bins);
             }
             cmd.SetComputeBufferParam(shader, build, Ids.CellStarts, step.Search.CellStarts);

@@ -105,12 +105,12 @@ namespace Rill
         }
 
         /// <summary>Records <see cref="CellStarts"/> and <see cref="Order"/> for the current positions and moves no particle.</summary>
-        public void RecordOrderAtRest(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles)
+        public void RecordOrderAtRest(in StepContext step)
         {
-            RestingRegions.RecordKeyword(cmd, shader, sleep, null);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            DispatchCount(cmd, particles, countCellsAtRest);
-            RecordOrder(cmd, particles);
+            RestingRegions.RecordKeyword(step.Commands, shader, sleep, null);
+            step.BindConstants(shader);
+            DispatchCount(step.Commands, step.Particles, countCellsAtRest);
+            RecordOrder(step.Commands, step.Particles);
         }
 
         /// <summary>Records a kernel that asks for the order of the particles, by OrderedSlot.hlsl.</summary>
@@ -166,7 +166,7 @@ namespace Rill
             step.Colliders?.BindCount(cmd, shader, kernel);
             if (takesProjection)
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, kernel, CoarseIds.Displacements, step.Coarse.Displacements);
             }
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);

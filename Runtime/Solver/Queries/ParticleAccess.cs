@@ -64,11 +64,11 @@ namespace Rill
         }
 
         /// <summary>Records which particles lie in each cell of the search at the current positions: its cell starts, and the particles by cell into SortedIds, which is free between steps.</summary>
-        public void RecordOrder(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search)
+        public void RecordOrder(in StepContext step)
         {
-            search.RecordOrderAtRest(cmd, constants, particles);
-            cmd.SetComputeBufferParam(shader, orderById, Ids.OrderById, particles.SortedIds);
-            search.DispatchOrdered(cmd, shader, orderById, particles);
+            step.Search.RecordOrderAtRest(step);
+            step.Commands.SetComputeBufferParam(shader, orderById, Ids.OrderById, step.Particles.SortedIds);
+            step.Search.DispatchOrdered(step.Commands, shader, orderById, step.Particles);
         }
 
         /// <summary>Records a copy of the particles in world space.</summary>

@@ -131,7 +131,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Queries");
 
         readonly ComputeShader shader = StageShader.LoadCompute("Queries");
-        readonly int findSurface, findSurroundings, fitNormal, detect;
+        readonly Kernel findSurface, findSurroundings, fitNormal, detect;
         readonly LocalKeyword withTags;
         readonly Readback[] ring = new Readback[RingSize];
         readonly uint[] zeros = new uint[Words];
@@ -139,10 +139,10 @@ namespace Rill
 
         public Queries()
         {
-            findSurface = shader.FindKernel("FindSurface");
-            findSurroundings = shader.FindKernel("FindSurroundings");
-            fitNormal = shader.FindKernel("FitNormal");
-            detect = shader.FindKernel("Detect");
+            findSurface = new Kernel(shader, "FindSurface");
+            findSurroundings = new Kernel(shader, "FindSurroundings");
+            fitNormal = new Kernel(shader, "FitNormal");
+            detect = new Kernel(shader, "Detect");
             withTags = new LocalKeyword(shader, ParticleTags.Keyword);
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
@@ -170,11 +170,12 @@ namespace Rill
         }
 
         /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran. Right after a step, before anything sorts again.</summary>
-        public void Record(CommandBuffer cmd, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, SolverLayout layout, ParticleTags tags, QueryInput input, int slot)
+        public void Record(in StepContext step, ParticleTags tags, QueryInput input, int slot)
         {
+            CommandBuffer cmd = step.Commands;
             GraphicsBuffer results = ring[slot].Buffer;
             cmd.BeginSample(Marker);
-            cmd.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            step.BindConstants(shader);
             cmd.SetKeyword(shader, withTags, tags != null);
             if (input.pointCount > 0)
             {
@@ -183,14 +184,14 @@ namespace Rill
                 cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)input.up);
                 if (math.any(input.up != 0f))
                 {
-                    float length = math.dot(math.abs(input.up), layout.DomainSize);     // at least that of any line through the box
-                    BindProbes(cmd, findSurface, particles, tags, search, results);
-                    cmd.DispatchCompute(shader, findSurface, input.pointCount, math.max((int)math.ceil(length / ChunkLength), 1), 1);
+                    float length = math.dot(math.abs(input.up), step.Layout.DomainSize);     // at least that of any line through the box
+                    BindProbes(step, findSurface.Index, tags, results);
+                    cmd.DispatchCompute(shader, findSurface.Index, input.pointCount, math.max((int)math.ceil(length / ChunkLength), 1), 1);
                 }
-                BindProbes(cmd, findSurroundings, particles, tags, search, results);
-                cmd.DispatchCompute(shader, findSurroundings, input.pointCount, Columns / GroupColumns + 2, 1);
-                BindProbes(cmd, fitNormal, particles, tags, search, results);
-                cmd.DispatchCompute(shader, fitNormal, input.pointCount, 1, 1);
+                BindProbes(step, findSurroundings.Index, tags, results);
+                cmd.DispatchCompute(shader, findSurroundings.Index, input.pointCount, Columns / GroupColumns + 2, 1);
+                BindProbes(step, fitNormal.Index, tags, results);
+                cmd.DispatchCompute(shader, fitNormal.Index, input.pointCount, 1, 1);
             }
             if (input.detectorCount > 0)
             {
@@ -199,9 +200,9 @@ namespace Rill
                 cmd.SetBufferData(results, zeros, 0, FirstDetectorWord, input.detectorCount * DetectorWords);
                 cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, FirstDetectorWord);
                 cmd.SetComputeIntParam(shader, Ids.DetectorCount, input.detectorCount);
-                cmd.SetComputeBufferParam(shader, detect, Ids.Detectors, detectors);
-                Bind(cmd, detect, particles, tags, results);
-                cmd.DispatchCompute(shader, detect, (layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
+                cmd.SetComputeBufferParam(shader, detect.Index, Ids.Detectors, detectors);
+                Bind(step, detect.Index, tags, results);
+                cmd.DispatchCompute(shader, detect.Index, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
             }
             cmd.EndSample(Marker);
         }
@@ -253,10 +254,10 @@ namespace Rill
                 return description;
             string variant = tags != null ? ParticleTags.Keyword : null;
             if (probes > 0)
-                foreach (string kernel in new[] { "FindSurface", "FindSurroundings", "FitNormal" })
-                    description.Kernel("Queries", kernel, 0, variant);
+                foreach (Kernel kernel in new[] { stage.findSurface, stage.findSurroundings, stage.fitNormal })
+                    description.Kernel("Queries", kernel.Name, 0, variant);
             if (regions > 0)
-                description.Kernel("Queries", "Detect", 0, variant);
+                description.Kernel("Queries", stage.detect.Name, 0, variant);
             description.Buffer("Rill.Queries.Points", stage.points);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
             description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);
@@ -265,19 +266,20 @@ namespace Rill
             return description;
         }
 
-        void BindProbes(CommandBuffer cmd, int kernel, ParticleBuffers particles, ParticleTags tags, NeighborSearch search, GraphicsBuffer results)
+        void BindProbes(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Points, points);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
-            Bind(cmd, kernel, particles, tags, results);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Points, points);
+            step.Commands.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
+            Bind(step, kernel, tags, results);
         }
 
-        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, ParticleTags tags, GraphicsBuffer results)
+        void Bind(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
         {
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Results, results);
             if (tags != null)
                 cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);

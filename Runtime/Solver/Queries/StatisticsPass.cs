@@ -28,7 +28,7 @@ namespace Rill
         {
             measure = new KernelVariants(shader, "Measure", "MeasureWithColliders");
             reduce = shader.FindKernel("Reduce");
-            int groups = (capacity + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
+            int groups = ParticleBuffers.Groups(capacity);
             partials = GpuBuffer.Structured<float>("Rill.Statistics.Partials", (long)groups * FluidStatistics.QuantityCount);
             histogram = GpuBuffer.Structured<uint>("Rill.Statistics.Histogram", Bins);
             BufferClear.Now(histogram);
@@ -49,7 +49,7 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             ParticleBuffers particles = step.Particles;
             cmd.BeginSample(Marker);
-            step.Search.RecordOrderAtRest(cmd, step.Constants, particles);
+            step.Search.RecordOrderAtRest(step);
             step.BindConstants(shader);
 
             int kernel = measure.For(step.Colliders != null).Index;

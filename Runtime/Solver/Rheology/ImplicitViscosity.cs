@@ -85,7 +85,7 @@ namespace Rill
             step.BindConstants(shader);
             if (step.Coarse != null)
             {
-                cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, step.Coarse.Constants, 0, step.Coarse.Constants.stride);
+                step.BindCoarseConstants(shader);
                 cmd.SetComputeBufferParam(shader, applyProjection, CoarseIds.Displacements, step.Coarse.Displacements);
                 Dispatch(step, applyProjection);
             }

@@ -111,7 +111,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, find, Ids.Free, free);
             cmd.SetComputeBufferParam(shader, find, Ids.EmitterStates, States.Buffer);
             cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, find, (emitter.candidates + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
+            cmd.DispatchCompute(shader, find, ParticleBuffers.Groups(emitter.candidates), 1, 1);
 
             cmd.SetComputeBufferParam(shader, emit, Ids.Places, places);
             cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Current);

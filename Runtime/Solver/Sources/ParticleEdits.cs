@@ -12,60 +12,57 @@ namespace Rill
         const int MaxBatch = 1 << 20;
 
         readonly ComputeShader shader = StageShader.LoadCompute("ParticleEdits");
-        readonly int removeInside, removeInsideAsleep, shift, findSpace, findSpaceWithColliders, addFree, addFreeTagged, commitFree;
+        readonly KernelVariants removeInside, findSpace, addFree;     // where water sleeps; with colliders; with tags
+        readonly int shift, commitFree;
         readonly CommandBuffer commands = new CommandBuffer { name = "Rill.ParticleEdits" };
 
         public ParticleEdits()
         {
-            removeInside = shader.FindKernel("RemoveInside");
-            removeInsideAsleep = shader.FindKernel("RemoveInsideAsleep");
+            removeInside = new KernelVariants(shader, "RemoveInside", "RemoveInsideAsleep");
+            findSpace = new KernelVariants(shader, "FindSpace", "FindSpaceWithColliders");
+            addFree = new KernelVariants(shader, "AddFree", "AddFreeTagged");
             shift = shader.FindKernel("Shift");
-            findSpace = shader.FindKernel("FindSpace");
-            findSpaceWithColliders = shader.FindKernel("FindSpaceWithColliders");
-            addFree = shader.FindKernel("AddFree");
-            addFreeTagged = shader.FindKernel("AddFreeTagged");
             commitFree = shader.FindKernel("CommitFree");
         }
 
+        /// <summary>Where a context records that is given to the calls below; they execute it.</summary>
+        public CommandBuffer Commands => commands;
+
         /// <summary>Takes out the particles inside a shape, at once: the next sort leaves them out.</summary>
         /// <param name="shape">In the domain's frame, d.</param>
-        /// <param name="resting">Null for none.</param>
-        public void RemoveInside(GraphicsBuffer constants, ParticleBuffers particles, in RoundedBox shape, RestingRegions resting)
+        public void RemoveInside(in StepContext step, in RoundedBox shape)
         {
-            int kernel = resting != null ? removeInsideAsleep : removeInside;
-            commands.Clear();
-            commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            int kernel = removeInside.For(step.Resting != null).Index;
+            Begin(step);
             commands.SetComputeVectorParam(shader, Ids.ShapeCenter, new float4(shape.center, shape.radius));
             commands.SetComputeVectorParam(shader, Ids.ShapeHalf, new float4(shape.half, 0f));
             commands.SetComputeVectorParam(shader, Ids.ShapeRotation, shape.rotation.value);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
-            resting?.BindMotion(commands, shader, kernel);
-            particles.DispatchAlive(commands, shader, kernel);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
+            step.Resting?.BindMotion(commands, shader, kernel);
+            step.Particles.DispatchAlive(commands, shader, kernel);
             Graphics.ExecuteCommandBuffer(commands);
         }
 
         /// <summary>Moves all particles in the domain's frame at once, and takes out those that then lie outside.</summary>
         /// <param name="by">d.</param>
-        public void Shift(GraphicsBuffer constants, ParticleBuffers particles, float3 by)
+        public void Shift(in StepContext step, float3 by)
         {
-            commands.Clear();
-            commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
+            Begin(step);
             commands.SetComputeVectorParam(shader, Ids.ShiftBy, new float4(by, 0f));
-            commands.SetComputeBufferParam(shader, shift, Ids.Positions, particles.Current);
-            commands.SetComputeBufferParam(shader, shift, Ids.StartPositions, particles.Start);
-            commands.SetComputeBufferParam(shader, shift, Ids.Counters, particles.Counters);
-            particles.DispatchAlive(commands, shader, shift);
+            commands.SetComputeBufferParam(shader, shift, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, shift, Ids.StartPositions, step.Particles.Start);
+            commands.SetComputeBufferParam(shader, shift, Ids.Counters, step.Particles.Counters);
+            step.Particles.DispatchAlive(commands, shader, shift);
             Graphics.ExecuteCommandBuffer(commands);
         }
 
-        /// <summary>Adds the particles of a batch that are not too near to one that is there, nor in a collider, at once. Their upload buffers are given back.</summary>
+        /// <summary>Adds the particles of a batch that are not too near to one that is there, nor in a collider as the last step left it, at once. Their upload buffers are given back.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocity">d/s, of all.</param>
         /// <param name="tag">Of all, see ParticleTags.hlsl.</param>
         /// <param name="tags">Null for none.</param>
-        /// <param name="colliders">As the last step left them; null for none.</param>
-        public void AddWhereFree(GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, int capacity, NativeArray<float4> positions, float3 velocity, uint tag, ParticleTags tags, Colliders colliders)
+        public void AddWhereFree(in StepContext step, NativeArray<float4> positions, float3 velocity, uint tag, ParticleTags tags)
         {
             int most = Math.Min(positions.Length, MaxBatch);
             if (most == 0)
@@ -82,12 +79,12 @@ namespace Rill
                 {
                     int count = Math.Min(most, positions.Length - first);
                     batch.SetData(positions, first, 0, count);
-                    commands.Clear();
+                    Begin(step);
                     if (first == 0)
-                        search.RecordOrderAtRest(commands, constants, particles);
-                    RecordFind(constants, particles, search, batch, free, count, colliders);
+                        step.Search.RecordOrderAtRest(step);
+                    RecordFind(step, batch, free, count);
                     sum.Record(commands, free, freeBefore, count + 1);
-                    RecordAdd(constants, particles, batch, freeBefore, count, capacity, velocity, tag, tags);
+                    RecordAdd(step, batch, freeBefore, count, velocity, tag, tags);
                     Graphics.ExecuteCommandBuffer(commands);
                 }
             }
@@ -102,43 +99,46 @@ namespace Rill
 
         public void Dispose() => commands.Dispose();
 
-        void RecordFind(GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, GraphicsBuffer batch, GraphicsBuffer free, int count, Colliders colliders)
+        void Begin(in StepContext step)
         {
-            int kernel = colliders != null ? findSpaceWithColliders : findSpace;
-            commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, constants, 0, constants.stride);
-            commands.SetComputeIntParam(shader, Ids.BatchCount, count);
-            colliders?.BindShapes(commands, shader, kernel);
-            commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
-            commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, search.CellStarts);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Order, search.Order);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Free, free);
-            commands.DispatchCompute(shader, kernel, Groups(count + 1), 1, 1);
+            commands.Clear();
+            step.BindConstants(shader);
         }
 
-        void RecordAdd(GraphicsBuffer constants, ParticleBuffers particles, GraphicsBuffer batch, GraphicsBuffer freeBefore, int count, int capacity, float3 velocity, uint tag, ParticleTags tags)
+        void RecordFind(in StepContext step, GraphicsBuffer batch, GraphicsBuffer free, int count)
         {
-            int kernel = tags != null ? addFreeTagged : addFree;
-            commands.SetComputeIntParam(shader, Ids.BatchCapacity, capacity);
+            int kernel = findSpace.For(step.Colliders != null).Index;
+            commands.SetComputeIntParam(shader, Ids.BatchCount, count);
+            step.Colliders?.BindShapes(commands, shader, kernel);
+            commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
+            commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Order, step.Search.Order);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Free, free);
+            commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count + 1), 1, 1);
+        }
+
+        void RecordAdd(in StepContext step, GraphicsBuffer batch, GraphicsBuffer freeBefore, int count, float3 velocity, uint tag, ParticleTags tags)
+        {
+            int kernel = addFree.For(tags != null).Index;
+            commands.SetComputeIntParam(shader, Ids.BatchCapacity, step.Layout.Capacity);
             commands.SetComputeIntParam(shader, Ids.BatchTag, (int)tag);
             commands.SetComputeVectorParam(shader, Ids.BatchVelocity, new float4(velocity, 0f));
             commands.SetComputeBufferParam(shader, kernel, Ids.BatchPositions, batch);
             commands.SetComputeBufferParam(shader, kernel, Ids.FreeBefore, freeBefore);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
-            commands.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
-            commands.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
+            commands.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, step.Particles.Ids);
+            commands.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
             if (tags != null)
                 commands.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
-            commands.DispatchCompute(shader, kernel, Groups(count), 1, 1);
+            commands.DispatchCompute(shader, kernel, ParticleBuffers.Groups(count), 1, 1);
 
             commands.SetComputeBufferParam(shader, commitFree, Ids.FreeBefore, freeBefore);
-            commands.SetComputeBufferParam(shader, commitFree, Ids.Counters, particles.Counters);
-            commands.SetComputeBufferParam(shader, commitFree, Ids.AliveArguments, particles.AliveArguments);
+            commands.SetComputeBufferParam(shader, commitFree, Ids.Counters, step.Particles.Counters);
+            commands.SetComputeBufferParam(shader, commitFree, Ids.AliveArguments, step.Particles.AliveArguments);
             commands.DispatchCompute(shader, commitFree, 1, 1, 1);
         }
-
-        static int Groups(int count) => (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group;
 
         static class Ids
         {

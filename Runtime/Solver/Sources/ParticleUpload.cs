@@ -11,10 +11,10 @@ namespace Rill
     {
         const int MaxBatch = 1 << 20;
 
-        readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
         /// <summary>Most particles of a batch of a script whose buffers stay for the next.</summary>
         public const int KeptBatch = 1 << 14;
 
+        readonly ComputeShader shader = StageShader.LoadCompute("ParticleUpload");
         readonly int append, commit, clear, countMarked, removeAll, countRefused;
         readonly LocalKeyword withTags;
         CommandBuffer commands;         // kept: adding allocates nothing
@@ -146,7 +146,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, append, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, append, Ids.ParticleIds, particles.Ids);
             cmd.SetComputeBufferParam(shader, append, Ids.Counters, particles.Counters);
-            cmd.DispatchCompute(shader, append, (count + ParticleBuffers.Group - 1) / ParticleBuffers.Group, 1, 1);
+            cmd.DispatchCompute(shader, append, ParticleBuffers.Groups(count), 1, 1);
 
             RecordCommit(cmd, particles);
         }

@@ -67,16 +67,18 @@ namespace Host.Testing
 
         /// <summary>Full names of the tests that pass the filter.</summary>
         public static IEnumerable<string> List(Assembly assembly, TestFilter filter) =>
-            Leaves(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Where(test => filter.Pass(test)).Select(test => test.FullName);
+            Leaves(Load(assembly)).Where(test => filter.Pass(test)).Select(test => test.FullName);
 
         /// <summary>Categories of tests and fixtures, each once.</summary>
-        public static IEnumerable<string> Categories(Assembly assembly) => CategoriesOf(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Distinct();
+        public static IEnumerable<string> Categories(Assembly assembly) => CategoriesOf(Load(assembly)).Distinct();
 
         static IEnumerable<string> CategoriesOf(ITest test) => test.Properties[NUnit.Framework.Internal.PropertyNames.Category].Cast<string>().Concat(test.Tests.SelectMany(CategoriesOf));
 
         /// <summary>The fixtures of which a test passes the filter.</summary>
         public static IEnumerable<(string Name, bool IsAlone)> Fixtures(Assembly assembly, TestFilter filter) =>
-            Leaves(Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct().Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
+            Leaves(Load(assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct().Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
+
+        static ITest Load(Assembly assembly) => Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly);
 
         static ITest Load(NUnitTestAssemblyRunner runner, Assembly assembly)
         {

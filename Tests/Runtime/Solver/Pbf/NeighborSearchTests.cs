@@ -181,7 +181,7 @@ namespace Rill.Tests
             ParticleState state = ParticleState.Random(997, seed: 12, speed: 50f);
             using (var stages = new SolverStages(state, SolverStages.Still()))
             {
-                GpuTest.Run(cmd => stages.Search.RecordOrderAtRest(cmd, stages.Constants, stages.Particles));
+                GpuTest.Run(cmd => stages.Search.RecordOrderAtRest(stages.Context(cmd)));
 
                 int[] cells = Cells(state, stages.Layout);
                 uint2[] order = GpuTest.Read<uint2>(stages.Search.Order, 997);
@@ -199,7 +199,7 @@ namespace Rill.Tests
             state.positions[5].y = float.NaN;
             using (var stages = new SolverStages(state, SolverStages.Still()))
             {
-                GpuTest.Run(cmd => stages.Search.RecordOrderAtRest(cmd, stages.Constants, stages.Particles));
+                GpuTest.Run(cmd => stages.Search.RecordOrderAtRest(stages.Context(cmd)));
                 Assert.That(stages.Sorted, Is.EqualTo(299));
                 Assert.That(stages.Counter(ParticleCounter.NonFinite), Is.Zero);
             }
