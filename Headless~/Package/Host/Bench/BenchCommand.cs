@@ -33,14 +33,16 @@ namespace Host.Bench
             var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
             var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
+            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), QueriesBench.Create(), SurfaceBench.Create() };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), QueriesBench.Create(), SurfaceBench.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
+                Player.TimesKernels = parsed.GetValue(kernels);
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = parsed.GetValue(iterations);
                 settings.substeps = parsed.GetValue(substeps);
@@ -98,9 +100,9 @@ namespace Host.Bench
             {
                 double whole = stages["step"].Median;
                 output.WriteLine();
-                output.WriteLine($"{window,-16}{"median ms",12}{"10 %",10}{"90 %",10}{"share",9}   of {stages["step"].Count} steps");
+                output.WriteLine($"{window,-32}{"median ms",12}{"10 %",10}{"90 %",10}{"fraction",10}   of {stages["step"].Count} steps");
                 foreach ((string stage, StepTimes.Spread spread) in stages.OrderBy(pair => pair.Key == "step"))
-                    output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-16}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}{spread.Median / whole,9:0.0 %}"));
+                    output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-32}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}{spread.Median / whole,10:0.0 %}"));
             }
             output.WriteLine();
         }
