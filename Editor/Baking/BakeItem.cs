@@ -22,7 +22,7 @@ namespace Rill.Editor
 
         public Mesh Mesh => Analysis.Mesh;
 
-        /// <summary>What is wrong with the mesh; may still be under way, then the bake waits for it.</summary>
+        /// <summary>What is wrong with the mesh; may still be running, then the bake waits for it.</summary>
         public MeshAnalysis Analysis { get; }
 
         /// <summary>Of the asset that it goes into.</summary>
@@ -49,8 +49,8 @@ namespace Rill.Editor
         public bool Failed { get; private set; }
 
         /// <summary>What a bake with these settings takes. Reads no mesh.</summary>
-        /// <param name="problem">Why it cannot be; null if it can, or while the analysis is under way.</param>
-        /// <returns>False also while the analysis is under way.</returns>
+        /// <param name="problem">Why it cannot be; null if it can, or while the analysis is running.</param>
+        /// <returns>False also while the analysis is running.</returns>
         public bool TryEstimate(in MeshSdfSettings settings, out MeshSdfEstimate estimate, out string problem)
         {
             estimate = default;

@@ -92,7 +92,7 @@ namespace Rill.Editor
             }
         }
 
-        /// <summary>All of it; what cannot be baked says so and does not keep the others from it.</summary>
+        /// <summary>All of it; what cannot be baked is reported and does not keep the others from it.</summary>
         /// <param name="progress">Told the fraction of the whole that is done and what is being done, and asked whether to go on.</param>
         /// <returns>False if it was cancelled: the items before that are baked.</returns>
         public bool Bake(MeshSdfSettings settings, BakeAssign assign, Func<float, string, bool> progress)

@@ -187,7 +187,7 @@ namespace Rill.Editor
         {
             try
             {
-                plan.Bake(settings, assign, (share, what) => !EditorUtility.DisplayCancelableProgressBar(Title, what, share));
+                plan.Bake(settings, assign, (fraction, what) => !EditorUtility.DisplayCancelableProgressBar(Title, what, fraction));
             }
             finally
             {

@@ -65,7 +65,7 @@ namespace Rill.Editor
             return false;
         }
 
-        // Halves the way on which the sign changed.
+        // Halves the interval in which the sign changed.
         static float Crossing(SdfVolume volume, float3 from, float3 along, float outside, float inside)
         {
             for (int i = 0; i < 8; i++)

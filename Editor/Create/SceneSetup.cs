@@ -45,7 +45,7 @@ namespace Rill.Editor
         {
             Vector3 box = fluid.DomainSize;
             volume.Size = new Vector3(0.5f * box.x, 0.25f * box.y, 0.5f * box.z);
-            Place(volume, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
+            SetPose(volume, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
         }
 
         /// <summary>A tap below the lid, pointing down.</summary>
@@ -58,7 +58,7 @@ namespace Rill.Editor
                 emitter.Radius = radius;
                 emitter.Speed = Speed;
                 emitter.Rate = Fullness * Mathf.PI * radius * radius * Speed;
-                Place(emitter, fluid, new Vector3(0f, 0.4f * fluid.DomainSize.y, 0f), Quaternion.Euler(90f, 0f, 0f));
+                SetPose(emitter, fluid, new Vector3(0f, 0.4f * fluid.DomainSize.y, 0f), Quaternion.Euler(90f, 0f, 0f));
             });
         }
 
@@ -70,7 +70,7 @@ namespace Rill.Editor
                 Vector3 box = fluid.DomainSize;
                 float depth = 4f * fluid.ParticleSpacing;
                 drain.Size = new Vector3(0.25f * box.x, depth, 0.25f * box.z);
-                Place(drain, fluid, new Vector3(0.25f * box.x, 0.5f * (depth - box.y), 0f), Quaternion.identity);
+                SetPose(drain, fluid, new Vector3(0.25f * box.x, 0.5f * (depth - box.y), 0f), Quaternion.identity);
             });
         }
 
@@ -82,7 +82,7 @@ namespace Rill.Editor
                 field.Bounds = ForceFieldBounds.Sphere;
                 field.Radius = 0.25f * Shortest(fluid.DomainSize);
                 field.Falloff = ForceFieldFalloff.Smooth;
-                Place(field, fluid, Vector3.zero, Quaternion.Euler(0f, 90f, 0f));
+                SetPose(field, fluid, Vector3.zero, Quaternion.Euler(0f, 90f, 0f));
             });
         }
 
@@ -92,7 +92,7 @@ namespace Rill.Editor
             return CreatePart<FluidProbe>(parent, "Fluid Probe", true, (probe, fluid) =>
             {
                 probe.Radius = 2f * fluid.ParticleSpacing;
-                Place(probe, fluid, Vector3.zero, Quaternion.identity);
+                SetPose(probe, fluid, Vector3.zero, Quaternion.identity);
             });
         }
 
@@ -103,7 +103,7 @@ namespace Rill.Editor
             {
                 Vector3 box = fluid.DomainSize;
                 detector.Size = 0.25f * box;
-                Place(detector, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
+                SetPose(detector, fluid, new Vector3(0f, -0.375f * box.y, 0f), Quaternion.identity);
             });
         }
 
@@ -220,7 +220,7 @@ namespace Rill.Editor
         }
 
         // In the frame of the domain, wherever in its tree the part is.
-        static void Place(Component part, FluidSimulation fluid, Vector3 position, Quaternion rotation)
+        static void SetPose(Component part, FluidSimulation fluid, Vector3 position, Quaternion rotation)
         {
             Transform box = fluid.transform;
             part.transform.SetPositionAndRotation(box.position + box.rotation * position, box.rotation * rotation);

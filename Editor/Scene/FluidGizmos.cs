@@ -6,7 +6,7 @@ namespace Rill.Editor
     /// <summary>Simulations and what acts on them in the scene view.</summary>
     static class FluidGizmos
     {
-        const float ArrowTime = 0.1f;       // s of the way that an arrow shows
+        const float ArrowTime = 0.1f;       // s of the path that an arrow shows
         const float ArrowLength = 0.3f;     // m, of what has no speed
         const int DiscSides = 24;
 
@@ -22,7 +22,7 @@ namespace Rill.Editor
             Color color = GizmoColors.Volume;
             if (volume.Shape == VolumeShape.SignedDistanceField)
             {
-                Place(volume.transform, volume.transform.lossyScale, color);
+                SetPose(volume.transform, volume.transform.lossyScale, color);
                 if (volume.Field != null)
                     Gizmos.DrawWireCube(volume.Field.Bounds.center, volume.Field.Bounds.size);
             }
@@ -45,7 +45,7 @@ namespace Rill.Editor
                     DrawSphere(emitter.transform, emitter.Radius, color);
                     break;
                 case EmitterShape.MeshSurface:
-                    Place(emitter.transform, emitter.transform.lossyScale, color);
+                    SetPose(emitter.transform, emitter.transform.lossyScale, color);
                     if (emitter.Mesh != null)
                         Gizmos.DrawWireMesh(emitter.Mesh);
                     return;
@@ -145,26 +145,26 @@ namespace Rill.Editor
 
         static void DrawBox(Transform at, Vector3 size, Color color)
         {
-            Place(at, Vector3.one, color);
+            SetPose(at, Vector3.one, color);
             Gizmos.DrawWireCube(Vector3.zero, size);
         }
 
         static void DrawSphere(Transform at, float radius, Color color)
         {
-            Place(at, Vector3.one, color);
+            SetPose(at, Vector3.one, color);
             Gizmos.DrawWireSphere(Vector3.zero, radius);
         }
 
         static void DrawDisc(Transform at, float radius, Color color)
         {
-            Place(at, Vector3.one, color);
+            SetPose(at, Vector3.one, color);
             for (int side = 0; side < DiscSides; side++)
                 Gizmos.DrawLine(Rim(side, radius), Rim(side + 1, radius));
         }
 
         static void DrawArrow(Transform at, float length, Color color)
         {
-            Place(at, Vector3.one, color);
+            SetPose(at, Vector3.one, color);
             DrawArrow(length);
         }
 
@@ -183,7 +183,7 @@ namespace Rill.Editor
             return new Vector3(Mathf.Cos(angle), Mathf.Sin(angle), 0f) * radius;
         }
 
-        static void Place(Transform at, Vector3 scale, Color color)
+        static void SetPose(Transform at, Vector3 scale, Color color)
         {
             Gizmos.color = color;
             Gizmos.matrix = Matrix4x4.TRS(at.position, at.rotation, scale);

@@ -25,7 +25,7 @@ namespace Rill.Editor
         }
 
         /// <summary>The button of an inspector: asks for a snapshot and saves it when it has come.</summary>
-        /// <param name="request">On its way; null for none.</param>
+        /// <param name="request">Pending; null for none.</param>
         public static void Draw(FluidSimulation simulation, ref FluidSnapshotRequest request)
         {
             using (new EditorGUI.DisabledScope(request != null || !simulation.IsRunning))

@@ -5,7 +5,7 @@ using UnityEngine.Profiling;
 namespace Rill.Editor
 {
     /// <summary>GPU time of each stage of the step, by recorders of Unity's profiler: all simulations of the scene together.</summary>
-    /// <remarks>Running means over about 20 frames. A recorder costs a little, so Dispose when nobody looks.</remarks>
+    /// <remarks>Running means over about 20 frames. A recorder costs a little, so Dispose when no one looks.</remarks>
     sealed class StageTimes : IDisposable
     {
         const float Gain = 0.05f;               // of the running mean, a frame

@@ -49,7 +49,7 @@ namespace Rill
         /// <summary>Triangles that are to be turned over to agree with their neighbors.</summary>
         public bool[] Turned { get; }
 
-        /// <summary>Places that vertices have.</summary>
+        /// <summary>Positions that vertices have.</summary>
         public int Vertices => vertexAt.Count;
 
         /// <summary>Edges of one triangle only, and of more than two.</summary>
@@ -72,7 +72,7 @@ namespace Rill
         /// <summary>With turned triangles turned, m³; negative for a mesh that is inside out.</summary>
         public double SignedVolume { get; }
 
-        /// <summary>A corner of a triangle, as a number that vertices of one place share.</summary>
+        /// <summary>A corner of a triangle, as a number that vertices at one position share.</summary>
         public int Corner(int triangle, int k) => welded[mesh.Triangles[3 * triangle + k]];
 
         // Open addressing: a dictionary takes several times as long.
@@ -284,7 +284,7 @@ namespace Rill
             {
                 int from = From(sides[side]), to = To(sides[side]), hole = Root(root, from);
                 // About a vertex of the hole, so that far from the origin nothing is lost.
-                double3 middle = Place(hole), area = 0.5 * math.cross(Place(from) - middle, Place(to) - middle);
+                double3 middle = PositionOf(hole), area = 0.5 * math.cross(PositionOf(from) - middle, PositionOf(to) - middle);
                 sums.TryGetValue(hole, out double3 sum);
                 sums[hole] = sum + (Turned[TriangleOf(sides[side])] ? -area : area);
             }
@@ -302,7 +302,7 @@ namespace Rill
             return welded[mesh.Triangles[corner % 3 == 2 ? corner - 2 : corner + 1]];
         }
 
-        double3 Place(int place) => (float3)mesh.Vertices[vertexAt[place]];
+        double3 PositionOf(int place) => (float3)mesh.Vertices[vertexAt[place]];
 
         static int Root(Dictionary<int, int> root, int vertex)
         {

@@ -39,7 +39,7 @@ namespace Rill
         /// <summary>Largest buffer that a kernel can be given here, bytes.</summary>
         public static long MaxBinding => Math.Min(MaxBytes, SystemInfo.maxGraphicsBufferSize);
 
-        /// <summary>At once, or when a snapshot that is on its way has it.</summary>
+        /// <summary>At once, or when a snapshot that is pending has it.</summary>
         public static void Release(ref GraphicsBuffer buffer)
         {
             if (buffer != null && !SnapshotCapture.Keeps(buffer))

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Brings a small buffer back without waiting: at most one request on its way, and what was asked for before a reset is dropped.</summary>
+    /// <summary>Brings a small buffer back without waiting: at most one request pending, and what was asked for before a reset is dropped.</summary>
     /// <remarks>
     /// The data are copied in the callback out of Unity's memory: whether an array of ours may be read there, or disposed of
     /// before, Unity does not say. Nor whether a buffer that is released first still comes back: it is released after.
@@ -33,7 +33,7 @@ namespace Rill
         /// <summary>What is brought back; null after <see cref="Dispose"/>.</summary>
         public GraphicsBuffer Buffer => disposed ? null : buffer;
 
-        /// <summary>Whether a result is on its way.</summary>
+        /// <summary>Whether a result is pending.</summary>
         public bool IsPending { get; private set; }
 
         /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Invalidate"/>.</summary>
@@ -41,7 +41,7 @@ namespace Rill
 
         public NativeArray<uint> Latest => latest;
 
-        /// <summary>Asks for the buffer as the commands executed so far leave it. Nothing while a result is under way.</summary>
+        /// <summary>Asks for the buffer as the commands executed so far leave it. Nothing while a result is pending.</summary>
         public void Request()
         {
             if (IsPending)
@@ -58,7 +58,7 @@ namespace Rill
             HasResult = false;
         }
 
-        /// <summary>Words that are 0 from now on; what is on its way may not know yet and is dropped.</summary>
+        /// <summary>Words that are 0 from now on; what is pending may not know yet and is dropped.</summary>
         public void Zero(int first, int count)
         {
             generation++;
@@ -66,7 +66,7 @@ namespace Rill
                 latest[word] = 0;
         }
 
-        /// <summary>Waits for nothing: a buffer that is on its way is released when it has come.</summary>
+        /// <summary>Waits for nothing: a buffer that is pending is released when it has come.</summary>
         public void Dispose()
         {
             if (disposed)
@@ -80,7 +80,7 @@ namespace Rill
                 GpuBuffer.Release(ref buffer);
         }
 
-        /// <summary>Waits for the request that is on its way, and for no other.</summary>
+        /// <summary>Waits for the request that is pending, and for no other.</summary>
         public void Complete()
         {
             if (IsPending)

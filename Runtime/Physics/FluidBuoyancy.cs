@@ -17,7 +17,7 @@ namespace Rill
     [RequireComponent(typeof(FluidCollider), typeof(Rigidbody))]
     public sealed class FluidBuoyancy : MonoBehaviour, IHasProblems
     {
-        const float PatienceTime = 5f;          // s without a fluid before that is said
+        const float PatienceTime = 5f;          // s without a fluid before that is logged
 
         [Tooltip("Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it displaces; of turns always. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
         [Range(0.25f, 16f)]

@@ -105,7 +105,7 @@ namespace Rill
             properties.SetMatrix(Ids.DomainToWorld, Simulation.DomainToWorld);
         }
 
-        /// <summary>Takes the place of the pipeline's main light; null to keep it.</summary>
+        /// <summary>Replaces the pipeline's main light; null to keep it.</summary>
         private protected static void SetSun(MaterialPropertyBlock properties, Light sun)
         {
             if (sun != null)
@@ -116,7 +116,7 @@ namespace Rill
 
         /// <param name="direction">World, unit, towards the light.</param>
         /// <param name="color">In the project's own colour space, intensity applied.</param>
-        /// <param name="isChosen">Whether it takes the place of the pipeline's; else it shines where that is not read.</param>
+        /// <param name="isChosen">Whether it replaces the pipeline's; else it shines where that is not read.</param>
         private protected static void SetSun(MaterialPropertyBlock properties, Vector3 direction, Vector4 color, bool isChosen)
         {
             properties.SetVector(Ids.SunDirection, new Vector4(direction.x, direction.y, direction.z, isChosen ? 1f : 0f));

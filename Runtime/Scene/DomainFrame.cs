@@ -39,7 +39,7 @@ namespace Rill
         /// <summary>A pose of the domain's frame in world space, m.</summary>
         public RigidPose World(in RigidPose pose) => new RigidPose((float3)(position + toWorld * (pose.position * spacing - half)), toWorld * pose.rotation);
 
-        public PoseInDomain Place(Vector3 worldPosition, Quaternion worldRotation)
+        public PoseInDomain ToDomain(Vector3 worldPosition, Quaternion worldRotation)
         {
             Quaternion rotation = Rotation(worldRotation);
             return new PoseInDomain

@@ -7,37 +7,37 @@ using Random = Unity.Mathematics.Random;
 namespace Rill
 {
     /// <summary>
-    /// Where an emitter puts particles: the places of a cross-section, which the flow fills again and again, or those of a
+    /// Where an emitter puts particles: the positions of a cross-section, which the flow fills again and again, or those of a
     /// volume. Spacings, in the emitter's frame; made again when its shape changes.
     /// </summary>
     sealed class EmitterPositions
     {
-        /// <summary>Most places of an emitter: more are more than any step could try.</summary>
+        /// <summary>Most positions of an emitter: more are more than any step could try.</summary>
         public const int MaxPositions = 1 << 20;
 
-        const float SurfaceClearance = 0.85f;       // d, between two places of a surface
+        const float SurfaceClearance = 0.85f;       // d, between two positions of a surface
         const int DartsPerPlace = 8;
         const uint Seed = 0x6E624EB7u;
 
-        EmitterPositions(List<float3> places, List<float3> directions)
+        EmitterPositions(List<float3> positions, List<float3> directions)
         {
-            Data = new float4[2 * places.Count];
-            for (int i = 0; i < places.Count; i++)
+            Data = new float4[2 * positions.Count];
+            for (int i = 0; i < positions.Count; i++)
             {
-                Data[2 * i] = new float4(places[i], 0f);
+                Data[2 * i] = new float4(positions[i], 0f);
                 Data[2 * i + 1] = new float4(directions != null ? directions[i] : new float3(0f, 0f, 1f), 0f);
-                Radius = math.max(Radius, math.length(places[i]));
+                Radius = math.max(Radius, math.length(positions[i]));
             }
         }
 
-        /// <summary>Place and direction of flow, xyz each, one after the other.</summary>
+        /// <summary>Position and direction of flow, xyz each, one after the other.</summary>
         public float4[] Data { get; }
         public int Count => Data.Length / 2;
         /// <summary>Furthest place from the origin, d.</summary>
         public float Radius { get; }
         /// <summary>Whether they fill a volume, not a cross-section.</summary>
         public bool FillsVolume { get; private set; }
-        /// <summary>Whether a low rate uses all of the cross-section's places in turn, not only the innermost.</summary>
+        /// <summary>Whether a low rate uses all of the cross-section's positions in turn, not only the innermost.</summary>
         public bool UsesAllPositions { get; private set; }
 
         /// <param name="size">Of a box, m.</param>
@@ -60,8 +60,8 @@ namespace Rill
             bool round = shape != EmitterShape.Box;
             float extent = round ? 2f * radius : math.cmax(size);
             float3 across = round ? 2f * radius : size;
-            double places = mode == EmitterMode.Fill && shape != EmitterShape.Disc ? (double)across.x * across.y * across.z : (double)across.x * across.y;
-            if (places > MaxPositions || extent > SolverLayout.MaxSpacingsAcross)
+            double positions = mode == EmitterMode.Fill && shape != EmitterShape.Disc ? (double)across.x * across.y * across.z : (double)across.x * across.y;
+            if (positions > MaxPositions || extent > SolverLayout.MaxSpacingsAcross)
             {
                 problem = $"its shape has room for more than {MaxPositions:N0} particles at once. Shrink it or raise the particle spacing.";
                 return null;
@@ -101,25 +101,25 @@ namespace Rill
         {
             const float GoldenAngle = 2.39996323f;
             int count = math.max((int)math.floor(math.PI * radius * radius), 1);
-            var places = new List<float3>(count);
+            var positions = new List<float3>(count);
             for (int i = 0; i < count; i++)
             {
                 float r = count > 1 ? math.sqrt((i + 0.5f) / math.PI) : 0f;
-                places.Add(new float3(r * math.cos(i * GoldenAngle), r * math.sin(i * GoldenAngle), 0f));
+                positions.Add(new float3(r * math.cos(i * GoldenAngle), r * math.sin(i * GoldenAngle), 0f));
             }
-            return places;
+            return positions;
         }
 
         // A square lattice, from the middle on.
         static List<float3> Rectangle(float2 size)
         {
             int2 counts = math.max((int2)math.floor(size + 1e-3f), 1);
-            var places = new List<float3>(counts.x * counts.y);
+            var positions = new List<float3>(counts.x * counts.y);
             for (int y = 0; y < counts.y; y++)
                 for (int x = 0; x < counts.x; x++)
-                    places.Add(new float3(new float2(x, y) - (float2)(counts - 1) * 0.5f, 0f));
-            places.Sort((a, b) => Ring(a).CompareTo(Ring(b)));
-            return places;
+                    positions.Add(new float3(new float2(x, y) - (float2)(counts - 1) * 0.5f, 0f));
+            positions.Sort((a, b) => Ring(a).CompareTo(Ring(b)));
+            return positions;
 
             // The fraction of the rectangle's size at which a place lies, and then its direction, so that no two are equal.
             double Ring(float3 place)
@@ -135,16 +135,16 @@ namespace Rill
             if (shape != EmitterShape.Box)
                 size = new float3(2f * radius, 2f * radius, shape == EmitterShape.Disc ? 1f : 2f * radius);
             int3 counts = math.max((int3)math.floor(size + 1e-3f), 1);
-            var places = new List<float3>();
+            var positions = new List<float3>();
             for (int y = 0; y < counts.y; y++)
                 for (int z = 0; z < counts.z; z++)
                     for (int x = 0; x < counts.x; x++)
                     {
                         float3 place = new float3(x, y, z) - (float3)(counts - 1) * 0.5f;
                         if (shape == EmitterShape.Box || math.length(place) <= math.max(radius - 0.5f, 0.87f))
-                            places.Add(place);
+                            positions.Add(place);
                     }
-            return places;
+            return positions;
         }
 
         // Points anywhere on the triangles, by area, none nearer than a particle to another.
@@ -152,7 +152,7 @@ namespace Rill
         {
             Vector3[] vertices = mesh.vertices;
             int[] triangles = mesh.triangles;
-            var places = new List<float3>();
+            var positions = new List<float3>();
             var normals = new List<float3>();
             var taken = new Dictionary<int3, List<int>>();
             var random = new Random(Seed);
@@ -181,8 +181,8 @@ namespace Rill
             }
             foreach (int t in darts)
                 Throw(t);
-            problem = places.Count > 0 ? null : $"the surface of its mesh '{mesh.name}' is too small for a particle. Scale it up or lower the particle spacing.";
-            return places.Count > 0 ? new EmitterPositions(places, normals) { UsesAllPositions = true } : null;
+            problem = positions.Count > 0 ? null : $"the surface of its mesh '{mesh.name}' is too small for a particle. Scale it up or lower the particle spacing.";
+            return positions.Count > 0 ? new EmitterPositions(positions, normals) { UsesAllPositions = true } : null;
 
             float3 Vertex(int corner) => (float3)vertices[triangles[corner]] * scale;
 
@@ -200,24 +200,24 @@ namespace Rill
                     if (!taken.TryGetValue(cell + new int3(n % 3, n / 3 % 3, n / 9) - 1, out List<int> near))
                         continue;
                     foreach (int i in near)
-                        if (math.distancesq(places[i], place) < SurfaceClearance * SurfaceClearance)
+                        if (math.distancesq(positions[i], place) < SurfaceClearance * SurfaceClearance)
                             return;
                 }
                 if (!taken.TryGetValue(cell, out List<int> own))
                     taken[cell] = own = new List<int>();
-                own.Add(places.Count);
-                places.Add(place);
+                own.Add(positions.Count);
+                positions.Add(place);
                 normals.Add(math.normalizesafe(Normal(t), new float3(0f, 0f, 1f)));
             }
         }
 
-        static void Shuffle(List<float3> places, List<float3> directions)
+        static void Shuffle(List<float3> positions, List<float3> directions)
         {
             var random = new Random(Seed);
-            for (int i = places.Count - 1; i > 0; i--)
+            for (int i = positions.Count - 1; i > 0; i--)
             {
                 int other = random.NextInt(i + 1);
-                (places[i], places[other]) = (places[other], places[i]);
+                (positions[i], positions[other]) = (positions[other], positions[i]);
                 if (directions != null)
                     (directions[i], directions[other]) = (directions[other], directions[i]);
             }

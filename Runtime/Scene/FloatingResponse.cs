@@ -8,7 +8,7 @@ namespace Rill
     /// that resists outweighs the body (added-mass instability: Causin, Gerbeau and Nobile 2005), and pump up its heave. So
     /// what the water does against a slip s is brought up to date, implicitly: m a = F + m g - c (s - s_F), where s_F is the slip
     /// while F was measured (stable while the fluid's own c is below twice this one); so are buoyancy and righting moment, by the
-    /// body's way since; what a late force can push is limited, heave and turns are damped. All of it vanishes at rest. See
+    /// body's displacement since; what a late force can push is limited, heave and turns are damped. All of it vanishes at rest. See
     /// floating.md of the documentation.
     /// </summary>
     struct FloatingResponse

@@ -134,7 +134,7 @@ namespace Rill
                     forces.RemoveAt(i);
         }
 
-        /// <summary>Takes a new result of a simulation in place of its last.</summary>
+        /// <summary>Takes a new result of a simulation instead of its last.</summary>
         internal void SetForce(in FluidForce force)
         {
             for (int i = 0; i < forces.Count; i++)
@@ -168,7 +168,7 @@ namespace Rill
             return problem == null;
         }
 
-        /// <summary>Shape and place now, in world space and metres; false, said once, where they make no collider.</summary>
+        /// <summary>Shape and place now, in world space and metres; false, logged once, where they make no collider.</summary>
         /// <param name="motion">Its poses are both the present one.</param>
         internal bool TryDescribe(out ColliderMotion motion)
         {

@@ -140,7 +140,7 @@ namespace Rill
         {
             region = default;
             pose = default;
-            if (MustSay(NoSize, IsEmpty))
+            if (ShouldLog(NoSize, IsEmpty))
                 Say(SizeProblem);
             if (IsEmpty || !TryGetPose(frame, out PoseInDomain place))
             {

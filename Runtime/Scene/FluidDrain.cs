@@ -15,11 +15,11 @@ namespace Rill
 
     /// <summary>Takes the fluid out of a volume of a <see cref="FluidSimulation"/>, for good or to where an emitter lets it in again.</summary>
     /// <remarks>
-    /// Looks at the particles at the start of every fixed step, and at the way that each came in the step before: what crosses it
-    /// within one step is taken too, however thin it is and while it moves. The way is the velocity's, which contacts with colliders
-    /// change: a particle that bounces counts as come from behind the surface, up to a step's way deep, and one that friction slows
+    /// Looks at the particles at the start of every fixed step, and at the path that each came in the step before: what crosses it
+    /// within one step is taken too, however thin it is and while it moves. The path is the velocity's, which contacts with colliders
+    /// change: a particle that bounces counts as come from behind the surface, up to a step's path deep, and one that friction slows
     /// counts as come from nearer by as much. Keep a drain further than that from the back of a thin plate that bounces, and
-    /// let one that stands on a floor with friction be thicker than friction times the way of a step.
+    /// let one that stands on a floor with friction be thicker than friction times the path of a step.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Drain")]
     public sealed class FluidDrain : FluidPart
@@ -81,7 +81,7 @@ namespace Rill
             if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end))
                 return false;
             float3 half = Half / spacing;
-            if (MustSay(NoSize, IsEmpty))
+            if (ShouldLog(NoSize, IsEmpty))
                 Say(SizeProblem);
             if (IsEmpty)
                 return false;
@@ -143,7 +143,7 @@ namespace Rill
             if (recycleTo == null)
                 return DrainRegion.NoEmitter;
             bool takes = TargetTakes;
-            if (MustSay(NoTarget, !takes))
+            if (ShouldLog(NoTarget, !takes))
                 Say(TargetProblem);
             return takes ? (uint)recycleTo.Number : DrainRegion.NoEmitter;
         }

@@ -22,7 +22,7 @@ namespace Rill
     {
         /// <summary>A closed stream from the middle of the shape's cross-section, as wide as rate and speed make it.</summary>
         Jet,
-        /// <summary>From all places of the cross-section in turn: a low rate is drops.</summary>
+        /// <summary>From all positions of the cross-section in turn: a low rate is drops.</summary>
         Spray,
         /// <summary>Into the shape's volume, from its bottom up, where there is room.</summary>
         Fill,
@@ -92,8 +92,8 @@ namespace Rill
         [SerializeField] float lifetime;
 
         EmissionClock clock;
-        EmitterPositions places;
-        PlacesKey placesKey;
+        EmitterPositions positions;
+        PositionsKey positionsKey;
         string positionsProblem;
         bool isOn;
         bool saysLast;              // one step after the last tells the GPU that nothing waits any more
@@ -117,8 +117,8 @@ namespace Rill
         /// <summary>Largest angle between a particle's velocity and the axis, degrees.</summary>
         public float Spread { get => spread; set { spread = value; Validate(); } }
         /// <summary>
-        /// Share of the object's own velocity that the fluid takes along, 0 to 1: of its way in the simulation's box since the last
-        /// steps over the time between, and of its turning at the place of the outlet. At most 1000 m/s; nothing after
+        /// Fraction of the object's own velocity that the fluid takes along, 0 to 1: of its path in the simulation's box since the last
+        /// steps over the time between, and of its turning at the outlet. At most 1000 m/s; nothing after
         /// <see cref="FluidPart.Teleport"/>. Out-of-range values are clamped with a warning.
         /// </summary>
         /// <remarks>1 by default: as from a real nozzle, whose jet leaves at rest density however it moves.</remarks>
@@ -192,7 +192,7 @@ namespace Rill
         {
             result = default;
             takenAlong = float3.zero;
-            if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end) || !TryGetPlaces(spacing))
+            if (!TryGetMotion(frame, from, to, out RigidPose start, out RigidPose end) || !TryGetPositions(spacing))
                 return false;
             EmissionClock.Fraction fraction = default;
             double until = End;
@@ -209,7 +209,7 @@ namespace Rill
             result = new EmitterStep
             {
                 number = Number,
-                places = places,
+                positions = positions,
                 start = start,
                 end = end,
                 speed = LeavingSpeed / spacing,
@@ -227,7 +227,7 @@ namespace Rill
             result.Inherit(inheritVelocity, (to - from) * frameTime, MaxSpeed / spacing);
             takenAlong = result.velocity;
             searchSteps = result.StepsOfASearch;
-            if (fraction.due > 0 && MustSay(TooFast, rate > 1.01f * MaxRateOf(spacing, step)))
+            if (fraction.due > 0 && ShouldLog(TooFast, rate > 1.01f * MaxRateOf(spacing, step)))
                 Say(RateProblem(spacing, step));
             return true;
         }
@@ -235,9 +235,9 @@ namespace Rill
         /// <summary>Says once by name what the numbers from the GPU tell.</summary>
         internal void ReportRefused()
         {
-            if (MustSay(Covered, IsCovered))
+            if (ShouldLog(Covered, IsCovered))
                 Say(CoveredProblem);
-            if (MustSay(NoCapacity, Refused > 0))
+            if (ShouldLog(NoCapacity, Refused > 0))
                 Say(CapacityProblem);
         }
 
@@ -245,7 +245,7 @@ namespace Rill
         {
             FindPositions(fluid.ParticleSpacing);
             problems.AddIfAny(positionsProblem != null ? ShapeProblem : null);
-            if (places != null && rate > 1.01f * MaxRateOf(fluid.ParticleSpacing, fluid.FixedStep))
+            if (positions != null && rate > 1.01f * MaxRateOf(fluid.ParticleSpacing, fluid.FixedStep))
                 problems.Add(RateProblem(fluid.ParticleSpacing, fluid.FixedStep));
             problems.AddIfAny(IsCovered ? CoveredProblem : null);
             problems.AddIfAny(Refused > 0 ? CapacityProblem : null);
@@ -290,14 +290,14 @@ namespace Rill
         double MaxRateOf(float spacing, float step)
         {
             double perSecond = Emitters.MaxCandidates / (double)step;
-            if (!places.FillsVolume)
-                perSecond = math.min(perSecond, places.Count * (double)LeavingSpeed / spacing);
+            if (!positions.FillsVolume)
+                perSecond = math.min(perSecond, positions.Count * (double)LeavingSpeed / spacing);
             return perSecond * spacing * spacing * spacing;
         }
 
         string ShapeProblem => positionsProblem + " It lets nothing in.";
 
-        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MaxRateOf(spacing, step):0.######} m³/s do{(places.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
+        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MaxRateOf(spacing, step):0.######} m³/s do{(positions.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
 
         // For so long that what waited first is given up, and every place was tried.
         bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) >= math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f), searchSteps);
@@ -306,18 +306,18 @@ namespace Rill
 
         string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.";
 
-        bool TryGetPlaces(float spacing)
+        bool TryGetPositions(float spacing)
         {
             FindPositions(spacing);
-            if (MustSay(NoShape, positionsProblem != null))
+            if (ShouldLog(NoShape, positionsProblem != null))
                 Say(ShapeProblem);
-            return places != null;
+            return positions != null;
         }
 
         // Looks at the shape again only where something of it has changed.
         void FindPositions(float spacing)
         {
-            var key = new PlacesKey
+            var key = new PositionsKey
             {
                 shape = shape,
                 mode = mode,
@@ -327,15 +327,15 @@ namespace Rill
                 scale = shape == EmitterShape.MeshSurface ? transform.lossyScale : Vector3.one,
                 spacing = spacing,
             };
-            if (key.Equals(placesKey))
+            if (key.Equals(positionsKey))
                 return;
-            placesKey = key;
-            places = EmitterPositions.Of(shape, mode, size, radius, mesh, key.scale, spacing, out positionsProblem);
-            MustSay(NoShape, false);        // another problem is told again
+            positionsKey = key;
+            positions = EmitterPositions.Of(shape, mode, size, radius, mesh, key.scale, spacing, out positionsProblem);
+            ShouldLog(NoShape, false);        // another problem is told again
         }
 
-        // What places are made for.
-        struct PlacesKey
+        // What positions are made for.
+        struct PositionsKey
         {
             public EmitterShape shape;
             public EmitterMode mode;
@@ -343,7 +343,7 @@ namespace Rill
             public float radius, spacing;
             public Mesh mesh;
 
-            public bool Equals(in PlacesKey other) => shape == other.shape && mode == other.mode && size.Equals(other.size) && scale.Equals(other.scale)
+            public bool Equals(in PositionsKey other) => shape == other.shape && mode == other.mode && size.Equals(other.size) && scale.Equals(other.scale)
                 && radius == other.radius && spacing == other.spacing && ReferenceEquals(mesh, other.mesh);
         }
     }

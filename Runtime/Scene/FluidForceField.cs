@@ -109,7 +109,7 @@ namespace Rill
                 return false;
             float3 half = Half / spacing;
             bool bounded = bounds != ForceFieldBounds.None;
-            if (MustSay(NoSize, IsEmpty))
+            if (ShouldLog(NoSize, IsEmpty))
                 Say(SizeProblem);
             if (IsEmpty)
                 return false;

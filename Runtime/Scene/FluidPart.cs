@@ -68,7 +68,7 @@ namespace Rill
         internal virtual void OnRestart() => Teleport();
 
         /// <summary>Whether a problem is there that is yet to be logged: true once for as long as it stays.</summary>
-        private protected bool MustSay(int problem, bool isThere)
+        private protected bool ShouldLog(int problem, bool isThere)
         {
             bool isNew = isThere && (said >> problem & 1) == 0;
             said = isThere ? said | 1 << problem : said & ~(1 << problem);
@@ -77,11 +77,11 @@ namespace Rill
 
         private protected void Say(string problem) => Debug.LogWarning($"Rill: {GetType().Name} '{name}': {problem}", this);
 
-        /// <summary>Where this is and how it is turned in the domain's frame, d; false, and said once, where that is no place.</summary>
+        /// <summary>Where this is and how it is turned in the domain's frame, d; false, and logged once, where that is no place.</summary>
         internal bool TryGetPose(in DomainFrame frame, out PoseInDomain place)
         {
             bool isSomewhere = IsSomewhere();
-            place = isSomewhere ? frame.Place(transform.position, transform.rotation) : default;
+            place = isSomewhere ? frame.ToDomain(transform.position, transform.rotation) : default;
             return isSomewhere;
         }
 
@@ -171,7 +171,7 @@ namespace Rill
         bool IsSomewhere()
         {
             bool isNowhere = !Limit.IsPose(transform.position, transform.rotation);
-            if (MustSay(NoPlace, isNowhere))
+            if (ShouldLog(NoPlace, isNowhere))
                 Say(PoseProblem);
             return !isNowhere;
         }
@@ -192,9 +192,9 @@ namespace Rill
                 StartCoroutine(SayWhileAlone());
                 return;
             }
-            MustSay(NoSimulation, false);
+            ShouldLog(NoSimulation, false);
             attached.Attach(this);
-            if (MustSay(TooMany, Number < 0))
+            if (ShouldLog(TooMany, Number < 0))
                 Say(TooManyProblem);
         }
 
@@ -202,7 +202,7 @@ namespace Rill
         IEnumerator SayWhileAlone()
         {
             yield return null;
-            if (isActiveAndEnabled && MustSay(NoSimulation, attached == null))
+            if (isActiveAndEnabled && ShouldLog(NoSimulation, attached == null))
                 Say(NoSimulationProblem);
         }
 

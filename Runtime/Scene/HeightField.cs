@@ -62,7 +62,7 @@ namespace Rill
         public void Dispose()
         {
             if (Texture != null)
-                UnityEngine.Object.DestroyImmediate(Texture);       // nobody else can hold it
+                UnityEngine.Object.DestroyImmediate(Texture);       // nothing else can hold it
             Texture = null;
         }
 

@@ -7,7 +7,7 @@ namespace Rill
     // What the fluid does to colliders: asked for after the steps of a frame, handed to them when it has come.
     sealed partial class ColliderRegistry
     {
-        // A collider whose sums are on their way.
+        // A collider whose sums are pending.
         struct Taken
         {
             public FluidCollider owner;

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    // The budget: what is chosen in place of the solver's settings while it is on.
+    // The budget: what is chosen instead of the solver's settings while it is on.
     public sealed partial class FluidSimulation
     {
         [Tooltip("GPU time that the fluid may take. When on, substeps, iterations and relaxation are chosen to fit it.")]
@@ -28,7 +28,7 @@ namespace Rill
         /// <summary>What the budget chose, why, and the error that it costs.</summary>
         public BudgetState BudgetState => budgeted != null ? budgeted.State : default;
 
-        /// <summary>Takes the place of the player's own source while the budget is on: for tests. Null is the player's own.</summary>
+        /// <summary>Replaces the player's own source while the budget is on: for tests. Null is the player's own.</summary>
         internal IGpuTimeSource BudgetTime { get; set; }
 
         // Chooses the settings of a frame's steps.

@@ -30,7 +30,7 @@ namespace Rill
             tooManyIsKnown = colliders.LeftOutCount > 0;
         }
 
-        /// <summary>Records the handing over of what the fluid did to colliders, unless earlier sums are on their way.</summary>
+        /// <summary>Records the handing over of what the fluid did to colliders, unless earlier sums are pending.</summary>
         /// <returns>What to request after the commands ran; null for nothing.</returns>
         ColliderReactions TakeReactions()
         {

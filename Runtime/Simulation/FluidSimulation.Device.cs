@@ -12,7 +12,7 @@ namespace Rill
         DeviceFeature wanted;       // of the steps of this frame
         DeviceFeature loggedRefusals;
 
-        /// <summary>Set before it is enabled by tests: limits in place of the device's own, within them.</summary>
+        /// <summary>Set before it is enabled by tests: limits instead of the device's own, within them.</summary>
         internal DeviceLimits? PretendedLimits { get; set; }
 
         /// <summary>Whether the fluid stays empty because the player has no graphics device.</summary>

@@ -19,7 +19,7 @@ namespace Rill
                 throw new InvalidOperationException($"FluidSimulation '{name}' has taken no step yet. Let a frame pass first.");
             if (IsRefused(DeviceFeature.Statistics) || !HasStages(StageSet.Statistics))
                 throw new InvalidOperationException($"FluidSimulation '{name}' cannot be measured: its statistics are not in this build or not for this device. Set Shaders In Build to All Features.");
-            AsyncGPUReadback.WaitAllRequests();     // one that is under way is of an older state
+            AsyncGPUReadback.WaitAllRequests();     // one that is pending is of an older state
             commands.Clear();
             pbf.RecordStatistics(commands, input);
             Graphics.ExecuteCommandBuffer(commands);

@@ -20,7 +20,7 @@ namespace Rill
             rotation = lastTurn;
         }
 
-        /// <summary>Keeps the place for the time when there is none, which is said once until there is one again.</summary>
+        /// <summary>Keeps the place for the time when there is none, which is logged once until there is one again.</summary>
         /// <returns>Whether the box moved from where it was before, and did not come from nowhere.</returns>
         bool FollowTransform()
         {

@@ -7,7 +7,7 @@ namespace Rill
     // What probes and detectors ask of the water: asked for after the steps of a frame, handed to them when it has come.
     public sealed partial class FluidSimulation
     {
-        /// <summary>A frame's questions that are on their way: who asked, where and when.</summary>
+        /// <summary>A frame's questions that are pending: who asked, where and when.</summary>
         sealed class AskedQueries
         {
             public readonly FluidProbe[] probes = new FluidProbe[Queries.MaxProbes];
@@ -26,7 +26,7 @@ namespace Rill
         int queryPartCount;
 
         /// <summary>
-        /// Waits for the GPU and hands all results that are on their way to probes and detectors. For tests and tools in the Editor: it holds
+        /// Waits for the GPU and hands all results that are pending to probes and detectors. For tests and tools in the Editor: it holds
         /// the frame up, and in the game a result that is a few frames old is there without waiting.
         /// </summary>
         public void FlushQueries()

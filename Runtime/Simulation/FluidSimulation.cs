@@ -300,7 +300,7 @@ namespace Rill
         {
             lastFrameTime = FrameTime;
             bool moves = FollowTransform();
-            // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's way back from no place.
+            // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's return from no place.
             float rate = TimeRate();
             if (rate < 1f || !moves)
                 StandStill();

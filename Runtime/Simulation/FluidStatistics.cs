@@ -34,7 +34,7 @@ namespace Rill
             Position,
             /// <summary>and 11, 12</summary>
             Velocity = Position + 3,
-            /// <summary>more than 0.1 d beyond the inset of the walls and of colliders</summary>
+            /// <summary>more than 0.1 d beyond the contact offset of the walls and of colliders</summary>
             Escaped = Velocity + 3,
             /// <summary>particles closer than 0.05 d to another</summary>
             CoincidentPairs,

@@ -10,8 +10,8 @@ namespace Rill
         /// <summary>Most foam particles of one fluid.</summary>
         public const int MaxBudget = 1 << 22;
 
-        /// <summary>Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with what is there, see Budget.</summary>
-        [Tooltip("Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with what is there, see Budget.")]
+        /// <summary>Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with the foam that is alive, see Budget.</summary>
+        [Tooltip("Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with the foam that is alive, see Budget.")]
         [Range(0f, 10f)] public float amount;
 
         /// <summary>Most foam particles at a time, 1 to 4,194,304. Each takes 64 bytes of GPU memory; what does not fit is refused and counted, and none that is there is taken away.</summary>

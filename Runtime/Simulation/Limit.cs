@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Clamps settings and says so.</summary>
+    /// <summary>Clamps settings and reports what it clamped.</summary>
     static class Limit
     {
         /// <summary>Clamps; a value that is no number becomes <paramref name="fallback"/>.</summary>

@@ -28,7 +28,7 @@ namespace Rill
         /// <summary>Makes a readback that has not asked for anything.</summary>
         public ParticleReadback() => onArrived = OnArrived;
 
-        /// <summary>Whether a request is under way; another is refused meanwhile.</summary>
+        /// <summary>Whether a request is pending; another is refused meanwhile.</summary>
         public bool IsPending => Refresh() && isWaiting;
 
         /// <summary>Whether there are particles to read: those of the newest request that arrived. They stay until the next one ends.</summary>
@@ -84,7 +84,7 @@ namespace Rill
             return count;
         }
 
-        /// <summary>Gives the memory back, at any time: a request under way is forgotten.</summary>
+        /// <summary>Gives the memory back, at any time: a pending request is forgotten.</summary>
         public void Dispose()
         {
             if (isDisposed)

@@ -232,10 +232,10 @@ namespace Rill
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
         public bool IsDeep(in StepInput input) => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), coarseCorrection != null);
 
-        /// <summary>Starts the readback of what was measured last; at most one is under way.</summary>
+        /// <summary>Starts the readback of what was measured last; at most one is pending.</summary>
         public void RequestStatistics() => statistics.Request();
 
-        /// <summary>Whether a readback of statistics is under way.</summary>
+        /// <summary>Whether a readback of statistics is pending.</summary>
         public bool StatisticsPending => statistics != null && statistics.IsPending;
 
         /// <summary>The newest statistics that have come back since the last <see cref="Clear"/>.</summary>

@@ -10,12 +10,12 @@ namespace Rill
     {
         const float SamePlace = 1e-3f;      // within which an object is where it was: d in the box, and as many spacings in the world
 
-        [Tooltip("Snapshot that the fluid starts with in place of its volumes. None: the volumes are filled.")]
+        [Tooltip("Snapshot that the fluid starts with instead of its volumes. None: the volumes are filled.")]
         [SerializeField] FluidSnapshotAsset startState;
 
         string startProblem;        // of the newest restart
 
-        /// <summary>Snapshot that a restart begins with in place of the volumes; null for the volumes.</summary>
+        /// <summary>Snapshot that a restart begins with instead of the volumes; null for the volumes.</summary>
         public FluidSnapshotAsset StartState { get => startState; set => startState = value; }
 
         /// <summary>Asks for a snapshot of the present state. It comes two or three frames later; nothing waits for it, and the fluid may go on meanwhile.</summary>
@@ -34,7 +34,7 @@ namespace Rill
         }
 
         /// <summary>
-        /// Puts a snapshot in the place of the present state, at once; the next step goes on from it. Put the box, emitters, drains and
+        /// Replaces the present state by a snapshot, at once; the next step goes on from it. Put the box, emitters, drains and
         /// colliders where they were before you call this: what is where it was goes on moving as it did, anything else begins there at rest.
         /// </summary>
         /// <remarks>
@@ -66,7 +66,7 @@ namespace Rill
             LoadScene(snapshot.Contents);
         }
 
-        // In place of the volumes; false where there is none, or it does not fit.
+        // Instead of the volumes; false where there is none, or it does not fit.
         bool TryStartFromState()
         {
             string before = startProblem;
@@ -92,9 +92,9 @@ namespace Rill
                 if (startState == null)
                     return null;
                 if (!startState.Validate(out string problem))
-                    return $"fills its volumes in place of its start state: {problem}";
+                    return $"fills its volumes instead of its start state: {problem}";
                 problem = pbf != null ? pbf.ProblemOf(startState.Snapshot.Contents) : null;
-                return problem != null ? $"fills its volumes in place of its start state '{startState.name}': {problem}" : null;
+                return problem != null ? $"fills its volumes instead of its start state '{startState.name}': {problem}" : null;
             }
         }
 

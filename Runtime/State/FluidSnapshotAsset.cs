@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>A <see cref="FluidSnapshot"/> as an asset: what a <see cref="FluidSimulation"/> starts with in place of its volumes.</summary>
+    /// <summary>A <see cref="FluidSnapshot"/> as an asset: what a <see cref="FluidSimulation"/> starts with instead of its volumes.</summary>
     [PreferBinarySerialization]
     public sealed class FluidSnapshotAsset : ScriptableObject
     {

@@ -54,7 +54,7 @@ namespace Rill
             Captured++;
         }
 
-        /// <summary>Asks for no more densities. Files on their way are still written.</summary>
+        /// <summary>Asks for no more densities. Pending files are still written.</summary>
         public void Dispose()
         {
             if (disposed)

@@ -68,7 +68,7 @@ namespace Rill
             return null;
         }
 
-        /// <summary>Puts a snapshot in the place of the present state, at once.</summary>
+        /// <summary>Replaces the present state by a snapshot, at once.</summary>
         /// <param name="contents">One that fits, see <see cref="ProblemOf"/>.</param>
         /// <param name="stages">Those that may be made: the scene asks for them, and device and build have them.</param>
         public void Restore(SnapshotContents contents, StageSet stages)

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>A snapshot on its way from the GPU: asks for each buffer as the commands executed so far leave it, and waits for nothing.</summary>
+    /// <summary>A snapshot that comes from the GPU: asks for each buffer as the commands executed so far leave it, and waits for nothing.</summary>
     /// <remarks>A buffer that its owner releases meanwhile is released when all have come: whether Unity brings back one that is gone it does not say.</remarks>
     sealed class SnapshotCapture
     {
@@ -75,7 +75,7 @@ namespace Rill
             CountDown();
         }
 
-        /// <summary>Whether a snapshot that is on its way has a buffer, which its owner gives up by this call.</summary>
+        /// <summary>Whether a snapshot that is pending has a buffer, which its owner gives up by this call.</summary>
         public static bool Keeps(GraphicsBuffer buffer)
         {
             if (!IsPending(buffer))
@@ -84,7 +84,7 @@ namespace Rill
             return true;
         }
 
-        /// <summary>Waits for all that are on their way: as play ends and before scripts are loaded again.</summary>
+        /// <summary>Waits for all that are pending: as play ends and before scripts are loaded again.</summary>
         public static void End()
         {
             for (int i = pending.Count - 1; i >= 0; i--)

@@ -102,7 +102,7 @@ namespace Rill
                 ClockRecord clock = time.clock;
                 Require(time.stepCount >= 0 && IsTime(time.fluidTime) && IsTime(time.lastFrameTime) && IsTime(clock.accumulated) && IsTime(clock.passing) && IsTime(clock.dropped)
                     && IsTime(clock.frameInterval) && IsTime(clock.lag) && IsTime(clock.frameLag) && IsTime(clock.lastFrameLag), "a time is negative or not finite");
-                Require(time.box.IsFinite && IsFinite(time.lastPosition) && IsFinite(time.lastVelocity) && time.lastDuration >= 0f && IsFinite(time.lastDuration), "the place of the box is not finite");
+                Require(time.box.IsFinite && IsFinite(time.lastPosition) && IsFinite(time.lastVelocity) && time.lastDuration >= 0f && IsFinite(time.lastDuration), "the pose of the box is not finite");
             }
             foreach (EmitterRecord emitter in Several<EmitterRecord>(contents, SnapshotSection.Emitters, StepSources.MaxEmitters))
             {
@@ -116,12 +116,12 @@ namespace Rill
                 Require(IsTime(drain.budget), "what a drain may take is negative or not finite");
             }
             foreach (ColliderRecord collider in Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most))
-                Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite, "the place of a collider is not finite");
+                Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite, "the pose of a collider is not finite");
         }
 
         static void CheckPart(in PartRecord part, int most)
         {
-            Require(part.number < most && part.now.IsFinite && part.last.IsFinite, "the number or the place of an emitter or a drain cannot be");
+            Require(part.number < most && part.now.IsFinite && part.last.IsFinite, "the number or the pose of an emitter or a drain cannot be");
         }
 
         static T Single<T>(SnapshotContents contents, SnapshotSection section) where T : struct

@@ -118,7 +118,7 @@ namespace Rill.Samples
                 total = Mathf.Max(total, readback.Count);
                 held = total - readback.Count;
             }
-            fluid.RequestParticles(readback, ParticleFields.Ids);       // false while one is under way
+            fluid.RequestParticles(readback, ParticleFields.Ids);       // false while one is pending
         }
 
         // As many particles as it holds, a spacing apart.

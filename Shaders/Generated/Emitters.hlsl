@@ -2,7 +2,7 @@
 #ifndef RILL_GENERATED_EMITTERS_INCLUDED
 #define RILL_GENERATED_EMITTERS_INCLUDED
 
-static const uint kMaxCandidates = 16384;    // most places that one emitter tries in a step
+static const uint kMaxCandidates = 16384;    // most positions that one emitter tries in a step
 static const float kClearance = 0.7;    // nothing is put nearer to a particle, d
 
 static const float kJitter = 0.02;    // Offset of a particle from its point, spacings: breaks the symmetry that a perfect lattice would keep.

@@ -2,6 +2,6 @@
 #ifndef RILL_GENERATED_PARTICLE_ACCESS_INCLUDED
 #define RILL_GENERATED_PARTICLE_ACCESS_INCLUDED
 static const uint kCopyHeader = 4;    // words before the first field of a copy
-static const uint kNotCopied = 0xFFFFFFFFu;    // in place of the first word of a field that is not copied
+static const uint kNotCopied = 0xFFFFFFFFu;    // instead of the first word of a field that is not copied
 
 #endif

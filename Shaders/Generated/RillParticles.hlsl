@@ -8,6 +8,6 @@ static const uint kRillAlive = 0;    // word of _RillCounters: particles alive
 static const uint kRillMoved = 13;    // word of _RillCounters: particles that took part in the last step, the first of those alive
 static const uint kRillPhaseShift = 24;    // of the phase in a tag
 static const uint kRillTagStepMask = 0x00FFFFFFu;    // bits of a tag that are not the phase
-static const float kRillKilled = -1.0;    // in place of the density of a particle that goes
+static const float kRillKilled = -1.0;    // instead of the density of a particle that goes
 
 #endif

@@ -1,4 +1,4 @@
-// What stands in place of the position of a particle that was taken out and is yet to be left out by the sort.
+// What stands instead of the position of a particle that was taken out and is yet to be left out by the sort.
 #ifndef RILL_REMOVED_MARK_INCLUDED
 #define RILL_REMOVED_MARK_INCLUDED
 

@@ -12,7 +12,7 @@
 static const float kSupportSquared = kSupport * kSupport;
 static const float kCoincident = 1e-8;      // squared distance below which a pair has no direction of its own
 
-static const uint kNewParticle = 0xFFFFFFFFu;  // in place of where a sorted particle was before the sort: it is new since the last step
+static const uint kNewParticle = 0xFFFFFFFFu;  // instead of where a sorted particle was before the sort: it is new since the last step
 
 uint ParticleIndex(uint3 group, uint thread)
 {
@@ -123,7 +123,7 @@ void WallDensity(float3 p, out float density, out float3 gradient)
     gradient = float3(free.y * free.z, free.x * free.z, free.x * free.y) * (lowSlope * (1.0 - high) - highSlope * (1.0 - low));
 }
 
-// In place of what a particle keeps from colliders, d:
+// Instead of what a particle keeps from colliders, d:
 static const float kFar = 1.0;              // none comes near it in the substep
 static const float kNeedsSweep = 2.0;          // one may: CollidePaths finds out
 

@@ -11,7 +11,7 @@ namespace Rill.Editor.Tests
     {
         [TestCase("Clear", "ClearWords", "ClearBlocks", "ClearTriples")]
         [TestCase("CoarseGrid", "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors")]
-        [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveTail")]
+        [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveCoarseLevels")]
         [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "ApplyDeltaP", "ApplyDeltaPWithPressure", "ApplyDeltaPDeep", "ApplyDeltaPDeepWithPressure")]
         [TestCase("ParticleUpload", "Append", "CommitAppend", "Clear")]
         [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
@@ -36,11 +36,11 @@ namespace Rill.Editor.Tests
             }
         }
 
-        // What runs in place of a kernel that this device is too small for.
+        // What runs instead of a kernel that this device is too small for.
         static string StandInFor(ComputeShader shader, string kernel)
         {
             string standIn = shader.HasKernel(kernel + KernelNeed.Small) ? kernel + KernelNeed.Small : kernel + KernelNeed.Narrow;
-            Assert.That(shader.HasKernel(standIn), $"{shader.name} has no kernel for this device in place of {kernel}");
+            Assert.That(shader.HasKernel(standIn), $"{shader.name} has no kernel for this device instead of {kernel}");
             return standIn;
         }
 

@@ -137,7 +137,7 @@ namespace Rill.Tests
             if (readback.HasData)
                 foreach (float3 position in readback.Positions)                 // world space, m
                     highest = Mathf.Max(highest, position.y);
-            fluid.RequestParticles(readback, ParticleFields.Positions);         // false while one is under way
+            fluid.RequestParticles(readback, ParticleFields.Positions);         // false while one is pending
             #endregion
             return highest;
         }

@@ -138,7 +138,7 @@ namespace Host.Assets
             var entry = Entry(prefab, new ReadScope(() => instance));
             if (entry == null) return null;
             if (entry.Extension == ".prefab") return Documents(entry);
-            Note($"{prefab.Place}: {instance} is of {entry.Path}, a model: the host reads no models, so it is left out");
+            Note($"{prefab.Location}: {instance} is of {entry.Path}, a model: the host reads no models, so it is left out");
             return null;
         }
     }

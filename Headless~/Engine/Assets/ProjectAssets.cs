@@ -152,14 +152,14 @@ namespace Host.Assets
             if (BuiltInAssets.IsBuiltIn(reference.Guid))
             {
                 var builtIn = BuiltInAssets.Load(reference.FileId, type);
-                if (builtIn == null) Note($"{reference.Place}: {scope} refers to Unity's built-in {BuiltInAssets.NameOf(reference.FileId)}, which the host does not have: it stays none");
+                if (builtIn == null) Note($"{reference.Location}: {scope} refers to Unity's built-in {BuiltInAssets.NameOf(reference.FileId)}, which the host does not have: it stays none");
                 return builtIn;
             }
             var asset = FindAsset(reference, scope);
             if (asset == null) return null;
             if (asset.Objects.TryGetValue(reference.FileId, out var found)) return Checked(found, reference, type, scope);
             if (!asset.LeftOut.Contains(reference.FileId))
-                Fail($"{reference.Place}: {scope} refers to object {reference.FileId} of {asset.Entry.Path}, which has none with that file id{Objects(asset)}: assign the field again");
+                Fail($"{reference.Location}: {scope} refers to object {reference.FileId} of {asset.Entry.Path}, which has none with that file id{Objects(asset)}: assign the field again");
             return null;
         }
 
@@ -168,7 +168,7 @@ namespace Host.Assets
             var entry = Entry(reference, scope);
             if (entry == null) return null;
             var asset = Load(entry);
-            if (asset == null) Note($"{reference.Place}: {scope} refers to {entry.Path}, a kind of asset that the host does not load: it stays none");
+            if (asset == null) Note($"{reference.Location}: {scope} refers to {entry.Path}, a kind of asset that the host does not load: it stays none");
             return asset;
         }
 
@@ -176,13 +176,13 @@ namespace Host.Assets
         {
             if (!MetaFile.IsGuid(reference.Guid))
             {
-                Fail($"{reference.Place}: {scope} has the guid '{reference.Guid}', which is not 32 lower-case hexadecimal digits: assign the field again");
+                Fail($"{reference.Location}: {scope} has the guid '{reference.Guid}', which is not 32 lower-case hexadecimal digits: assign the field again");
                 return null;
             }
-            if (Index.Doubled(reference.Guid) is string doubled) Fail($"{reference.Place}: {scope} refers to a guid that two assets have. {doubled}");
+            if (Index.Doubled(reference.Guid) is string doubled) Fail($"{reference.Location}: {scope} refers to a guid that two assets have. {doubled}");
             var entry = Index.ByGuid(reference.Guid);
             if (entry == null)
-                Fail($"{reference.Place}: {scope} refers to an asset with guid {reference.Guid} (file id {reference.FileId}), but no .meta file in {string.Join(", ", Index.Mounts.Select(m => m.AssetPath))} has that guid: "
+                Fail($"{reference.Location}: {scope} refers to an asset with guid {reference.Guid} (file id {reference.FileId}), but no .meta file in {string.Join(", ", Index.Mounts.Select(m => m.AssetPath))} has that guid: "
                     + "restore the asset with its .meta file, add the package that holds it, or assign the field again");
             return entry;
         }
@@ -190,7 +190,7 @@ namespace Host.Assets
         public Object Checked(Object found, FileReference reference, Type type, ReadScope scope)
         {
             if (type.IsInstanceOfType(found)) return found;
-            Fail($"{reference.Place}: {scope} is of type {type.Name}, but {reference} is the {found.GetType().Name} '{found.name}': assign an object of that type");
+            Fail($"{reference.Location}: {scope} is of type {type.Name}, but {reference} is the {found.GetType().Name} '{found.name}': assign an object of that type");
             return null;
         }
 
@@ -202,18 +202,18 @@ namespace Host.Assets
         {
             if (script.IsNone)
             {
-                Fail($"{script.Place}: {scope} is missing: restore it or remove the component");
+                Fail($"{script.Location}: {scope} is missing: restore it or remove the component");
                 return null;
             }
             if (BuiltInAssets.IsBuiltIn(script.Guid))
             {
-                Note($"{script.Place}: {scope}: left out, as the host has no script {script.FileId} of Unity's own modules");
+                Note($"{script.Location}: {scope}: left out, as the host has no script {script.FileId} of Unity's own modules");
                 return null;
             }
             if (foreign?.PackageScript(script.Guid) is Type stand) return stand;
             if (Index.ByGuid(script.Guid) == null && ForeignScripts.NameOf(script.Guid) is string name)
             {
-                Note($"{script.Place}: {scope}: left out, as the host has no {name}");
+                Note($"{script.Location}: {scope}: left out, as the host has no {name}");
                 return null;
             }
             var entry = Entry(script, scope);
@@ -221,8 +221,8 @@ namespace Host.Assets
             var type = Scripts.Find(entry, out var problem);
             if (type != null) return type;
             MissingScripts++;
-            if (foreign?.WhyMissing(entry.Path) is string reason) Note($"{script.Place}: {scope}, {entry.Path}, cannot be loaded, so the component is missing: {reason}");
-            else Fail($"{script.Place}: {scope}: {problem}");
+            if (foreign?.WhyMissing(entry.Path) is string reason) Note($"{script.Location}: {scope}, {entry.Path}, cannot be loaded, so the component is missing: {reason}");
+            else Fail($"{script.Location}: {scope}: {problem}");
             return null;
         }
 

@@ -34,7 +34,7 @@ namespace Host.Shaders
                     "-fhlsl_functionality1",        // keeps the semantics' names
                     "-o", output, input,
                 }, out int exitCode);
-                // It leaves out what it cannot translate, says so, and calls that a success.
+                // It leaves out what it cannot translate, reports it, and calls that a success.
                 if (log.Contains("Missing functionality"))
                     throw new ShaderCompileException(entryLine.File, entryLine.Line, $"{entryPoint} uses something that glslang does not translate: {log.Substring(log.IndexOf("Missing functionality", StringComparison.Ordinal)).Split('\n')[0]}");
                 if (exitCode == 0 && File.Exists(output))

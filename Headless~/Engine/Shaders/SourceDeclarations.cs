@@ -42,7 +42,7 @@ namespace Host.Shaders
                     numThreads = false;
                 }
                 if (token.Text == "packoffset")
-                    Place(tokens, i);
+                    Locate(tokens, i);
                 if (token.Text == "GetDimensions" && i > 1 && tokens[i - 1].Is("."))
                     strideQueries.Add(tokens[i - 2].Text);
                 depth += token.Is("{") || token.Is("(") ? 1 : token.Is("}") || token.Is(")") ? -1 : 0;
@@ -62,7 +62,7 @@ namespace Host.Shaders
         public bool Mentions(string word) => words.Contains(word);
 
         // "name[2] : packoffset(c3.y)" at the word.
-        void Place(List<Token> tokens, int at)
+        void Locate(List<Token> tokens, int at)
         {
             const int register = 16, word = 4;
             int name = at - 2;

@@ -16,9 +16,9 @@ namespace Host.Tests
         public void Documents_keep_class_file_id_type_and_line()
         {
             var yaml = Parse("--- !u!1 &10\nGameObject:\n  m_Name: A\n--- !u!4 &-9223372036854775808\nTransform:\n  m_Father: {fileID: 0}\n");
-            Assert.That(yaml.Documents.Select(d => (d.ClassId, d.FileId, d.TypeName, d.Place.Line)),
+            Assert.That(yaml.Documents.Select(d => (d.ClassId, d.FileId, d.TypeName, d.Location.Line)),
                 Is.EqualTo(new[] { (1, 10L, "GameObject", 3), (4, long.MinValue, "Transform", 6) }));
-            Assert.That(yaml.Find(10).Fields["m_Name"].Place.ToString(), Is.EqualTo("Assets/Test.unity(5)"));
+            Assert.That(yaml.Find(10).Fields["m_Name"].Location.ToString(), Is.EqualTo("Assets/Test.unity(5)"));
             Assert.That(yaml.Find(11), Is.Null);
         }
 

@@ -199,7 +199,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void An_exception_is_logged_and_stops_nobody_else()
+        public void An_exception_is_logged_and_stops_nothing_else()
         {
             Thrower thrower = Add<Thrower>("thrower");
             Add<Updater>("a");

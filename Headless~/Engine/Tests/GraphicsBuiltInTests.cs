@@ -40,7 +40,7 @@ namespace Host.Tests
         public void Shader_Find_knows_it(string name) => Assert.That(new Material(Shader.Find(name)).passCount, Is.GreaterThan(0));
 
         [Test]
-        public void Shader_Find_gives_null_for_what_nobody_has() => Assert.That(Shader.Find("Nobody/Has This"), Is.Null);
+        public void Shader_Find_gives_null_for_what_no_one_has() => Assert.That(Shader.Find("Nobody/Has This"), Is.Null);
 
         [TestCase(10303, "Default-Material", "Standard")]
         [TestCase(10302, "Default-Diffuse", "Legacy Shaders/Diffuse")]

@@ -115,7 +115,7 @@ namespace Host.Tests
         {
             GraphicsBuffer buffer = Buffer("Leaving");
             AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(buffer);
-            Refused(() => buffer.Release(), "Leaving", "read-back", "on its way");
+            Refused(() => buffer.Release(), "Leaving", "read-back", "pending");
             request.WaitForCompletion();
             buffer.Release();
         }

@@ -239,7 +239,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_package_that_nobody_asked_for_is_not_there()
+        public void A_package_that_no_one_asked_for_is_not_there()
         {
             Write("Assets/Vectors.cs", "public class Vectors { Unity.Mathematics.float3 v; }");
             Assert.That(Compile().LeftOut.Single().Error, Does.Contain("CS0246").Or.Contain("CS0234"));
@@ -288,7 +288,7 @@ namespace Host.Tests
             Assert.That(stubs.Types, Is.GreaterThan(1500));
             Assert.That(stubs.Members, Is.GreaterThan(10000));
             Assert.That(stubs.Dropped, Is.LessThan(150), "members of the lists that are no C# by themselves");
-            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy mends.txt from {Path.GetDirectoryName(stubs.File)} to Headless~/Engine/Scripts/Stubs/Sources");
+            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy fixes.txt from {Path.GetDirectoryName(stubs.File)} to Headless~/Engine/Scripts/Stubs/Sources");
         }
 
         [Test]
@@ -324,7 +324,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Nobody_touches_the_keyboard_and_nobody_hears_a_sound()
+        public void No_one_touches_the_keyboard_and_no_one_hears_a_sound()
         {
             Write("Assets/Quiet.cs", "using UnityEngine;\npublic static class Quiet { public static string Ask(AudioSource source) { source.volume = 0.25f; source.Play(); return $\"{Input.GetKey(KeyCode.A)} {Input.GetAxis(\"Horizontal\")} {Input.mousePosition} {Input.inputString.Length} {Input.touchCount} {Input.GetJoystickNames().Length} {source.volume}\"; } }");
             ProjectScripts scripts = Compile();

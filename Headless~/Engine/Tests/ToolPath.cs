@@ -13,7 +13,7 @@ namespace Host.Tests
         /// <param name="without">Names of programs.</param>
         public static ToolPath Without(params string[] without) => new ToolPath(without);
 
-        /// <summary>A program that says something and fails in place of the one of that name.</summary>
+        /// <summary>A program that says something and fails instead of the one of that name.</summary>
         public static ToolPath WithFailing(string program)
         {
             var path = new ToolPath(new[] { program });

@@ -83,7 +83,7 @@ namespace Host.UnityApi
             }
         }
 
-        /// <summary>With a type's arguments in place of its parameters.</summary>
+        /// <summary>With a type's arguments instead of its parameters.</summary>
         public static ApiTypeName Substitute(ApiTypeName type, IReadOnlyList<ApiTypeName> arguments) => type.Map(part =>
             part.Form == ApiTypeForm.Parameter && part.Name[0] == '!' && part.Name[1] != '!' && int.TryParse(part.Name.AsSpan(1), out int place) && place < arguments.Count ? arguments[place] : part);
 

@@ -172,7 +172,7 @@ namespace Host.Vulkan
             isRendering = false;
         }
 
-        /// <summary>Orders what the operation touched and makes sure that rendering is under way.</summary>
+        /// <summary>Orders what the operation touched and makes sure that rendering has begun.</summary>
         void ResumePass()
         {
             if (isRendering) { Order(); return; }

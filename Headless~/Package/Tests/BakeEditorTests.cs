@@ -29,7 +29,7 @@ namespace Host.Tests
             MeshSdfSettings settings = MeshSdfSettings.Default;
             settings.resolution = 12;
             BakePlan plan = BakePlan.Of(new Object[] { mesh }, Folder, new MeshAnalyses());
-            plan.Bake(settings, BakeAssign.Nothing, (share, stage) => true);
+            plan.Bake(settings, BakeAssign.Nothing, (fraction, stage) => true);
             return plan.Items[0].Field;
         }
 

@@ -37,7 +37,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void What_the_list_allows_and_nobody_does_is_told() => Assert.That(Examine(new FrameCallsRule()).Faults, Has.Some.Contains("Readback.Complete no longer calls WaitForCompletion"));
+        public void What_the_list_allows_and_no_one_does_is_told() => Assert.That(Examine(new FrameCallsRule()).Faults, Has.Some.Contains("Readback.Complete no longer calls WaitForCompletion"));
 
         [TestCase("counter")]
         [TestCase("cache")]

@@ -50,7 +50,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void What_Unity_has_and_what_nobody_sees_is_no_fault()
+        public void What_Unity_has_and_what_no_one_sees_is_no_fault()
         {
             Offer(@"public class Object { internal void Explode() { } private protected int secret; public static void Destroy(Object obj, float t) { } public static implicit operator bool(Object exists) => true; ~Object() { } public override string ToString() => """"; }
                     class Gadget { public void Run() { } } delegate void Unseen();

@@ -249,7 +249,7 @@ namespace Host.Tests
             Editor editor = Inspect(drain);
             Undo.IncrementCurrentGroup();
             DrawHandles(editor);
-            Assert.That(drain.Size, Is.EqualTo(Vector3.one), "a handle that nobody drags");
+            Assert.That(drain.Size, Is.EqualTo(Vector3.one), "a handle that no one drags");
             PrimitiveBoundsHandle.Drag = handle =>
             {
                 var box = (BoxBoundsHandle)handle;

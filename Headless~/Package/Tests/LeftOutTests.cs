@@ -87,8 +87,8 @@ namespace Host.Tests
                 .Concat(new[] { "Smooth", "RestrictGrid", "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "WithColliders"))).ToArray()),
             ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
             ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
-            ("an emitter", null, Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *", "+1 Rill.Emitters.Places *" }),
-            ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Places *" }),
+            ("an emitter", null, Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *", "+1 Rill.Emitters.Positions *" }),
+            ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Positions *" }),
             ("an emitter with a phase", null, Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), new[]
             {
                 $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}", "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *",

@@ -116,16 +116,16 @@ namespace Host.Tests
 
         [TestCase(0.4f)]
         [TestCase(1f)]
-        public void The_neighbors_mean_is_approached_by_its_fraction(float share)
+        public void The_neighbors_mean_is_approached_by_its_fraction(float fraction)
         {
             StepInput input = Still(relaxation: 0f);        // the passes themselves move nothing
             float4[] positions = Cloud(200);
-            float4[] moved = Play(input, new NeighborMean(share), positions, steps: 1);
+            float4[] moved = Play(input, new NeighborMean(fraction), positions, steps: 1);
             for (int i = 0; i < positions.Length; i++)
             {
                 float3[] neighbors = positions.Where((p, j) => j != i && math.distance(p.xyz, positions[i].xyz) < 2f).Select(p => p.xyz).ToArray();
                 float3 mean = neighbors.Length > 0 ? neighbors.Aggregate((a, b) => a + b) / neighbors.Length : positions[i].xyz;
-                float3 expected = positions[i].xyz + share * (mean - positions[i].xyz);
+                float3 expected = positions[i].xyz + fraction * (mean - positions[i].xyz);
                 Assert.That(math.distance(moved[i].xyz, expected), Is.LessThan(1e-4f), $"particle {i} of {neighbors.Length} neighbors");
             }
         }

@@ -102,15 +102,15 @@ namespace Host.Tests
 
         [TestCase(1.0)]
         [TestCase(0.8)]
-        public void A_bucket_is_as_steep_as_its_rings_and_water_that_turns_slower_is_told_apart(double share)
+        public void A_bucket_is_as_steep_as_its_rings_and_water_that_turns_slower_is_told_apart(double fraction)
         {
             const double speed = 4, depth = 0.6;
-            var rings = Enumerable.Range(0, RotatingBucket.Rings).Select(i => 0.05 + 0.1 * i).Select(r => (r, RotatingBucket.Surface(depth, share * speed, r), share * speed)).ToArray();
+            var rings = Enumerable.Range(0, RotatingBucket.Rings).Select(i => 0.05 + 0.1 * i).Select(r => (r, RotatingBucket.Surface(depth, fraction * speed, r), fraction * speed)).ToArray();
             var bucket = new RotatingBucket { RestDepth = depth };
             bucket.Compare(speed, rings);
-            Assert.That(bucket.Steepness, Is.EqualTo(share * share).Within(1e-6));
+            Assert.That(bucket.Steepness, Is.EqualTo(fraction * fraction).Within(1e-6));
             Assert.That(bucket.OwnSteepness, Is.EqualTo(1).Within(1e-6));
-            Assert.That(bucket.MaxError, Is.EqualTo((1 - share * share) / 2).Within(0.03), "at the wall and in the middle");
+            Assert.That(bucket.MaxError, Is.EqualTo((1 - fraction * fraction) / 2).Within(0.03), "at the wall and in the middle");
 
             var level = new RotatingBucket { RestDepth = depth };
             level.Compare(speed, rings.Select(ring => (ring.r, depth, ring.Item3)).ToArray());

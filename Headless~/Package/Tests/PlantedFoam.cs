@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Host.Tests
 {
-    /// <summary>Foam that a test puts where it wants it, in place of what the water makes.</summary>
+    /// <summary>Foam that a test puts where it wants it, instead of what the water makes.</summary>
     static class PlantedFoam
     {
         /// <summary>A component that makes no foam of its own.</summary>

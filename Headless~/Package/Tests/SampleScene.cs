@@ -35,7 +35,7 @@ namespace Host.Tests
             }
         }
 
-        /// <summary>Loads the scene, in place of what is loaded.</summary>
+        /// <summary>Loads the scene, instead of what is loaded.</summary>
         public void Load() => SceneManager.LoadNow(path, LoadSceneMode.Single);
 
         public void Dispose()

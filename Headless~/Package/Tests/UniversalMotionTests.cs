@@ -122,7 +122,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Where_nobody_asks_there_is_no_pass_and_no_texture([Values("14", "17", "17 by Execute", "17.3")] string version)
+        public void Where_no_one_asks_there_is_no_pass_and_no_texture([Values("14", "17", "17 by Execute", "17.3")] string version)
         {
             BuildFor(version, asks: false);
             PlayMore(3);

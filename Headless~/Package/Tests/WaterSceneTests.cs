@@ -17,7 +17,7 @@ namespace Host.Tests
         const float Nearest = 0.35f;        // d, from the surface of a field: contact keeps 0.5, less what creases leave
 
         [Test]
-        public void The_tap_fills_the_cup_and_nobody_is_in_a_wall()
+        public void The_tap_fills_the_cup_and_no_particle_is_in_a_wall()
         {
             using (new SampleScene("Tap and Basin"))
             {
@@ -87,10 +87,10 @@ namespace Host.Tests
                 int[] down = carried.Where(i => particles[i].x > 0f).ToArray();
                 int up = carried.Length - down.Length;
                 // The buckets' water turns with the wheel: at x it sinks at turn * x.
-                float share = down.Sum(i => -velocities[i].y) / down.Sum(i => turn * (particles[i].x - wheel.position.x));
-                TestContext.WriteLine($"{down.Length} particles go down at {share:0.00} of the wheel's speed, {up} go up");
+                float fraction = down.Sum(i => -velocities[i].y) / down.Sum(i => turn * (particles[i].x - wheel.position.x));
+                TestContext.WriteLine($"{down.Length} particles go down at {fraction:0.00} of the wheel's speed, {up} go up");
                 Assert.That(down.Length, Is.GreaterThan(200), "a bucket holds some 300");
-                Assert.That(share, Is.EqualTo(1f).Within(0.3f));
+                Assert.That(fraction, Is.EqualTo(1f).Within(0.3f));
                 Assert.That(up, Is.LessThan(0.05f * down.Length));
             }
         }

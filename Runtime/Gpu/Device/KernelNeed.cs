@@ -10,7 +10,7 @@ namespace Rill
         /// <summary>Ends the name of a kernel that does the work of another faster where a kernel has more than 8 storage buffers.</summary>
         public const string Wide = "Wide";
 
-        /// <summary>In place of a kernel's name, the vertex stage of a draw shader.</summary>
+        /// <summary>Instead of a kernel's name, the vertex stage of a draw shader.</summary>
         public const string Vertex = "Vertex";
 
         /// <summary>Shader file without its extension.</summary>

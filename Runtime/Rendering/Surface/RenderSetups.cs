@@ -18,7 +18,7 @@ namespace Rill
                 all[i].End();
         }
 
-        /// <summary>In place of an earlier one of the same class.</summary>
+        /// <summary>Instead of an earlier one of the same class.</summary>
         public static void Add(IRenderSetup setup)
         {
             for (int i = all.Count - 1; i >= 0; i--)

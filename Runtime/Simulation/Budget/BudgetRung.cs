@@ -18,7 +18,7 @@ namespace Rill
 
         public BudgetRung WithSubsteps(int substeps) => new BudgetRung(substeps, Iterations, Relaxation, Error);
 
-        /// <summary>These settings in place of those that were asked for.</summary>
+        /// <summary>These settings instead of those that were asked for.</summary>
         public SolverSettings Apply(SolverSettings settings)
         {
             settings.substeps = Substeps;

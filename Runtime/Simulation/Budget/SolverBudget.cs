@@ -5,7 +5,7 @@ namespace Rill
 {
     /// <summary>
     /// GPU time that a fluid's steps may take. Substeps, iterations and relaxation are then chosen, along a measured ladder,
-    /// in place of those of <see cref="SolverSettings"/>.
+    /// instead of those of <see cref="SolverSettings"/>.
     /// </summary>
     [Serializable]
     public struct SolverBudget

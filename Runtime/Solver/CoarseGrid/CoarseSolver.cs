@@ -21,7 +21,7 @@ namespace Rill
         readonly CoarseGrid grid;
         readonly CoarseSolverPath path;
         readonly KernelVariants smooth, restrictGrid, correctAndSmooth;     // with colliders
-        readonly Kernel smoothLevel, correctAndSmoothLevel, restrictLevel, solveTail;
+        readonly Kernel smoothLevel, correctAndSmoothLevel, restrictLevel, solveCoarseLevels;
         GraphicsBuffer smoothed, couplings, residuals, errors, corrections;
 
         /// <param name="grid">With the tail of the path.</param>
@@ -34,7 +34,7 @@ namespace Rill
             smoothLevel = new Kernel(shader, path.Tiled("SmoothLevel"));
             restrictLevel = new Kernel(shader, "RestrictLevel");
             correctAndSmoothLevel = new Kernel(shader, path.Tiled("CorrectAndSmoothLevel"));
-            solveTail = new Kernel(shader, path.Tail);
+            solveCoarseLevels = new Kernel(shader, path.CoarseLevels);
             correctAndSmooth = new KernelVariants(shader, path.Tiled("CorrectAndSmooth"), path.Tiled("CorrectAndSmoothWithColliders"));
             smoothed = GpuBuffer.Structured<float>("Rill.Coarse.Smoothed", grid.Total);
             couplings = GpuBuffer.Structured<float4>("Rill.Coarse.Couplings", grid.LevelCells);
@@ -77,8 +77,8 @@ namespace Rill
                 BindLevels(cmd, restrictLevel.Index);
                 CoarseGrid.Dispatch(cmd, shader, restrictLevel.Index, Children * grid.Cells(level + 1));
             }
-            BindLevels(cmd, solveTail.Index);
-            cmd.DispatchCompute(shader, solveTail.Index, 1, 1, 1);
+            BindLevels(cmd, solveCoarseLevels.Index);
+            cmd.DispatchCompute(shader, solveCoarseLevels.Index, 1, 1, 1);
             for (int level = grid.FirstTailLevel - 1; level >= 1; level--)
                 RecordSmoothLevel(cmd, correctAndSmoothLevel.Index, level);
 
@@ -98,7 +98,7 @@ namespace Rill
                 stage.Kernel("CoarseSolver", restrictLevel.Name, levels * perStep);
                 stage.Kernel("CoarseSolver", correctAndSmoothLevel.Name, levels * perStep);
             }
-            stage.Kernel("CoarseSolver", solveTail.Name, perStep);
+            stage.Kernel("CoarseSolver", solveCoarseLevels.Name, perStep);
             stage.Kernel("CoarseSolver", correctAndSmooth.For(withColliders).Name, perStep);
             stage.Buffer("Rill.Coarse.Smoothed", smoothed);
             stage.Buffer("Rill.Coarse.Couplings", couplings);

@@ -20,13 +20,13 @@ namespace Rill
         public static CoarseSolverPath For(in DeviceLimits limits)
         {
             bool tiles = limits.Holds(File, "Smooth") && limits.Holds(File, "SmoothWithColliders") && limits.Holds(File, "SmoothLevel");
-            return new CoarseSolverPath(!tiles, !limits.Holds(File, "SolveTail"));
+            return new CoarseSolverPath(!tiles, !limits.Holds(File, "SolveCoarseLevels"));
         }
 
         /// <summary>Cells of all levels that the tail holds.</summary>
         public int TailCells => SmallTail ? CoarseGrid.SmallTailCells : CoarseGrid.LargeTailCells;
 
-        public string Tail => SmallTail ? "SolveTail" + KernelNeed.Small : "SolveTail";
+        public string CoarseLevels => SmallTail ? "SolveCoarseLevels" + KernelNeed.Small : "SolveCoarseLevels";
 
         /// <summary>The name of a kernel that works in tiles.</summary>
         public string Tiled(string kernel) => SmallTiles ? kernel + KernelNeed.Small : kernel;

@@ -35,7 +35,7 @@ namespace Rill
         /// <summary>Called with each result when it has come; read it with <see cref="Get"/>.</summary>
         public Action Arrived;
 
-        /// <summary>Whether a result is on its way; sums go on meanwhile.</summary>
+        /// <summary>Whether a result is pending; sums go on meanwhile.</summary>
         public bool IsPending => readback.IsPending;
 
         /// <summary>Fluid time over which the newest result was summed, s; 0 before the first.</summary>
@@ -45,9 +45,9 @@ namespace Rill
         public void Bind(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.Reactions, sums);
 
         /// <summary>Tells of a step that added to the sums.</summary>
-        public void Passed(float stepTime) => time += stepTime;
+        public void AddTime(float stepTime) => time += stepTime;
 
-        /// <summary>Records that sums begin again, as the colliders have other numbers now; what is on its way is dropped.</summary>
+        /// <summary>Records that sums begin again, as the colliders have other numbers now; what is pending is dropped.</summary>
         public void Invalidate(CommandBuffer cmd)
         {
             cmd.SetBufferData(sums, zeros);

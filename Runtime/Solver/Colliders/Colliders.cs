@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Solid colliders: ends ways at surfaces, keeps the particles outside, and adds what lies behind a surface to the density. Made when first needed.</summary>
+    /// <summary>Solid colliders: ends paths at surfaces, keeps the particles outside, and adds what lies behind a surface to the density. Made when first needed.</summary>
     sealed class Colliders : IDisposable
     {
         const float SmallestCell = 4f;          // d
@@ -191,7 +191,7 @@ namespace Rill
         {
             meshes.Dispose();
             heights.Dispose();
-            UnityEngine.Object.DestroyImmediate(noField);       // nobody else can hold it
+            UnityEngine.Object.DestroyImmediate(noField);       // nothing else can hold it
             reactions?.Dispose();
             GpuBuffer.Release(ref constants);
             GpuBuffer.Release(ref states);
@@ -299,7 +299,7 @@ namespace Rill
             if (seenOrder != set.Order)
                 reactions.Invalidate(cmd);
             seenOrder = set.Order;
-            reactions.Passed(timeStep);
+            reactions.AddTime(timeStep);
         }
 
         bool Reserve(int wantedWords)

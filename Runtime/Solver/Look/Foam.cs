@@ -156,7 +156,7 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Asks for the counts as the commands executed so far leave them. Nothing while some are under way.</summary>
+        /// <summary>Asks for the counts as the commands executed so far leave them. Nothing while some are pending.</summary>
         public void Request() => readback.Request();
 
         /// <summary>The newest counts that have come back since the last <see cref="Clear"/>.</summary>

@@ -25,13 +25,13 @@ namespace Rill
         /// <summary>bits of a tag that are not the phase</summary>
         [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const uint TagStepMask = ParticleTags.StepMask;
 
-        /// <summary>in place of the density of a particle that goes</summary>
+        /// <summary>instead of the density of a particle that goes</summary>
         [SharedWithHlsl("RillParticles", Prefix = "Rill")] public const float Killed = -1f;
 
         /// <summary>words before the first field of a copy</summary>
         [SharedWithHlsl("ParticleAccess")] public const int CopyHeader = 4;
 
-        /// <summary>in place of the first word of a field that is not copied</summary>
+        /// <summary>instead of the first word of a field that is not copied</summary>
         [SharedWithHlsl("ParticleAccess")] public const uint NotCopied = uint.MaxValue;
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Kill");

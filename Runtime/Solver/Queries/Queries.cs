@@ -121,7 +121,7 @@ namespace Rill
         /// <summary>columns of a group</summary>
         [SharedWithHlsl("Queries")] const int GroupColumns = 4;
 
-        /// <summary>Requests that may be on their way: an answer to each frame, though it comes some frames later.</summary>
+        /// <summary>Requests that may be pending: an answer to each frame, though it comes some frames later.</summary>
         public const int RingSize = 4;
 
         const int FirstDetectorWord = MaxProbes * ProbeWords;
@@ -157,7 +157,7 @@ namespace Rill
         /// <summary>Called with the slot of each result when it has come; in the order of the requests.</summary>
         public Action<int> Arrived;
 
-        /// <summary>Slot of the next request; -1 while all are under way.</summary>
+        /// <summary>Slot of the next request; -1 while all are pending.</summary>
         public int FreeSlot
         {
             get

@@ -34,7 +34,7 @@ namespace Rill
             BufferClear.Now(histogram);
         }
 
-        /// <summary>Whether a result is on its way; a new one is asked for only after it has come.</summary>
+        /// <summary>Whether a result is pending; a new one is asked for only after it has come.</summary>
         public bool IsPending => readback.IsPending;
 
         /// <summary>Whether <see cref="Latest"/> holds a result of the time since the last <see cref="Invalidate"/>.</summary>

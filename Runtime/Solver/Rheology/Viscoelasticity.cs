@@ -62,7 +62,7 @@ namespace Rill
 
         public static bool IsNeeded(in StepInput input) => input.material.shearModulus > 0f;
 
-        /// <summary>Records how the stretch follows the particles' way in this substep and what its stress does to their velocities.</summary>
+        /// <summary>Records how the stretch follows the particles' path in this substep and what its stress does to their velocities.</summary>
         public void Record(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;

@@ -145,7 +145,7 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
+        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are pending.</summary>
         public void Request() => readback.Request();
 
         /// <summary>Particles that a drain has removed, as far as it has come back since the last <see cref="Clear"/>.</summary>

@@ -40,7 +40,7 @@ namespace Rill
         /// <summary>uint [emitters * <see cref="Words"/>].</summary>
         public GraphicsBuffer Buffer => readback.Buffer;
 
-        /// <summary>No emitter has done anything, and none of what is under way counts.</summary>
+        /// <summary>No emitter has done anything, and none of what is pending counts.</summary>
         public void Clear()
         {
             BufferClear.Now(Buffer);
@@ -53,7 +53,7 @@ namespace Rill
         /// <summary>One emitter has done nothing: its number goes to another.</summary>
         public void Invalidate(int emitter) => readback.Zero(emitter * Words, Words);
 
-        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are under way.</summary>
+        /// <summary>Asks for the numbers as the commands executed so far leave them. Nothing while some are pending.</summary>
         public void Request() => readback.Request();
 
         /// <summary>The newest number that has come back since the last <see cref="Clear"/>; 0 before the first.</summary>

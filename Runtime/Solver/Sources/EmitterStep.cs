@@ -7,7 +7,7 @@ namespace Rill
     {
         /// <summary>Its number, below <see cref="StepSources.MaxEmitters"/>.</summary>
         public int number;
-        public EmitterPositions places;
+        public EmitterPositions positions;
         /// <summary>At the start and at the end of the step.</summary>
         public RigidPose start, end;
         /// <summary>d/s, along each place's direction of flow.</summary>
@@ -21,9 +21,9 @@ namespace Rill
         public uint firstSerial;
         /// <summary>At the end of the step, s, since the first particle due was emitted; and the time between two.</summary>
         public float firstAge, interval;
-        /// <summary>Places of the cross-section that are filled in turn, 1 to the number of places.</summary>
+        /// <summary>Positions of the cross-section that are filled in turn, 1 to the number of positions.</summary>
         public int layerPositions;
-        /// <summary>Places tried in this step, 1 to <see cref="Emitters.MaxCandidates"/>.</summary>
+        /// <summary>Positions tried in this step, 1 to <see cref="Emitters.MaxCandidates"/>.</summary>
         public int candidates;
         /// <summary>Particles that wait for room at most; what is beyond is given up.</summary>
         public int maxWaiting;
@@ -43,13 +43,13 @@ namespace Rill
             return (uint)phase << ParticleTags.PhaseShift | math.max(last, 1u);
         }
 
-        /// <summary>Chooses the places that a step tries, from the particles a second that are asked for.</summary>
+        /// <summary>Chooses the positions that a step tries, from the particles a second that are asked for.</summary>
         /// <param name="perSecond">Particles a second.</param>
         /// <param name="step">Length of the step, s.</param>
         public void ChoosePositions(float perSecond, float step)
         {
-            int count = places.Count;
-            if (places.FillsVolume)
+            int count = positions.Count;
+            if (positions.FillsVolume)
             {
                 layerPositions = count;
                 candidates = math.min(count, Emitters.MaxCandidates);
@@ -58,7 +58,7 @@ namespace Rill
             // So many that they fill a layer in the time in which it moves on by a spacing: the flow is as wide as it needs
             // to be at rest density, and no wider.
             float needed = math.ceil(perSecond / speed - 1e-3f);
-            layerPositions = places.UsesAllPositions ? count : (int)math.clamp(needed, 1f, count);
+            layerPositions = positions.UsesAllPositions ? count : (int)math.clamp(needed, 1f, count);
             candidates = (int)math.min(math.ceil(count * speed * step) + 1f, Emitters.MaxCandidates);
         }
 
@@ -72,14 +72,14 @@ namespace Rill
             turn = turn.w < 0f ? -turn : turn;
             float angle = 2f * math.atan2(math.length(turn.xyz), turn.w);
             velocity = fraction * AtMost((end.position - start.position) / duration, most);
-            spin = fraction * AtMost(math.normalizesafe(turn.xyz) * (angle / duration), most / math.max(places.Radius, 1f));
+            spin = fraction * AtMost(math.normalizesafe(turn.xyz) * (angle / duration), most / math.max(positions.Radius, 1f));
         }
 
         /// <summary>Steps until every place was tried where none has room: the first tries those that the flow would use.</summary>
-        public int StepsOfASearch => 1 + (places.Count + candidates - 1) / candidates;
+        public int StepsOfASearch => 1 + (positions.Count + candidates - 1) / candidates;
 
         /// <summary>Radius of a ball around the end's position that holds all that this step can emit, d.</summary>
-        public float Reach(float step) => places.Radius + (speed + math.length(velocity) + math.length(spin) * places.Radius) * step + math.distance(start.position, end.position) + 1f;
+        public float Reach(float step) => positions.Radius + (speed + math.length(velocity) + math.length(spin) * positions.Radius) * step + math.distance(start.position, end.position) + 1f;
 
         static float3 AtMost(float3 vector, float length)
         {

@@ -13,7 +13,7 @@ namespace Rill
     /// </remarks>
     sealed class Emitters : IDisposable
     {
-        /// <summary>most places that one emitter tries in a step</summary>
+        /// <summary>most positions that one emitter tries in a step</summary>
         [SharedWithHlsl("Emitters")] public const int MaxCandidates = 16384;
 
         /// <summary>nothing is put nearer to a particle, d</summary>
@@ -88,8 +88,8 @@ namespace Rill
             description.Kernel("Emitters", stage.emit.Name, sources.emitterCount, variant);
             description.Buffer("Rill.Emitters.States", stage.States.Buffer);
             description.Buffer("Rill.Emitters.Free", stage.free);
-            foreach (GraphicsBuffer places in stage.positionBuffers)
-                description.Buffer("Rill.Emitters.Places", places);
+            foreach (GraphicsBuffer positions in stage.positionBuffers)
+                description.Buffer("Rill.Emitters.Positions", positions);
             return description;
         }
 
@@ -103,9 +103,9 @@ namespace Rill
             ref EmitterStep emitter = ref step.Input.sources.emitters[index];
             float duration = step.Input.timeStep;
             RecordParameters(cmd, emitter, duration, SeesNew(step.Input.sources, index, duration), stepIndex);
-            GraphicsBuffer places = PositionsOf(emitter);
+            GraphicsBuffer positions = PositionsOf(emitter);
 
-            cmd.SetComputeBufferParam(shader, find, Ids.Places, places);
+            cmd.SetComputeBufferParam(shader, find, Ids.EmitterPositions, positions);
             cmd.SetComputeBufferParam(shader, find, Ids.CellStarts, step.Search.CellStarts);
             cmd.SetComputeBufferParam(shader, find, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, find, Ids.Free, free);
@@ -113,7 +113,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, find, Ids.Counters, particles.Counters);
             cmd.DispatchCompute(shader, find, ParticleBuffers.Groups(emitter.candidates), 1, 1);
 
-            cmd.SetComputeBufferParam(shader, emit, Ids.Places, places);
+            cmd.SetComputeBufferParam(shader, emit, Ids.EmitterPositions, positions);
             cmd.SetComputeBufferParam(shader, emit, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, emit, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, emit, Ids.ParticleIds, particles.Ids);
@@ -141,10 +141,10 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.Due, emitter.due);
             cmd.SetComputeIntParam(shader, Ids.FirstSerial, (int)emitter.firstSerial);
             cmd.SetComputeIntParam(shader, Ids.LayerPositions, emitter.layerPositions);
-            cmd.SetComputeIntParam(shader, Ids.PositionCount, emitter.places.Count);
+            cmd.SetComputeIntParam(shader, Ids.PositionCount, emitter.positions.Count);
             cmd.SetComputeIntParam(shader, Ids.Candidates, emitter.candidates);
             cmd.SetComputeIntParam(shader, Ids.MaxWaiting, emitter.maxWaiting);
-            cmd.SetComputeIntParam(shader, Ids.Fills, emitter.places.FillsVolume ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.Fills, emitter.positions.FillsVolume ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.SeesNew, seesNew ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.IsLast, emitter.isLast ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.Tag, (int)emitter.TagIn(stepIndex));
@@ -177,18 +177,18 @@ namespace Rill
         GraphicsBuffer PositionsOf(in EmitterStep emitter)
         {
             ref GraphicsBuffer buffer = ref positionBuffers[emitter.number];
-            if (uploaded[emitter.number] == emitter.places)
+            if (uploaded[emitter.number] == emitter.positions)
                 return buffer;
             GpuBuffer.Release(ref buffer);
-            buffer = GpuBuffer.Structured<float4>("Rill.Emitters.Places", emitter.places.Data.Length);
-            buffer.SetData(emitter.places.Data);
-            uploaded[emitter.number] = emitter.places;
+            buffer = GpuBuffer.Structured<float4>("Rill.Emitters.Positions", emitter.positions.Data.Length);
+            buffer.SetData(emitter.positions.Data);
+            uploaded[emitter.number] = emitter.positions;
             return buffer;
         }
 
         static class Ids
         {
-            public static readonly int Places = Shader.PropertyToID("_EmitterPositions");
+            public static readonly int EmitterPositions = Shader.PropertyToID("_EmitterPositions");
             public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
             public static readonly int Positions = Shader.PropertyToID("_Positions");
             public static readonly int Velocities = Shader.PropertyToID("_Velocities");

@@ -22,7 +22,7 @@ bool IsNear(float3 p)
     return bits != 0;
 }
 
-// Whether a collider comes near a way.
+// Whether a collider comes near a path.
 bool MayHit(float3 from, float3 to)
 {
     float3 path = to - from;

@@ -1,4 +1,4 @@
-// What the colliders near a particle do to it: density, contact, the way that a path can go. Include after Colliders.hlsl.
+// What the colliders near a particle do to it: density, contact, the path that a particle can take. Include after Colliders.hlsl.
 #ifndef RILL_COLLIDER_CONTACTS_INCLUDED
 #define RILL_COLLIDER_CONTACTS_INCLUDED
 
@@ -152,7 +152,7 @@ Surroundings FindSurroundings(float3 p)
     float free = 1.0;
     Surfaces surfaces = (Surfaces)0;
     float4 apart = 0.0;         // gradient and density of the bodies, each for itself
-    bool isBeside = false;
+    bool touches = false;
     uint cell = ColliderCell(p);
     for (uint word = 0; word < _ColliderWords; word++)
     {
@@ -168,9 +168,9 @@ Surroundings FindSurroundings(float3 p)
             }
             if (contact.w < kSupport && (collider.flags & kContributesDensity) != 0)
             {
-                if (!isBeside)
+                if (!touches)
                     surfaces = WallSurfaces(p, free);
-                isBeside = true;
+                touches = true;
                 float4 own, behind;
                 ColliderDensity(collider, p, contact, own, behind);
                 AddSurface(surfaces, contact.xyz, behind);
@@ -179,7 +179,7 @@ Surroundings FindSurroundings(float3 p)
         }
     }
     result.boundary = 0.0;
-    if (isBeside)
+    if (touches)
     {
         // Bodies side by side add up. Where they add up to more than lies behind their surfaces, they lie in the same place.
         float4 all = BehindAny(surfaces);
@@ -191,7 +191,7 @@ Surroundings FindSurroundings(float3 p)
 
 // ---- staying outside
 
-// The deepest of the colliders that p is nearer to than 'inset'.
+// The deepest of the colliders that p is nearer to than 'contactOffset'.
 uint Deepest(float3 p, float contactOffset, out float4 contact)
 {
     contact = float4(0.0, 1.0, 0.0, contactOffset);
@@ -224,7 +224,7 @@ float3 PushOut(float3 p, float4 contact, float contactOffset)
     return normal * min((contactOffset - contact.w) / steepness, kMaxPushOut * rsqrt(steepness));
 }
 
-// Moves p out of what is nearer than 'inset', to where what is around it is found; 'by' is the collider that moved it last.
+// Moves p out of what is nearer than 'contactOffset', to where what is around it is found; 'by' is the collider that moved it last.
 Surroundings Depenetrate(inout float3 p, float contactOffset, inout uint by)
 {
     Surroundings around;
@@ -247,20 +247,20 @@ Surroundings Depenetrate(inout float3 p, float contactOffset, inout uint by)
 static const float kShortestStep = 0.25;    // d, along a path
 static const uint kMaxSteps = 1024;        // a longer path ends there, as if it were stopped
 
-// Whether the way from a to b, in the collider's own frame, comes nearer than kContactOffset, and after which fraction of it. One that
+// Whether the path from a to b, in the collider's own frame, comes nearer than kContactOffset, and after which fraction of it. One that
 // starts nearer than that, 'start' away, may go on as long as it gets no nearer.
 bool Trace(Collider collider, float3 a, float3 b, out float fraction, out float start)
 {
     fraction = 0.0;
-    float way = length(b - a);
+    float path = length(b - a);
     float distance = MinDistance(collider, a);
     start = SurfaceDistance(collider, a, distance);
     float least = min(kContactOffset, start - kTouching);
-    if (distance >= kContactOffset + way)
+    if (distance >= kContactOffset + path)
         return false;
     for (uint i = 0; i < kMaxSteps; i++)
     {
-        fraction = min(fraction + max(distance - kContactOffset, kShortestStep) / max(way, 1e-6), 1.0);
+        fraction = min(fraction + max(distance - kContactOffset, kShortestStep) / max(path, 1e-6), 1.0);
         float3 place = lerp(a, b, fraction);
         distance = MinDistance(collider, place);
         if (distance < least && SurfaceDistance(collider, place, distance) < least)
@@ -271,20 +271,20 @@ bool Trace(Collider collider, float3 a, float3 b, out float fraction, out float 
     return true;
 }
 
-// The first collider that stops the way from a to b, or kNoCollider, and the distance of the nearest at its start. While 'moving',
-// the way is that of the substep, under which the colliders move; else they are where they end.
+// The first collider that stops the path from a to b, or kNoCollider, and the distance of the nearest at its start. While 'moving',
+// the path is that of the substep, under which the colliders move; else they are where they end.
 uint FirstHit(float3 a, float3 b, bool moving, out float fraction, out float nearest)
 {
     fraction = 1.0;
     nearest = kSupport;
     uint first = kNoCollider;
-    float3 way = b - a;
-    uint places = uint(length(way) * _InverseColliderCellSize) + 2;
+    float3 path = b - a;
+    uint samples = uint(length(path) * _InverseColliderCellSize) + 2;
     for (uint word = 0; word < _ColliderWords; word++)
     {
         uint bits = 0;
-        for (uint place = 0; place < places; place++)
-            bits |= _ColliderMasks[ColliderCell(a + way * (place / (places - 1.0))) + word];
+        for (uint s = 0; s < samples; s++)
+            bits |= _ColliderMasks[ColliderCell(a + path * (s / (samples - 1.0))) + word];
         for (; bits != 0; bits &= bits - 1)
         {
             uint index = word * 32 + firstbitlow(bits);

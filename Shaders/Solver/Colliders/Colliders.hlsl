@@ -77,7 +77,7 @@ float4 BoxDistance(float3 p, float3 halfSides)
     return float4(side * face, nearest);
 }
 
-// Place in the atlas of the collider's shape.
+// Position in the atlas of the collider's shape.
 float3 FieldPosition(Collider collider, float3 p)
 {
     return collider.fieldCenter + p * collider.fieldScale;

@@ -61,7 +61,7 @@ void VisitList(inout Sums sums, Particle particle, Mirror mirror)
     uint4 next = NeighborBlock(i, base, first < count ? first : 0);
     for (uint k = first; k < count; k += 4 * kLanes)
     {
-        // All loads of four neighbors are under way before anything is done with it, and so is the list of the next four.
+        // All loads of four neighbors are in flight before anything is done with it, and so is the list of the next four.
         uint4 block = next;
         next = NeighborBlock(i, base, k + 4 * kLanes < count ? k + 4 * kLanes : k);
         uint4 others[4];

@@ -1,7 +1,7 @@
 // The neighbor lists: built once a substep within the list radius, read by every pass.
 //
 // Entries lie in blocks of four. Block b of particle i lies at (i / 32) * 32 * blocks + b * 32 + i % 32: the blocks of 32
-// particles are adjacent, so that a wave reads whole cache lines, and four neighbors are under way at a time. One Direct3D
+// particles are adjacent, so that a wave reads whole cache lines, and four neighbors are in flight at a time. One Direct3D
 // resource ends at 2 GB; with RILL_TWO_LISTS the particles from _FirstListParticles on have theirs in a second buffer.
 #ifndef RILL_NEIGHBOR_LIST_INCLUDED
 #define RILL_NEIGHBOR_LIST_INCLUDED

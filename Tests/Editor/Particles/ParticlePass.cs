@@ -31,7 +31,7 @@ namespace Rill.Editor.Tests
 
         public FluidParticles Particles => Scene.Fluid.TryGetParticles(out FluidParticles particles) ? particles : throw new InvalidOperationException("not running");
 
-        /// <summary>Runs a kernel before each step from now on, in place of the last.</summary>
+        /// <summary>Runs a kernel before each step from now on, instead of the last.</summary>
         public ParticlePass Before(string kernel, Vector3 center, float radius, Vector3 vector = default, int phase = 0)
         {
             End();

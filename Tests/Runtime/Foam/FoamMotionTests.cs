@@ -102,7 +102,7 @@ namespace Rill.Tests
             using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f), Gravity))
             {
                 stage.Plant((new float3(12f, 18f, 12f), float3.zero, FoamKinds.Spray, 100f)).Step(10);
-                Assert.That(FoamStage.Kind(stage.Read().Single()), Is.EqualTo(FoamKinds.Spray), "on its way down");
+                Assert.That(FoamStage.Kind(stage.Read().Single()), Is.EqualTo(FoamKinds.Spray), "as it falls");
                 stage.Step(30);
                 FoamParticle foam = stage.Read().Single();
                 Assert.That(FoamStage.Kind(foam), Is.EqualTo(FoamKinds.Foam));

@@ -56,7 +56,7 @@ namespace Rill.Tests
             return this;
         }
 
-        /// <summary>Puts particles in place of those that are there.</summary>
+        /// <summary>Puts particles instead of those that are there.</summary>
         public FoamStage Plant(params (float3 position, float3 velocity, FoamKinds kind, float lifetime)[] foam)
         {
             Plant(Foam, foam);

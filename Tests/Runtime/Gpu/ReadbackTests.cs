@@ -41,7 +41,7 @@ namespace Rill.Tests
             readback.Request();
             readback.Dispose();
             readback.Dispose();
-            Assert.That(buffer.IsValid(), "while it is on its way");
+            Assert.That(buffer.IsValid(), "while it is pending");
             for (int frame = 0; frame < 30 && PendingReadbacks.Count > 0; frame++)
                 yield return null;
             Assert.That(buffer.IsValid(), Is.False, "when it has come");

@@ -7,17 +7,17 @@ namespace Rill.Tests.Reference
     /// <summary>ImplicitViscosity.compute pair by pair in double precision, solved until nothing is left to solve. Lengths in d.</summary>
     sealed class Viscosity
     {
-        readonly double3[] places;
+        readonly double3[] positions;
         readonly int[][] neighbors;
         readonly double[] coefficients;
 
-        /// <param name="places">In any order.</param>
+        /// <param name="positions">In any order.</param>
         /// <param name="neighbors">Within the support radius.</param>
-        public Viscosity(double3[] places, int[][] neighbors)
+        public Viscosity(double3[] positions, int[][] neighbors)
         {
-            this.places = places;
+            this.positions = positions;
             this.neighbors = neighbors;
-            coefficients = places.Select((_, i) => 1.0 / Math.Max(Math.Max(Sum(i, 4) + Surface(i), 0.25 * OnLattice(4)), 0.5 * OnLattice(4) / OnLattice(2) * Sum(i, 2))).ToArray();
+            coefficients = positions.Select((_, i) => 1.0 / Math.Max(Math.Max(Sum(i, 4) + Surface(i), 0.25 * OnLattice(4)), 0.5 * OnLattice(4) / OnLattice(2) * Sum(i, 2))).ToArray();
         }
 
         /// <summary>Velocities v' of v' − s L v' = v.</summary>
@@ -47,10 +47,10 @@ namespace Rill.Tests.Reference
         public double3[] Apply(double3[] velocities, double strength)
         {
             var image = velocities.ToArray();
-            for (int i = 0; i < places.Length; i++)
+            for (int i = 0; i < positions.Length; i++)
                 foreach (int j in neighbors[i])
                 {
-                    double3 difference = places[i] - places[j];
+                    double3 difference = positions[i] - positions[j];
                     double weight = 15.0 * strength * (coefficients[i] + coefficients[j]) * Weight(math.length(difference));
                     image[i] -= weight * math.dot(velocities[j] - velocities[i], difference) * difference;
                 }
@@ -59,7 +59,7 @@ namespace Rill.Tests.Reference
 
         double3[] Without(double3[] velocities, double3[] solution, double strength) => Apply(solution, strength).Zip(velocities, (image, v) => v - image).ToArray();
 
-        double Sum(int i, int power) => neighbors[i].Sum(j => Weight(math.distance(places[i], places[j])) * Math.Pow(math.distance(places[i], places[j]), power));
+        double Sum(int i, int power) => neighbors[i].Sum(j => Weight(math.distance(positions[i], positions[j])) * Math.Pow(math.distance(positions[i], positions[j]), power));
 
         // So the outermost layer of the cubic lattice shears as the layers inside: its Σ w x²z² is 39/44 of theirs.
         double Surface(int i)
@@ -67,7 +67,7 @@ namespace Rill.Tests.Reference
             var lean = new double3(0.0);
             foreach (int j in neighbors[i])
             {
-                double3 difference = places[i] - places[j];
+                double3 difference = positions[i] - positions[j];
                 lean += Weight(math.length(difference)) * math.dot(difference, difference) * difference;
             }
             return 3.4374304163883367 * Math.Max(math.dot(lean, lean) / Math.Max(Sum(i, 2), 1e-6) - 0.008 * Sum(i, 4), 0.0);

@@ -96,7 +96,7 @@ namespace Rill.Tests
             return bath.Height;
         }
 
-        /// <summary>A body and its water, and the forces that are on their way.</summary>
+        /// <summary>A body and its water, and the forces that are pending.</summary>
         sealed class Bath
         {
             readonly ColliderShape shape;

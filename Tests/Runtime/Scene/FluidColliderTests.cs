@@ -134,7 +134,7 @@ namespace Rill.Tests
             LogAssert.Expect(LogType.Error, new Regex("'Water' takes 256 colliders at a time; 2 more .* 'Ball 256' first"));
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.ColliderCount, Is.EqualTo(ColliderSet.Most));
-            simulation.Advance(simulation.FixedStep);       // said once
+            simulation.Advance(simulation.FixedStep);       // logged once
         }
 
         [Test]

@@ -128,9 +128,9 @@ namespace Rill.Tests
                 AsyncGPUReadback.WaitAllRequests();
                 scene.Step(20);
                 scene.Fluid.Restart();
-                FluidStatistics anew = scene.Step().AssertConserved();
-                Assert.That(anew.added, Is.EqualTo(800));
-                Assert.That(anew.drained + anew.emitted, Is.LessThan(60));
+                FluidStatistics again = scene.Step().AssertConserved();
+                Assert.That(again.added, Is.EqualTo(800));
+                Assert.That(again.drained + again.emitted, Is.LessThan(60));
             }
         }
 

@@ -30,7 +30,7 @@ namespace Rill.Tests
                 Assert.That(readback.IsPending);
                 Assert.That(readback.HasData, Is.False);
                 Assert.That(readback.Outcome, Is.EqualTo(ReadbackOutcome.None));
-                Assert.That(scene.Fluid.RequestParticles(readback), Is.False, "one is under way");
+                Assert.That(scene.Fluid.RequestParticles(readback), Is.False, "one is pending");
                 Matrix4x4 toWorld = scene.Fluid.DomainToWorld;
                 ParticleState state = scene.Read();
                 uint[] tags = GpuTest.Read<uint>(scene.Fluid.Solver.Tags, state.Count);

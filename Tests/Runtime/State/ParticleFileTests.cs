@@ -43,7 +43,7 @@ namespace Rill.Tests
                     scene.Step();
                     sequence.Capture();
                     Assert.That(sequence.Written, Is.Zero, "nothing waited for");
-                    scene.Fluid.enabled = false;        // what is on its way comes all the same
+                    scene.Fluid.enabled = false;        // what is pending comes all the same
                     for (int frame = 0; frame < 30 && sequence.Written < 2; frame++)
                         yield return null;
                     Assert.That((sequence.Captured, sequence.Written, sequence.Problem), Is.EqualTo((2, 2, (string)null)));

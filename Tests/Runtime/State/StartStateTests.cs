@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>A snapshot as an asset, with which a fluid starts in place of its volumes.</summary>
+    /// <summary>A snapshot as an asset, with which a fluid starts instead of its volumes.</summary>
     public class StartStateTests
     {
         static readonly Vector3 Box = new Vector3(1f, 1f, 0.8f);
@@ -50,7 +50,7 @@ namespace Rill.Tests
             using (var scene = new SourceScene(Box, 0.04f, 4000))
             {
                 scene.Fluid.StartState = asset;
-                LogAssert.Expect(LogType.Error, new Regex("fills its volumes in place of its start state 'Fluid Snapshot'.*Set the Particle Spacing to 0.05"));
+                LogAssert.Expect(LogType.Error, new Regex("fills its volumes instead of its start state 'Fluid Snapshot'.*Set the Particle Spacing to 0.05"));
                 scene.Fill(0.1f);
                 Assert.That(scene.Count(ParticleCounter.Alive), Is.GreaterThan(0));
                 scene.Fluid.Restart();      // logged once

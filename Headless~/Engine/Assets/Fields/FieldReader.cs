@@ -66,7 +66,7 @@ namespace Host.Assets
             // What the host's engine leaves out of its own classes is no fault of the project.
             foreach (var entry in source.Entries)
                 if (!Bookkeeping.Contains(entry.Key) && !fields.Any(f => f.IsNamed(entry.Key)) && !FieldMap.IsEngine(type) && !FieldMap.StandsForPackage(type))
-                    warn($"{entry.Value.Place}: {scope}: {type.Name} has no serialized field '{entry.Key}'; a renamed one needs [FormerlySerializedAs(\"{entry.Key}\")], otherwise save the file again");
+                    warn($"{entry.Value.Location}: {scope}: {type.Name} has no serialized field '{entry.Key}'; a renamed one needs [FormerlySerializedAs(\"{entry.Key}\")], otherwise save the file again");
         }
 
         /// <summary>False after a message, when the value does not fit and the field keeps what it had.</summary>
@@ -114,7 +114,7 @@ namespace Host.Assets
 
         bool Misfit(Type type, YamlNode node, ReadScope scope)
         {
-            fail($"{node.Place}: {scope} is of type {type.Name}, but the file has {node.Kind}");
+            fail($"{node.Location}: {scope} is of type {type.Name}, but the file has {node.Kind}");
             return false;
         }
 
@@ -153,13 +153,13 @@ namespace Host.Assets
                 case TypeCode.Char: return checked16(scalar, 0, char.MaxValue, v => (char)v);
                 case TypeCode.SByte: return checked16(scalar, sbyte.MinValue, byte.MaxValue, v => unchecked((sbyte)v));
                 case TypeCode.Byte: return checked16(scalar, sbyte.MinValue, byte.MaxValue, v => unchecked((byte)v));
-                default: throw scalar.Place.Error($"the host reads no {type.Name}");
+                default: throw scalar.Location.Error($"the host reads no {type.Name}");
             }
 
             static object checked16(YamlScalar scalar, long low, long high, Func<long, object> cast)
             {
                 var number = scalar.ToLong();
-                return number >= low && number <= high ? cast(number) : throw scalar.Place.Error($"{number} does not lie between {low} and {high}");
+                return number >= low && number <= high ? cast(number) : throw scalar.Location.Error($"{number} does not lie between {low} and {high}");
             }
         }
 
@@ -209,7 +209,7 @@ namespace Host.Assets
             if (id < 0) return null;
             var found = ManagedObject(id, node, scope);
             if (found == null || type.IsInstanceOfType(found)) return found;
-            fail($"{node.Place}: {scope} is of type {type.Name}, but the referenced object {id} is a {found.GetType().Name}");
+            fail($"{node.Location}: {scope} is of type {type.Name}, but the referenced object {id} is a {found.GetType().Name}");
             return null;
         }
 
@@ -219,14 +219,14 @@ namespace Host.Assets
             var entry = managedSource?.Items("RefIds").FirstOrDefault(r => r["rid"] is YamlScalar rid && rid.ToLong() == id);
             if (entry == null)
             {
-                fail($"{at.Place}: {scope}: no object {id} under 'references' of this document");
+                fail($"{at.Location}: {scope}: no object {id} under 'references' of this document");
                 return null;
             }
             var name = entry["type"];
             var type = findManagedType(name.Text("class"), name.Text("ns"), name.Text("asm"));
             if (type == null)
             {
-                fail($"{entry.Place}: {scope}: the type {name.Text("ns")}.{name.Text("class")} of assembly {name.Text("asm")} does not exist: a moved one needs [MovedFrom]");
+                fail($"{entry.Location}: {scope}: the type {name.Text("ns")}.{name.Text("class")} of assembly {name.Text("asm")} does not exist: a moved one needs [MovedFrom]");
                 return null;
             }
             var value = managed[id] = New(type);

@@ -15,9 +15,9 @@ namespace Host.Assets
         /// <exception cref="AssetException">The mesh is compressed, or its data is shorter than it says.</exception>
         public static Mesh Make(YamlMapping fields)
         {
-            if (fields.Int("m_MeshCompression") != 0) throw fields.Place.Error("the mesh is compressed, which the host does not read: set its mesh compression to Off");
+            if (fields.Int("m_MeshCompression") != 0) throw fields.Location.Error("the mesh is compressed, which the host does not read: set its mesh compression to Off");
             var mesh = new Mesh { indexFormat = (IndexFormat)fields.Int("m_IndexFormat") };
-            var vertices = new VertexData(fields["m_VertexData"] ?? throw fields.Place.Error("the mesh has no vertex data"));
+            var vertices = new VertexData(fields["m_VertexData"] ?? throw fields.Location.Error("the mesh has no vertex data"));
 
             mesh.vertices = vertices.Read(Position, v => (Vector3)v);
             if (vertices.Has(Normal)) mesh.normals = vertices.Read(Normal, v => (Vector3)v);
@@ -33,7 +33,7 @@ namespace Host.Assets
             {
                 var first = parts[i].Int("firstByte") / (mesh.indexFormat == IndexFormat.UInt16 ? 2 : 4);
                 var count = parts[i].Int("indexCount");
-                if (first + count > indices.Length) throw parts[i].Place.Error($"sub-mesh {i} ends at index {first + count}, but the buffer has {indices.Length}");
+                if (first + count > indices.Length) throw parts[i].Location.Error($"sub-mesh {i} ends at index {first + count}, but the buffer has {indices.Length}");
                 mesh.SetIndices(indices.AsSpan(first, count).ToArray(), (MeshTopology)parts[i].Int("topology"), i, false, parts[i].Int("baseVertex"));
             }
             mesh.bounds = new Bounds(BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Center"]), 2 * BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Extent"]));
@@ -55,7 +55,7 @@ namespace Host.Assets
         {
             var numbers = new List<object>();
             var type = fields.Int("m_IndexFormat") == 0 ? typeof(ushort) : typeof(int);
-            if (!PackedNumbers.TryRead(type, fields.Text("m_IndexBuffer"), numbers)) throw fields.Place.Error("the mesh's index buffer is damaged");
+            if (!PackedNumbers.TryRead(type, fields.Text("m_IndexBuffer"), numbers)) throw fields.Location.Error("the mesh's index buffer is damaged");
             return numbers.Select(Convert.ToInt32).ToArray();
         }
 
@@ -73,7 +73,7 @@ namespace Host.Assets
                 count = node.Int("m_VertexCount");
                 channels = node.Items("m_Channels")
                     .Select(c => new Channel { Stream = c.Int("stream"), Offset = c.Int("offset"), Format = c.Int("format"), Dimension = c.Int("dimension") & 15 }).ToArray();
-                if (!PackedNumbers.TryBytes(node.Text("_typelessdata"), out data)) throw node.Place.Error("the mesh's vertex data is damaged");
+                if (!PackedNumbers.TryBytes(node.Text("_typelessdata"), out data)) throw node.Location.Error("the mesh's vertex data is damaged");
 
                 // One stream after the other, each starting at a multiple of 16 bytes.
                 var streams = channels.Where(c => c.Dimension > 0).Select(c => c.Stream).DefaultIfEmpty(0).Max() + 1;
@@ -83,7 +83,7 @@ namespace Host.Assets
                 {
                     strides[s] = channels.Where(c => c.Dimension > 0 && c.Stream == s).Sum(c => (c.Dimension * Size(c.Format) + 3) / 4 * 4);
                     starts[s] = at;
-                    if (at + strides[s] * count > data.Length) throw node.Place.Error($"the mesh has {data.Length} bytes of vertex data, but its {count} vertices need more");
+                    if (at + strides[s] * count > data.Length) throw node.Location.Error($"the mesh has {data.Length} bytes of vertex data, but its {count} vertices need more");
                     at = (at + strides[s] * count + 15) / 16 * 16;
                 }
             }

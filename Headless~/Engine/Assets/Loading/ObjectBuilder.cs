@@ -50,7 +50,7 @@ namespace Host.Assets
         {
             foreach (var root in InRootOrder(childrenOf[0])) MakeTree(root, null);
             var lost = documents.Documents.FirstOrDefault(d => PrefabExpander.IsTransform(d) && !result.Objects.ContainsKey(d.FileId));
-            if (lost != null) project.Fail($"{lost.Place}: the {lost.TypeName} {lost.FileId} is its own ancestor: correct m_Father");
+            if (lost != null) project.Fail($"{lost.Location}: the {lost.TypeName} {lost.FileId} is its own ancestor: correct m_Father");
 
             foreach (var document in documents.Documents)
                 if (document.Fields.Reference("m_GameObject").IsNone && document.ClassId != PrefabExpander.GameObject && !PrefabExpander.IsTransform(document)) MakeFree(document);
@@ -64,7 +64,7 @@ namespace Host.Assets
             var father = transform.Fields.Reference("m_Father");
             if (father.IsNone || documents.LeftOut.Contains(father.FileId)) return 0;
             if (documents.Find(father.FileId) != null) return father.FileId;
-            project.Fail($"{father.Place}: the parent {father.FileId} of {PathOf(transform)} is not in this file: correct m_Father");
+            project.Fail($"{father.Location}: the parent {father.FileId} of {PathOf(transform)} is not in this file: correct m_Father");
             return 0;
         }
 
@@ -91,7 +91,7 @@ namespace Host.Assets
         {
             var id = transformDocument.Fields.Reference("m_GameObject").FileId;
             if (documents.Find(id) is not { ClassId: PrefabExpander.GameObject } document)
-                throw transformDocument.Place.Error($"the GameObject {id} of this {transformDocument.TypeName} is not in the file");
+                throw transformDocument.Location.Error($"the GameObject {id} of this {transformDocument.TypeName} is not in the file");
 
             var gameObject = ObjectFactory.CreateGameObject(document.Fields.Text("m_Name"), scene);
             var transform = (Transform)ObjectFactory.AddComponent(gameObject, project.ComponentType(transformDocument.TypeName) ?? typeof(Transform));
@@ -128,16 +128,16 @@ namespace Host.Assets
                 type = project.ScriptType(document.Fields.Reference("m_Script"), scope);
                 if (type != null && !typeof(MonoBehaviour).IsAssignableFrom(type))
                 {
-                    project.Fail($"{document.Place}: {scope} is {type.Name}, which is no MonoBehaviour: only those can sit on a GameObject");
+                    project.Fail($"{document.Location}: {scope} is {type.Name}, which is no MonoBehaviour: only those can sit on a GameObject");
                     type = null;
                 }
             }
             else
             {
                 type = project.ComponentType(document.TypeName);
-                if (type == null) project.Note($"{document.Place}: the host has no {document.TypeName}; it is left out of '{PathOf(owner)}' (and of others, if there are)", document.TypeName);
+                if (type == null) project.Note($"{document.Location}: the host has no {document.TypeName}; it is left out of '{PathOf(owner)}' (and of others, if there are)", document.TypeName);
             }
-            if (type != null && project.IsStub(type)) project.Note($"{document.Place}: the host has a {type.Name} in name only: the one on '{PathOf(owner)}' (and others, if there are) does nothing", type.Name);
+            if (type != null && project.IsStub(type)) project.Note($"{document.Location}: the host has a {type.Name} in name only: the one on '{PathOf(owner)}' (and others, if there are) does nothing", type.Name);
             if (type == null)
             {
                 result.LeftOut.Add(document.FileId);
@@ -157,7 +157,7 @@ namespace Host.Assets
                 case MonoBehaviour:
                     var scope = new ReadScope(() => $"the script of '{document.Fields.Text("m_Name")}'");
                     var type = project.ScriptType(document.Fields.Reference("m_Script"), scope);
-                    if (type != null && !typeof(ScriptableObject).IsAssignableFrom(type)) project.Fail($"{document.Place}: {scope} is {type.Name}, which is no ScriptableObject: only those can be assets");
+                    if (type != null && !typeof(ScriptableObject).IsAssignableFrom(type)) project.Fail($"{document.Location}: {scope} is {type.Name}, which is no ScriptableObject: only those can be assets");
                     else if (type != null) found = ObjectFactory.CreateScriptableObject(type);
                     break;
                 case Material: found = MaterialReader.Make(document.Fields, Resolve, new ReadScope(() => $"Material '{document.Fields.Text("m_Name")}'")); break;
@@ -172,7 +172,7 @@ namespace Host.Assets
                     return;
                 default:
                     if (isScene) return;
-                    project.Note($"{document.Place}: the host makes no {document.TypeName} from a file; '{document.Fields.Text("m_Name")}' is left out");
+                    project.Note($"{document.Location}: the host makes no {document.TypeName} from a file; '{document.Fields.Text("m_Name")}' is left out");
                     break;
             }
             if (found == null)
@@ -219,7 +219,7 @@ namespace Host.Assets
             if (!reference.IsLocal) return project.Resolve(reference, type, scope);
             if (result.Objects.TryGetValue(reference.FileId, out var found)) return project.Checked(found, reference, type, scope);
             if (!result.LeftOut.Contains(reference.FileId))
-                project.Fail($"{reference.Place}: {scope} refers to object {reference.FileId}, which is not in this file: assign the field again");
+                project.Fail($"{reference.Location}: {scope} refers to object {reference.FileId}, which is not in this file: assign the field again");
             return null;
         }
 

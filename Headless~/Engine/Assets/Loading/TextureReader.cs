@@ -33,7 +33,7 @@ namespace Host.Assets
         public static Texture3D MakeTexture3D(YamlMapping fields)
         {
             var texture = new Texture3D(fields.Int("m_Width"), fields.Int("m_Height"), fields.Int("m_Depth"), (GraphicsFormat)fields.Int("m_Format"), TextureCreationFlags.None, 1);
-            if (fields.Int("m_MipCount", 1) > 1) throw fields.Place.Error($"the volume texture '{fields.Text("m_Name")}' has mip levels, which the host does not read: save it without");
+            if (fields.Int("m_MipCount", 1) > 1) throw fields.Location.Error($"the volume texture '{fields.Text("m_Name")}' has mip levels, which the host does not read: save it without");
             texture.SetPixelData(Data(fields), 0);
             texture.Apply(false, !fields.Bool("m_IsReadable", true));
             return Sampled(texture, fields["m_TextureSettings"]);
@@ -41,8 +41,8 @@ namespace Host.Assets
 
         static byte[] Data(YamlMapping fields)
         {
-            if (!PackedNumbers.TryBytes(fields.Text("_typelessdata"), out var bytes)) throw fields.Place.Error($"the data of the texture '{fields.Text("m_Name")}' is damaged");
-            if (bytes.Length == 0) throw fields.Place.Error($"the texture '{fields.Text("m_Name")}' keeps its data in another file, which the host does not read");
+            if (!PackedNumbers.TryBytes(fields.Text("_typelessdata"), out var bytes)) throw fields.Location.Error($"the data of the texture '{fields.Text("m_Name")}' is damaged");
+            if (bytes.Length == 0) throw fields.Location.Error($"the texture '{fields.Text("m_Name")}' keeps its data in another file, which the host does not read");
             return bytes;
         }
 

@@ -88,7 +88,7 @@ namespace Host.Assets
                     foreach (var node in roots.EnumerateArray()) Node(nodes, node.GetInt32(), Matrix4x4.identity);
                 return;
             }
-            // A library without a scene: all nodes that are nobody's children.
+            // A library without a scene: all nodes that are no one's children.
             var children = nodes.EnumerateArray().SelectMany(n => n.TryGetProperty("children", out var list) ? list.EnumerateArray().Select(c => c.GetInt32()).ToArray() : Array.Empty<int>()).ToHashSet();
             for (var i = 0; i < nodes.GetArrayLength(); i++)
                 if (!children.Contains(i)) Node(nodes, i, Matrix4x4.identity);

@@ -20,7 +20,7 @@ namespace Host.Assets
         public readonly int Parts;
         /// <summary>What the file has beside and was left out, or was taken in another way than it says.</summary>
         public readonly IReadOnlyList<string> Notes;
-        /// <summary>What an OBJ file says beside its shape; null where nobody asked for it.</summary>
+        /// <summary>What an OBJ file says beside its shape; null where no one asked for it.</summary>
         public MeshLooks Looks;
 
         public MeshFile(string name, Vector3[] vertices, int[] triangles, int parts, IReadOnlyList<string> notes)

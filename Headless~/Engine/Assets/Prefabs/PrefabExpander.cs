@@ -55,7 +55,7 @@ namespace Host.Assets
             {
                 this.owner = owner;
                 this.instance = instance;
-                modification = instance.Fields["m_Modification"] ?? new YamlMapping(instance.Place);
+                modification = instance.Fields["m_Modification"] ?? new YamlMapping(instance.Location);
                 foreach (var document in stripped) standIns[SourceOf(document)] = document.FileId;
             }
 
@@ -75,9 +75,9 @@ namespace Host.Assets
                 foreach (var document in kept.Values)
                     if (IsTransform(document) && document.Fields.Reference("m_Father").IsNone)
                     {
-                        document.Fields.Set("m_Father", modification["m_TransformParent"] ?? Reference(0, instance.Place));
+                        document.Fields.Set("m_Father", modification["m_TransformParent"] ?? Reference(0, instance.Location));
                         // A scene lists its roots by their instances.
-                        document.Fields.Set("m_PrefabInstance", Reference(instance.FileId, instance.Place));
+                        document.Fields.Set("m_PrefabInstance", Reference(instance.FileId, instance.Location));
                     }
                 foreach (var change in modification.Items("m_Modifications")) Apply(change, kept);
                 foreach (var document in prefab.Documents)
@@ -120,7 +120,7 @@ namespace Host.Assets
                 if (!FileReference.Is(mapping))
                     foreach (var entry in mapping.Entries) Relink(entry.Value, kept);
                 else if (reference.IsLocal && !reference.IsNone)
-                    mapping.Set("fileID", Number(kept.TryGetValue(reference.FileId, out var target) ? target.FileId : 0, mapping.Place));
+                    mapping.Set("fileID", Number(kept.TryGetValue(reference.FileId, out var target) ? target.FileId : 0, mapping.Location));
             }
 
             void Apply(YamlNode change, Dictionary<long, UnityDocument> kept)
@@ -130,19 +130,19 @@ namespace Host.Assets
                 if (!kept.TryGetValue(target.FileId, out var document))
                 {
                     if (!removed.Contains(target.FileId))
-                        owner.warn($"{change.Place}: the override of '{path}' is for object {target.FileId}, which the prefab no longer has: right-click the instance in Unity and remove unused overrides");
+                        owner.warn($"{change.Location}: the override of '{path}' is for object {target.FileId}, which the prefab no longer has: right-click the instance in Unity and remove unused overrides");
                     return;
                 }
                 var reference = change["objectReference"];
                 var isReference = !FileReference.Of(reference).IsNone;
                 // A reference set to none looks like an empty text; the field that reads it knows which it is.
-                var value = isReference ? reference : change["value"] ?? new YamlScalar(change.Place, "");
+                var value = isReference ? reference : change["value"] ?? new YamlScalar(change.Location, "");
                 PropertyPath.Set(document.Fields, path, value);
             }
 
-            static YamlNode Number(long value, SourcePlace place) => new YamlScalar(place, value.ToString(System.Globalization.CultureInfo.InvariantCulture));
+            static YamlNode Number(long value, SourceLocation place) => new YamlScalar(place, value.ToString(System.Globalization.CultureInfo.InvariantCulture));
 
-            static YamlNode Reference(long fileId, SourcePlace place)
+            static YamlNode Reference(long fileId, SourceLocation place)
             {
                 var reference = new YamlMapping(place);
                 reference.Set("fileID", Number(fileId, place));

@@ -20,7 +20,7 @@ namespace Host.Assets
                 if (rest.StartsWith(Size, StringComparison.Ordinal))
                 {
                     if (IsPacked(at)) Packed(at, replace).Changes.Add(new KeyValuePair<int, YamlScalar>(YamlPackedList.Size, (YamlScalar)value));
-                    else Resize(List(at, replace, path, value.Place), ((YamlScalar)value).ToInt(), value.Place);
+                    else Resize(List(at, replace, path, value.Location), ((YamlScalar)value).ToInt(), value.Location);
                     return;
                 }
                 Action<YamlNode> put;
@@ -29,21 +29,21 @@ namespace Host.Assets
                 {
                     var close = rest.IndexOf(']');
                     if (close < 0 || !int.TryParse(rest.AsSpan(Data.Length, close - Data.Length), NumberStyles.None, CultureInfo.InvariantCulture, out var index))
-                        throw value.Place.Error($"the override path '{path}' has no number in its brackets");
+                        throw value.Location.Error($"the override path '{path}' has no number in its brackets");
                     if (IsPacked(at))
                     {
                         Packed(at, replace).Changes.Add(new KeyValuePair<int, YamlScalar>(index, (YamlScalar)value));
                         return;
                     }
-                    var list = List(at, replace, path, value.Place);
-                    if (index >= list.Elements.Count) Resize(list, index + 1, value.Place);
+                    var list = List(at, replace, path, value.Location);
+                    if (index >= list.Elements.Count) Resize(list, index + 1, value.Location);
                     next = list.Elements[index];
                     put = node => list.Elements[index] = node;
                     rest = rest.Substring(close + 1).TrimStart('.');
                 }
                 else
                 {
-                    var group = Group(at, replace, path, value.Place);
+                    var group = Group(at, replace, path, value.Location);
                     var dot = rest.IndexOf('.');
                     var key = dot < 0 ? rest : rest.Substring(0, dot);
                     next = group.Find(key);
@@ -62,10 +62,10 @@ namespace Host.Assets
 
         static bool IsVacant(YamlNode node) => node == null || node is YamlUnset || node is YamlScalar { IsEmpty: true };
 
-        static YamlMapping Group(YamlNode at, Action<YamlNode> replace, string path, SourcePlace place)
+        static YamlMapping Group(YamlNode at, Action<YamlNode> replace, string path, SourceLocation place)
         {
             if (at is YamlMapping mapping) return mapping;
-            if (!IsVacant(at)) throw place.Error($"the override path '{path}' leads into {at.Kind} of {at.Place}");
+            if (!IsVacant(at)) throw place.Error($"the override path '{path}' leads into {at.Kind} of {at.Location}");
             mapping = new YamlMapping(place);
             replace(mapping);
             return mapping;
@@ -81,17 +81,17 @@ namespace Host.Assets
             return list;
         }
 
-        static YamlSequence List(YamlNode at, Action<YamlNode> replace, string path, SourcePlace place)
+        static YamlSequence List(YamlNode at, Action<YamlNode> replace, string path, SourceLocation place)
         {
             if (at is YamlSequence list) return list;
-            if (!IsVacant(at) && at is not YamlMapping { Entries: { Count: 0 } }) throw place.Error($"the override path '{path}' takes {at.Kind} of {at.Place} for a list");
+            if (!IsVacant(at) && at is not YamlMapping { Entries: { Count: 0 } }) throw place.Error($"the override path '{path}' takes {at.Kind} of {at.Location} for a list");
             list = new YamlSequence(place);
             replace(list);
             return list;
         }
 
         /// <summary>New elements repeat the last one, as in the inspector.</summary>
-        static void Resize(YamlSequence list, int size, SourcePlace place)
+        static void Resize(YamlSequence list, int size, SourceLocation place)
         {
             if (size < 0) throw place.Error($"a list cannot have {size} elements");
             if (size < list.Elements.Count) list.Elements.RemoveRange(size, list.Elements.Count - size);

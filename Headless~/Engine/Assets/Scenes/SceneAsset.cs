@@ -4,7 +4,7 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Assets
 {
-    /// <summary>A .unity file opened as a scene that nobody has woken yet.</summary>
+    /// <summary>A .unity file opened as a scene that no one has woken yet.</summary>
     internal static class SceneAsset
     {
         /// <param name="scene">"Assets/Scenes/Main.unity", "Scenes/Main" or "Main", as SceneManager.LoadScene takes it.</param>

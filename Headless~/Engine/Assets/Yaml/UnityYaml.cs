@@ -16,12 +16,12 @@ namespace Host.Assets
         public bool Stripped;
         public string TypeName;
         public YamlMapping Fields;
-        public SourcePlace Place;
+        public SourceLocation Location;
         /// <summary>Where a prefab instance of this file has it from; null for the file's own.</summary>
         public PrefabOrigin Origin;
 
         public UnityDocument Clone(long fileId) =>
-            new UnityDocument { ClassId = ClassId, FileId = fileId, Stripped = Stripped, TypeName = TypeName, Fields = (YamlMapping)Fields.Clone(), Place = Place };
+            new UnityDocument { ClassId = ClassId, FileId = fileId, Stripped = Stripped, TypeName = TypeName, Fields = (YamlMapping)Fields.Clone(), Location = Location };
 
         public override string ToString() => $"{TypeName} &{FileId}";
     }
@@ -51,7 +51,7 @@ namespace Host.Assets
         public void Add(UnityDocument document)
         {
             if (!byId.TryAdd(document.FileId, document))
-                throw document.Place.Error($"file id {document.FileId} is that of the document in line {byId[document.FileId].Place.Line} too");
+                throw document.Location.Error($"file id {document.FileId} is that of the document in line {byId[document.FileId].Location.Line} too");
             Documents.Add(document);
         }
 
@@ -67,9 +67,9 @@ namespace Host.Assets
         {
             var yaml = new UnityYaml(file);
             if (text.StartsWith("version https://git-lfs", StringComparison.Ordinal))
-                throw new SourcePlace(file, 1).Error("this is a Git LFS pointer, not the file itself: run 'git lfs pull'");
+                throw new SourceLocation(file, 1).Error("this is a Git LFS pointer, not the file itself: run 'git lfs pull'");
             if (!text.StartsWith("%YAML", StringComparison.Ordinal) && !text.StartsWith("--- !u!", StringComparison.Ordinal))
-                throw new SourcePlace(file, 1).Error("this is no Unity YAML file: set Project Settings > Editor > Asset Serialization to Force Text and save it again");
+                throw new SourceLocation(file, 1).Error("this is no Unity YAML file: set Project Settings > Editor > Asset Serialization to Force Text and save it again");
 
             UnityDocument current = null;
             int bodyStart = 0, bodyLine = 0, line = 0;
@@ -82,12 +82,12 @@ namespace Host.Assets
                 if (starts.StartsWith("--- "))
                 {
                     if (current != null) yaml.Add(current, text.Substring(bodyStart, at - bodyStart), bodyLine);
-                    current = Header(starts.TrimEnd().ToString(), new SourcePlace(file, line));
+                    current = Header(starts.TrimEnd().ToString(), new SourceLocation(file, line));
                     bodyStart = Math.Min(end + 1, text.Length);
                     bodyLine = line;
                 }
                 else if (starts.StartsWith("<<<<<<< ") || starts.StartsWith(">>>>>>> "))
-                    throw new SourcePlace(file, line).Error("a merge conflict is left in this file: resolve it");
+                    throw new SourceLocation(file, line).Error("a merge conflict is left in this file: resolve it");
                 at = end + 1;
             }
             if (current != null) yaml.Add(current, text.Substring(bodyStart), bodyLine);
@@ -97,23 +97,23 @@ namespace Host.Assets
         /// <summary>YAML of one unnamed document, such as a .meta file.</summary>
         public static YamlNode ParsePlain(string text, string file) => new BodyReader(file, 0).Read(text);
 
-        static UnityDocument Header(string header, SourcePlace place)
+        static UnityDocument Header(string header, SourceLocation place)
         {
             var words = header.Split(' ', StringSplitOptions.RemoveEmptyEntries);
             if (words.Length < 3 || !words[1].StartsWith("!u!", StringComparison.Ordinal) || words[2][0] != '&'
                 || !int.TryParse(words[1].AsSpan(3), NumberStyles.None, CultureInfo.InvariantCulture, out var classId)
                 || !long.TryParse(words[2].AsSpan(1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var fileId))
                 throw place.Error($"'{header}' is no document header: expected '--- !u!<class id> &<file id>'");
-            return new UnityDocument { ClassId = classId, FileId = fileId, Stripped = words.Length > 3 && words[3] == "stripped", Place = place };
+            return new UnityDocument { ClassId = classId, FileId = fileId, Stripped = words.Length > 3 && words[3] == "stripped", Location = place };
         }
 
         void Add(UnityDocument document, string body, int linesBefore)
         {
             var reader = new BodyReader(File, linesBefore);
             if (reader.Read(body) is not YamlMapping { Entries: { Count: > 0 } } root)
-                throw document.Place.Error("the document is empty");
+                throw document.Location.Error("the document is empty");
             document.TypeName = root.Entries[0].Key;
-            document.Fields = root.Entries[0].Value as YamlMapping ?? new YamlMapping(root.Place);
+            document.Fields = root.Entries[0].Value as YamlMapping ?? new YamlMapping(root.Location);
             Add(document);
         }
 
@@ -136,21 +136,21 @@ namespace Host.Assets
                 }
                 catch (YamlException e)
                 {
-                    throw new AssetException($"{new SourcePlace(file, linesBefore + (int)e.Start.Line)}: {e.Message}", e);
+                    throw new AssetException($"{new SourceLocation(file, linesBefore + (int)e.Start.Line)}: {e.Message}", e);
                 }
             }
 
             YamlNode Node()
             {
-                if (events.TryConsume<Scalar>(out var scalar)) return new YamlScalar(Place(scalar), scalar.Value);
+                if (events.TryConsume<Scalar>(out var scalar)) return new YamlScalar(Location(scalar), scalar.Value);
                 if (events.TryConsume<SequenceStart>(out var list))
                 {
-                    var sequence = new YamlSequence(Place(list));
+                    var sequence = new YamlSequence(Location(list));
                     while (!events.TryConsume<SequenceEnd>(out _)) sequence.Elements.Add(Node());
                     return sequence;
                 }
                 var start = events.Consume<MappingStart>();
-                var mapping = new YamlMapping(Place(start));
+                var mapping = new YamlMapping(Location(start));
                 while (!events.TryConsume<MappingEnd>(out _))
                 {
                     var key = events.Consume<Scalar>();
@@ -159,7 +159,7 @@ namespace Host.Assets
                 return mapping;
             }
 
-            SourcePlace Place(ParsingEvent e) => new SourcePlace(file, linesBefore + (int)e.Start.Line);
+            SourceLocation Location(ParsingEvent e) => new SourceLocation(file, linesBefore + (int)e.Start.Line);
         }
     }
 }

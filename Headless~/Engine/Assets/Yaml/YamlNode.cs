@@ -5,11 +5,11 @@ using System.Globalization;
 namespace Host.Assets
 {
     /// <summary>Where a value was read, for messages: "Assets/Scene.unity(120)".</summary>
-    internal readonly struct SourcePlace
+    internal readonly struct SourceLocation
     {
         public readonly string File;
         public readonly int Line;
-        public SourcePlace(string file, int line) { File = file; Line = line; }
+        public SourceLocation(string file, int line) { File = file; Line = line; }
         public override string ToString() => Line > 0 ? $"{File}({Line})" : File;
         public AssetException Error(string what) => new AssetException($"{this}: {what}");
     }
@@ -17,8 +17,8 @@ namespace Host.Assets
     /// <summary>A value of a Unity YAML document. Scalars stay text until a field asks for a type.</summary>
     internal abstract class YamlNode
     {
-        public readonly SourcePlace Place;
-        protected YamlNode(SourcePlace place) => Place = place;
+        public readonly SourceLocation Location;
+        protected YamlNode(SourceLocation place) => Location = place;
         public abstract YamlNode Clone();
         public abstract string Kind { get; }
 
@@ -37,7 +37,7 @@ namespace Host.Assets
     internal sealed class YamlScalar : YamlNode
     {
         public readonly string Value;
-        public YamlScalar(SourcePlace place, string value) : base(place) => Value = value;
+        public YamlScalar(SourceLocation place, string value) : base(place) => Value = value;
         public override YamlNode Clone() => this;
         public override string Kind => $"the value '{(Value.Length > 40 ? Value.Substring(0, 40) + "..." : Value)}'";
         public bool IsEmpty => Value.Length == 0;
@@ -54,28 +54,28 @@ namespace Host.Assets
                 case "-inf": case "-.inf": case "-infinity": case "-1.#inf": return double.NegativeInfinity;
                 case "nan": case "-nan": case ".nan": case "-nan(ind)": case "-1.#ind": case "1.#qnan": return double.NaN;
             }
-            return double.TryParse(Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) ? value : throw Place.Error($"'{Value}' is not a number");
+            return double.TryParse(Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) ? value : throw Location.Error($"'{Value}' is not a number");
         }
 
         public long ToLong()
         {
             if (long.TryParse(Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var value)) return value;
             if (ulong.TryParse(Value, NumberStyles.None, CultureInfo.InvariantCulture, out var large)) return unchecked((long)large);
-            throw Place.Error($"'{Value}' is not a whole number");
+            throw Location.Error($"'{Value}' is not a whole number");
         }
 
         /// <summary>Masks are written unsigned (4294967295): such a value is taken bit for bit.</summary>
         public int ToInt()
         {
             var value = ToLong();
-            return value >= int.MinValue && value <= uint.MaxValue ? unchecked((int)value) : throw Place.Error($"{Value} does not fit 32 bits");
+            return value >= int.MinValue && value <= uint.MaxValue ? unchecked((int)value) : throw Location.Error($"{Value} does not fit 32 bits");
         }
     }
 
-    /// <summary>An element that a longer list has and nobody gave a value: it stays as its constructor leaves it.</summary>
+    /// <summary>An element that a longer list has and no one gave a value: it stays as its constructor leaves it.</summary>
     internal sealed class YamlUnset : YamlNode
     {
-        public YamlUnset(SourcePlace place) : base(place) { }
+        public YamlUnset(SourceLocation place) : base(place) { }
         public override YamlNode Clone() => this;
         public override string Kind => "nothing";
     }
@@ -87,7 +87,7 @@ namespace Host.Assets
         public readonly YamlScalar Packed;
         /// <summary>Values by index, or the list's new size.</summary>
         public readonly List<KeyValuePair<int, YamlScalar>> Changes = new List<KeyValuePair<int, YamlScalar>>();
-        public YamlPackedList(YamlScalar packed) : base(packed.Place) => Packed = packed;
+        public YamlPackedList(YamlScalar packed) : base(packed.Location) => Packed = packed;
         public override string Kind => Packed.Kind;
 
         public override YamlNode Clone()
@@ -101,12 +101,12 @@ namespace Host.Assets
     internal sealed class YamlSequence : YamlNode
     {
         public readonly List<YamlNode> Elements = new List<YamlNode>();
-        public YamlSequence(SourcePlace place) : base(place) { }
+        public YamlSequence(SourceLocation place) : base(place) { }
         public override string Kind => $"a list of {Elements.Count}";
 
         public override YamlNode Clone()
         {
-            var copy = new YamlSequence(Place);
+            var copy = new YamlSequence(Location);
             foreach (var item in Elements) copy.Elements.Add(item.Clone());
             return copy;
         }
@@ -116,7 +116,7 @@ namespace Host.Assets
     internal sealed class YamlMapping : YamlNode
     {
         public readonly List<KeyValuePair<string, YamlNode>> Entries = new List<KeyValuePair<string, YamlNode>>();
-        public YamlMapping(SourcePlace place) : base(place) { }
+        public YamlMapping(SourceLocation place) : base(place) { }
         public override string Kind => "a group of fields";
 
         public YamlNode Find(string key)
@@ -139,7 +139,7 @@ namespace Host.Assets
 
         public override YamlNode Clone()
         {
-            var copy = new YamlMapping(Place);
+            var copy = new YamlMapping(Location);
             foreach (var entry in Entries) copy.Entries.Add(new KeyValuePair<string, YamlNode>(entry.Key, entry.Value.Clone()));
             return copy;
         }
@@ -150,14 +150,14 @@ namespace Host.Assets
     {
         public readonly long FileId;
         public readonly string Guid;
-        public readonly SourcePlace Place;
-        public FileReference(long fileId, string guid, SourcePlace place) { FileId = fileId; Guid = guid; Place = place; }
+        public readonly SourceLocation Location;
+        public FileReference(long fileId, string guid, SourceLocation place) { FileId = fileId; Guid = guid; Location = place; }
         public bool IsNone => FileId == 0;
         public bool IsLocal => string.IsNullOrEmpty(Guid);
         public override string ToString() => IsLocal ? $"{{fileID: {FileId}}}" : $"{{fileID: {FileId}, guid: {Guid}}}";
 
         public static bool Is(YamlNode node) => node?["fileID"] != null;
         public static FileReference Of(YamlNode node) =>
-            node?["fileID"] is YamlScalar id ? new FileReference(id.ToLong(), node.Text("guid", null), node.Place) : default;
+            node?["fileID"] is YamlScalar id ? new FileReference(id.ToLong(), node.Text("guid", null), node.Location) : default;
     }
 }

@@ -94,10 +94,10 @@ namespace Host.Output
         }
 
         /// <summary>The smallest value that at least this fraction of the values does not exceed (nearest rank).</summary>
-        public static double Percentile(double[] values, double share)
+        public static double Percentile(double[] values, double fraction)
         {
             double[] sorted = values.OrderBy(value => value).ToArray();
-            return sorted[System.Math.Max(0, (int)System.Math.Ceiling(share * sorted.Length) - 1)];
+            return sorted[System.Math.Max(0, (int)System.Math.Ceiling(fraction * sorted.Length) - 1)];
         }
 
         static string Number(double value) => value.ToString("G6", CultureInfo.InvariantCulture);

@@ -60,7 +60,7 @@ namespace Host.Testing
             {
                 // As at the end of the stream.
             }
-            // The parent is gone, and nobody waits for the rest of a fixture.
+            // The parent is gone, and no one waits for the rest of a fixture.
             if (!isDone)
                 Process.GetCurrentProcess().Kill();
         }

@@ -83,7 +83,7 @@ namespace Host.Scripts.Assemblies
             }
         }
 
-        /// <summary>Null for a package that nobody asks for; a git address or the like counts as version 0.</summary>
+        /// <summary>Null for a package that no one asks for; a git address or the like counts as version 0.</summary>
         public string VersionOf(string package) => !versions.TryGetValue(package, out var version) ? null : version.Length > 0 && char.IsDigit(version[0]) ? version : "0.0.0";
 
         /// <summary>The host's assemblies that the project may use.</summary>

@@ -26,7 +26,7 @@ namespace Host.Scripts.Stubs
         /// <summary>UnityEngine.Stubs.dll, and UnityEngine.UI.dll for projects with com.unity.ugui.</summary>
         public readonly string File, UserInterfaceFile;
         public readonly int Types, Members, Dropped;
-        /// <summary>What the compiler refused that Sources/mends.txt does not know of yet.</summary>
+        /// <summary>What the compiler refused that Sources/fixes.txt does not know of yet.</summary>
         public readonly IReadOnlyList<string> Refused;
 
         StubAssembly(string folder)
@@ -50,7 +50,7 @@ namespace Host.Scripts.Stubs
         static void Make(string folder, IReadOnlyList<Assembly> host)
         {
             var sources = new StubSources(UnityApiLists.Load().In(Version), host);
-            Mends.Apply(sources, References.Source("mends.txt").Split('\n'));
+            Fixes.Apply(sources, References.Source("fixes.txt").Split('\n'));
             var maker = new StubCompilation(sources, host);
             // What the compiler refused when this was written is known; a host with other types may bring up more.
             var file = Path.Combine(folder, Name + ".dll");
@@ -65,7 +65,7 @@ namespace Host.Scripts.Stubs
             Emit(ui, Path.Combine(folder, UserInterface + ".dll"));
             var all = sources.Types.SelectMany(t => t.WithNested()).ToList();
             System.IO.File.WriteAllLines(Path.Combine(folder, "counts.txt"), new[] { $"{all.Count(t => !t.Dropped)} {all.Sum(t => t.Members.Count(m => !m.Dropped))} {all.Sum(t => t.Members.Count(m => m.Dropped))}" }.Concat(maker.Refused));
-            System.IO.File.WriteAllLines(Path.Combine(folder, "mends.txt"), Mends.Of(sources));
+            System.IO.File.WriteAllLines(Path.Combine(folder, "fixes.txt"), Fixes.Of(sources));
         }
 
         static bool TryEmit(CSharpCompilation compilation, string file, out IEnumerable<Diagnostic> errors)

@@ -7,7 +7,7 @@ namespace Host.Scripts.Stubs
     {
         /// <summary>Every member throws its own name: scripts compute with what it would answer.</summary>
         Throws,
-        /// <summary>Properties hold what is put into them, methods do nothing and are counted: output for eyes and ears that nobody has here.</summary>
+        /// <summary>Properties hold what is put into them, methods do nothing and are counted: output for eyes and ears that no one has here.</summary>
         Quiet,
         /// <summary>Properties hold what is put into them, methods throw: data that others act on.</summary>
         Holds,
@@ -25,7 +25,7 @@ namespace Host.Scripts.Stubs
             "ParticleSystem", "ParticleSystemRenderer", "ParticleSystemForceField", "TrailRenderer", "LineRenderer", "BillboardRenderer", "SpriteRenderer",
             "SpriteMask", "TextMesh", "Font", "LensFlare", "FlareLayer", "Flare", "Projector", "Halo", "Skybox", "ReflectionProbe", "LightProbeGroup",
             "LightProbeProxyVolume", "LODGroup", "OcclusionArea", "OcclusionPortal", "WindZone", "Video.VideoPlayer", "Video.VideoClip", "Rendering.SortingGroup",
-            // The screen's surface, and the keyboard and mouse that nobody touches
+            // The screen's surface, and the keyboard and mouse that no one touches
             "Input", "Canvas", "CanvasGroup", "CanvasRenderer", "RectTransform", "RectOffset", "Cursor", "Handheld", "DrivenRectTransformTracker",
         };
 

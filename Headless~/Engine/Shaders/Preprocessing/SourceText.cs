@@ -23,7 +23,7 @@ namespace Host.Shaders
 
         /// <summary>
         /// Lines without comments, with backslash-continued lines joined: the joined line stands where it began and
-        /// empty lines take the place of the rest, so that line numbers hold.
+        /// empty lines replace the rest, so that line numbers hold.
         /// </summary>
         public static List<string> Lines(string text)
         {

@@ -24,7 +24,7 @@ namespace Host.Shaders
                 string log = Tool.Run(new[] { "-x", "dxbc-tpf", "-b", "spirv-binary", "-o", output, input }, out int exitCode);
                 bool made = exitCode == 0 && File.Exists(output);
                 List<string> remarks = log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0 && !Harmless.Any(known => known.IsMatch(line))).Distinct().ToList();
-                // It leaves out what it does not know, says so, and calls that a success.
+                // It leaves out what it does not know, reports it, and calls that a success.
                 if (!made || remarks.Count > 0)
                     throw new ProgramException($"vkd3d-compiler cannot translate it: {string.Join("; ", remarks)}");
                 return File.ReadAllBytes(output);

@@ -73,7 +73,7 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>The device goes: what was made on it goes first.</summary>
-        public static void Forget()
+        public static void Reset()
         {
             if (quad is object)
                 Object.DestroyImmediate(quad);

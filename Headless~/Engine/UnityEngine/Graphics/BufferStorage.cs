@@ -107,7 +107,7 @@ namespace UnityEngine.Headless
             if (device == null)
                 return;
             if (ReadbackQueue.IsPending(this))
-                GpuError.Strictly($"{this} was released while a read-back of it was on its way. Whether that still arrives Unity does not say: release it when the request has come back.");
+                GpuError.Strictly($"{this} was released while a read-back of it was pending. Whether that still arrives Unity does not say: release it when the request has come back.");
             device.Dispose();
             device = null;
             Counter?.Dispose();

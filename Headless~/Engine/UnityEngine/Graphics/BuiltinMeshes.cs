@@ -35,7 +35,7 @@ namespace UnityEngine.Headless
             return meshes[file] = mesh;
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (Mesh mesh in meshes.Values)
                 Object.DestroyImmediate(mesh, true);

@@ -58,13 +58,13 @@ namespace UnityEngine.Headless
             return primitive;
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (Material material in materials.Values)
                 Object.DestroyImmediate(material, true);
             materials.Clear();
-            Sky.Forget();
-            BuiltinMeshes.Forget();
+            Sky.Reset();
+            BuiltinMeshes.Reset();
         }
     }
 }

@@ -84,7 +84,7 @@ namespace UnityEngine.Headless
             return texture;
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (Texture2D texture in flat.Values)
                 Object.DestroyImmediate(texture, true);

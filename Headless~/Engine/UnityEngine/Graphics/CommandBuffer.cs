@@ -28,7 +28,7 @@ namespace UnityEngine.Rendering
             public bool Flag;
             public PropertyKind Kind;
             public int A, B, C, D, E;
-            /// <summary>Place of the command's numbers in <see cref="payload"/>.</summary>
+            /// <summary>Index of the command's numbers in <see cref="payload"/>.</summary>
             public int Data, DataLength;
             public object Subject, Object;
         }

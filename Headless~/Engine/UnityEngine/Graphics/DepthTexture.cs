@@ -42,7 +42,7 @@ namespace UnityEngine.Headless
         {
             if (texture is object && texture.width == width && texture.height == height && texture.volumeDepth == slices)
                 return;
-            Forget();
+            Reset();
             texture = new RenderTexture(new RenderTextureDescriptor(width, height, GraphicsFormat.None, GraphicsFormat.D32_SFloat)
             {
                 dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = slices,
@@ -53,7 +53,7 @@ namespace UnityEngine.Headless
             texture.Create();
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             if (texture is object)
                 Object.DestroyImmediate(texture, true);

@@ -56,7 +56,7 @@ namespace UnityEngine.Headless
             sky = null;
         }
 
-        /// <summary>For the draws of a camera; in between, unity_SpecCube0 is nobody's.</summary>
+        /// <summary>For the draws of a camera; in between, unity_SpecCube0 is no one's.</summary>
         public static void Bind()
         {
             Texture texture = RenderSettings.defaultReflectionMode == DefaultReflectionMode.Custom ? RenderSettings.customReflectionTexture : reflection;
@@ -176,7 +176,7 @@ namespace UnityEngine.Headless
             sky = reflection = null;
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             Release();
             if (filter is object)

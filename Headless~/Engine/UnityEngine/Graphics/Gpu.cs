@@ -62,25 +62,25 @@ namespace UnityEngine.Headless
         public static void Reset()
         {
             passOpen = false;
-            GpuSamples.Forget();
-            FrameTimes.Forget();
+            GpuSamples.Reset();
+            FrameTimes.Reset();
             GlobalKeywords.Set.Replace(Array.Empty<string>());
             Shader.Globals.Clear();
             DeviceObjects.Clear();
-            GpuChecks.Forget();
-            ReadbackQueue.Forget();
+            GpuChecks.Reset();
+            ReadbackQueue.Reset();
             DrawQueue.Clear();
             RenderState.Reset();
             RenderTexture.ForgetTemporaries();
-            BuiltinTextures.Forget();
-            ScreenTarget.Forget();
-            QuadIndices.Forget();
-            Blitter.Forget();
-            DepthTexture.Forget();
-            ScreenShadows.Forget();
-            StereoView.Forget();
-            EnvironmentLighting.Forget();
-            BuiltinResources.Forget();
+            BuiltinTextures.Reset();
+            ScreenTarget.Reset();
+            QuadIndices.Reset();
+            Blitter.Reset();
+            DepthTexture.Reset();
+            ScreenShadows.Reset();
+            StereoView.Reset();
+            EnvironmentLighting.Reset();
+            BuiltinResources.Reset();
         }
     }
 }

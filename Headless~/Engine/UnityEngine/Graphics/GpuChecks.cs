@@ -201,7 +201,7 @@ namespace UnityEngine.Headless
                 throw new GpuUsageException(fault);
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (PendingArguments p in pending)
                 p.Readback.Dispose();

@@ -26,15 +26,15 @@ namespace UnityEngine.Headless
 
         static void Reset()
         {
-            GpuSamples.Forget();
-            FrameTimes.Forget();
+            GpuSamples.Reset();
+            FrameTimes.Reset();
             DrawQueue.Clear();
-            ReadbackQueue.Forget();
-            GpuChecks.Forget();
+            ReadbackQueue.Reset();
+            GpuChecks.Reset();
             Shader.Globals.Clear();
             GlobalKeywords.Set.Replace(System.Array.Empty<string>());
             RenderState.Reset();
-            // Unity frees what nobody asked for again after some frames: what lies in the pool is no leak.
+            // Unity frees what no one asked for again after some frames: what lies in the pool is no leak.
             RenderTexture.ForgetTemporaries();
         }
     }

@@ -24,7 +24,7 @@ namespace UnityEngine
         readonly int[] uvSize = new int[8];
         readonly List<Submesh> submeshes = new List<Submesh> { new Submesh { Indices = Array.Empty<int>() } };
         MeshBuffers buffers;
-        /// <summary>The engine's own: what it holds on the device is nobody's leak.</summary>
+        /// <summary>The engine's own: what it holds on the device is no one's leak.</summary>
         internal bool IsBuiltIn;
 
         public Mesh() { }

@@ -8,7 +8,7 @@ namespace UnityEngine.Headless
         static DeviceBuffer buffer;
         static int capacity;
 
-        public static void Forget()
+        public static void Reset()
         {
             buffer?.Dispose();
             buffer = null;
@@ -19,7 +19,7 @@ namespace UnityEngine.Headless
         {
             if (quads <= capacity)
                 return buffer;
-            Forget();
+            Reset();
             capacity = Math.Max(1024, Mathf.NextPowerOfTwo(quads));
             var indices = new uint[capacity * 6];
             for (uint q = 0; q < capacity; q++)

@@ -18,7 +18,7 @@ namespace UnityEngine.Headless
         public static int Frame { get; private set; }
         public static int PendingCount => requests.Count;
 
-        /// <summary>Whether a request for a buffer is on its way.</summary>
+        /// <summary>Whether a request for a buffer is pending.</summary>
         public static bool IsPending(BufferStorage buffer)
         {
             foreach (ReadbackRequest request in requests)
@@ -68,7 +68,7 @@ namespace UnityEngine.Headless
             GpuChecks.InspectArguments(wait: true);
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (ReadbackRequest request in requests)
                 request.Expire();

@@ -76,7 +76,7 @@ namespace UnityEngine.Headless
         }
     }
 
-    /// <summary>One read-back on its way: copied on the device at the request, fetched at the second frame after it or by an Update before, gone with the next.</summary>
+    /// <summary>A pending read-back: copied on the device at the request, fetched at the second frame after it or by an Update before, gone with the next.</summary>
     internal sealed unsafe class ReadbackRequest
     {
         public int LayerCount, LayerBytes, Width, Height, Depth;

@@ -14,7 +14,7 @@ namespace UnityEngine
     {
         RenderTextureDescriptor description;
         DeviceTexture color, depthTexture;
-        /// <summary>The engine's own: what it holds on the device is nobody's leak.</summary>
+        /// <summary>The engine's own: what it holds on the device is no one's leak.</summary>
         internal bool IsBuiltIn;
 
         protected RenderTexture() => wrapMode = TextureWrapMode.Clamp;

@@ -173,7 +173,7 @@ namespace UnityEngine.Headless
             texture.Create();
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (Object one in new Object[] { mapTexture, maskTexture, resolve })
                 if (one is object)

@@ -12,7 +12,7 @@ namespace UnityEngine.Headless
             get
             {
                 if (texture != null && (texture.width != Player.ScreenWidth || texture.height != Player.ScreenHeight || texture.sRGB != Player.LinearColorSpace))
-                    Forget();
+                    Reset();
                 if (texture == null)
                 {
                     GraphicsFormat format = Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm;
@@ -23,7 +23,7 @@ namespace UnityEngine.Headless
             }
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             if (texture is object)
                 Object.DestroyImmediate(texture, true);

@@ -40,7 +40,7 @@ namespace UnityEngine.Headless
             return cube;
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             if (cube is object)
                 Object.DestroyImmediate(cube, true);

@@ -23,7 +23,7 @@ namespace UnityEngine.Headless
         {
             int width = Player.ScreenWidth / 2, height = Player.ScreenHeight;
             if (eyes is object && (eyes.width != width || eyes.height != height))
-                Forget();
+                Reset();
             if (eyes is null)
             {
                 RenderTexture screen = ScreenTarget.Texture;
@@ -79,7 +79,7 @@ namespace UnityEngine.Headless
             Drawing.DrawPass(new DrawCall { Call = "two eyes", Material = sideBySide, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             if (eyes is object)
                 Object.DestroyImmediate(eyes, true);

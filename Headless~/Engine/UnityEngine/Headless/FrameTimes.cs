@@ -70,7 +70,7 @@ namespace UnityEngine.Headless
             current = null;
         }
 
-        public static void Forget()
+        public static void Reset()
         {
             foreach (TimedFrame frame in frames)
                 Clear(frame);

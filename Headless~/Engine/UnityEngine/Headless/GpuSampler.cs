@@ -56,7 +56,7 @@ namespace UnityEngine.Headless
             return ((long)(milliseconds * 1e6), frame.Blocks.Count);
         }
 
-        public void Forget()
+        public void Reset()
         {
             foreach (FrameOfSamples frame in frames)
                 Clear(frame);

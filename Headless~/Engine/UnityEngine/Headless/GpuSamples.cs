@@ -30,7 +30,7 @@ namespace UnityEngine.Headless
             sampler.Enabled = value;
             enabled += value ? 1 : -1;
             if (!value)
-                sampler.Forget();
+                sampler.Reset();
         }
 
         public static void Begin(string name)
@@ -52,7 +52,7 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>The device or the play mode ends: recorders stop.</summary>
-        public static void Forget()
+        public static void Reset()
         {
             open.Clear();
             foreach (GpuSampler sampler in samplers.Values)

@@ -66,11 +66,11 @@ namespace UnityEngine
 
         public static Vector2 MoveTowards(Vector2 current, Vector2 target, float maxDistanceDelta)
         {
-            Vector2 way = target - current;
-            float distance = way.magnitude;
+            Vector2 offset = target - current;
+            float distance = offset.magnitude;
             if (distance == 0 || (maxDistanceDelta >= 0 && distance <= maxDistanceDelta))
                 return target;
-            return current + way / distance * maxDistanceDelta;
+            return current + offset / distance * maxDistanceDelta;
         }
 
         /// <summary>Unsigned, degrees.</summary>

@@ -81,11 +81,11 @@ namespace UnityEngine
 
         public static Vector3 MoveTowards(Vector3 current, Vector3 target, float maxDistanceDelta)
         {
-            Vector3 way = target - current;
-            float distance = way.magnitude;
+            Vector3 offset = target - current;
+            float distance = offset.magnitude;
             if (distance == 0 || (maxDistanceDelta >= 0 && distance <= maxDistanceDelta))
                 return target;
-            return current + way / distance * maxDistanceDelta;
+            return current + offset / distance * maxDistanceDelta;
         }
 
         /// <summary>Unsigned, degrees.</summary>

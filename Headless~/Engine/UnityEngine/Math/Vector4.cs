@@ -65,11 +65,11 @@ namespace UnityEngine
 
         public static Vector4 MoveTowards(Vector4 current, Vector4 target, float maxDistanceDelta)
         {
-            Vector4 way = target - current;
-            float distance = way.magnitude;
+            Vector4 offset = target - current;
+            float distance = offset.magnitude;
             if (distance == 0 || (maxDistanceDelta >= 0 && distance <= maxDistanceDelta))
                 return target;
-            return current + way / distance * maxDistanceDelta;
+            return current + offset / distance * maxDistanceDelta;
         }
 
         public static Vector4 operator +(Vector4 a, Vector4 b) => new Vector4(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);

@@ -41,7 +41,7 @@ namespace UnityEngine
         public static void AssertFormat(bool condition, string format, params object[] args) { if (!condition) LogAssertionFormat(format, args); }
         public static void AssertFormat(bool condition, Object context, string format, params object[] args) { if (!condition) LogAssertionFormat(context, format, args); }
 
-        // ---- nobody looks: lines, pauses and the developer console
+        // ---- no one looks: lines, pauses and the developer console
         public static void DrawLine(Vector3 start, Vector3 end) { }
         public static void DrawLine(Vector3 start, Vector3 end, Color color) { }
         public static void DrawLine(Vector3 start, Vector3 end, Color color, float duration) { }

@@ -25,7 +25,7 @@ namespace UnityEngine.Headless
             return Construct(type, go);
         }
 
-        // A RectTransform takes the place of the Transform that every object starts with.
+        // A RectTransform replaces the Transform that every object starts with.
         static Component ReplaceTransform(GameObject go, Type type)
         {
             Transform old = go.TransformOf;

@@ -13,7 +13,7 @@ namespace UnityEngine.Headless
         Vector3? wantedPosition;
         Quaternion? wantedRotation;
 
-        public void Place(Vector3 position, Quaternion rotation)
+        public void SetPose(Vector3 position, Quaternion rotation)
         {
             Position = lastPosition = shownPosition = position;
             Rotation = lastRotation = shownRotation = rotation;
@@ -23,12 +23,12 @@ namespace UnityEngine.Headless
         public void Follow(Transform transform)
         {
             if (!transform.position.Equals(shownPosition) || !transform.rotation.Equals(shownRotation))
-                Place(transform.position, transform.rotation);
+                SetPose(transform.position, transform.rotation);
         }
 
         public void Teleport(Transform transform, Vector3 position, Quaternion rotation)
         {
-            Place(position, rotation);
+            SetPose(position, rotation);
             transform.SetPositionAndRotation(position, rotation);
             Remember(transform);
         }
@@ -49,7 +49,7 @@ namespace UnityEngine.Headless
             Show(transform, Position, Rotation);
         }
 
-        public void ShowBetween(Transform transform, float share) => Show(transform, Vector3.Lerp(lastPosition, Position, share), Quaternion.Slerp(lastRotation, Rotation, share));
+        public void ShowBetween(Transform transform, float fraction) => Show(transform, Vector3.Lerp(lastPosition, Position, fraction), Quaternion.Slerp(lastRotation, Rotation, fraction));
 
         void Show(Transform transform, Vector3 position, Quaternion rotation)
         {

@@ -32,13 +32,13 @@ namespace UnityEngine.Headless
 
         /// <summary>After the fixed steps of a frame.</summary>
         /// <param name="share">Of a fixed step that has passed since the last.</param>
-        public static void Show(float share)
+        public static void Show(float fraction)
         {
             foreach (Rigidbody body in Bodies)
             {
                 body.State.Follow(body.transform);
                 if (body.interpolation == RigidbodyInterpolation.Interpolate)
-                    body.State.ShowBetween(body.transform, share);
+                    body.State.ShowBetween(body.transform, fraction);
             }
         }
 

@@ -19,7 +19,7 @@ namespace UnityEngine
 
         internal override void OnActivated()
         {
-            State.Place(transform.position, transform.rotation);
+            State.SetPose(transform.position, transform.rotation);
             PhysicsWorld.Bodies.Add(this);
         }
 

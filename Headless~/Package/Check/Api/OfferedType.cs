@@ -97,7 +97,7 @@ namespace Host.Check.Api
                     yield return method;
         }
 
-        /// <summary>Null: nobody outside sees it.</summary>
+        /// <summary>Null: no one outside sees it.</summary>
         OfferedMember Method(MethodDefinitionHandle handle, IEnumerable<CustomAttributeHandle> attributes)
         {
             MethodDefinition method = metadata.GetMethodDefinition(handle);
@@ -160,7 +160,7 @@ namespace Host.Check.Api
             _ => CompiledTypeNames.Of(metadata, metadata.GetMethodDefinition((MethodDefinitionHandle)attribute.Constructor).GetDeclaringType()).Key == name,
         });
 
-        // Interfaces of the assembly's own that nobody outside sees offer nothing.
+        // Interfaces of the assembly's own that no one outside sees offer nothing.
         bool IsVisible(ApiTypeName type)
         {
             foreach (TypeDefinitionHandle handle in metadata.TypeDefinitions)

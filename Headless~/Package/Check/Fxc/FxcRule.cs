@@ -70,7 +70,7 @@ namespace Host.Check
 
         void Judge(List<ShaderVariant> variants, IReadOnlyList<FxcResult> results, Findings findings)
         {
-            // One line of an include is said once for every variant that has it.
+            // One line of an include is reported once for every variant that has it.
             var said = variants.Zip(results).SelectMany(pair => pair.Second.Messages, (pair, message) => (message, variant: pair.First)).GroupBy(s => s.message.ToString());
             var used = new HashSet<FxcAllowance>();
             foreach (var message in said)

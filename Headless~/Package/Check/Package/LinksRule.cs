@@ -56,7 +56,7 @@ namespace Host.Check
             return null;
         }
 
-        // Null above the package's root, which nobody has who installed the package.
+        // Null above the package's root, which no one has who installed the package.
         static string Resolve(string page, string target)
         {
             var path = new List<string>(page.Split('/').SkipLast(1));

@@ -79,7 +79,7 @@ namespace Host.Check
                     findings.Fault($"{sample.Path} has no scene");
             }
             foreach (string folder in folders.OrderBy(f => f, StringComparer.Ordinal))
-                findings.Fault($"{folder} is not among the samples of package.json, so nobody can import it");
+                findings.Fault($"{folder} is not among the samples of package.json, so no one can import it");
         }
     }
 }

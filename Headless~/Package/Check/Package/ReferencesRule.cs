@@ -34,7 +34,7 @@ namespace Host.Check
                 {
                     references++;
                     if (Problem(index, yaml, reference, findings) is string problem)
-                        findings.Fault($"{reference.Place}: {reference} {problem}");
+                        findings.Fault($"{reference.Location}: {reference} {problem}");
                 }
             }
             findings.Looked = $"{references} references in {files} files";

@@ -9,7 +9,7 @@ namespace Host.Check
     /// <summary>
     /// A shader that writes depth has the passes by which each render pipeline asks for its depth, shadow and motion: what lacks one
     /// vanishes under a depth prepass, casts no shadow or smears under temporal antialiasing. Transparent ones are asked for their
-    /// colour alone, and those of the menu "Hidden" by nobody but our own command buffers.
+    /// colour alone, and those of the menu "Hidden" by no one but our own command buffers.
     /// </summary>
     sealed class RenderPassesRule : Rule
     {

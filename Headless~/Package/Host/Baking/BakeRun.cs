@@ -101,12 +101,12 @@ namespace Host.Baking
             Output.Progress.Run(output, "baking " + Mesh.Name, 1, report =>
             {
                 device.BeginSample("Bake");
-                bake = MeshSdfBaker.Bake(Mesh, settings, (share, stage) =>
+                bake = MeshSdfBaker.Bake(Mesh, settings, (fraction, stage) =>
                 {
                     // The bar shows what the device has done, not what waits for it.
                     device.EndSample();
                     device.WaitIdle();
-                    report(share, stage);
+                    report(fraction, stage);
                     device.BeginSample("Bake");
                     return true;
                 });

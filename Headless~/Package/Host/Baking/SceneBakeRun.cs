@@ -106,9 +106,9 @@ namespace Host.Baking
                 throw new HostException($"its field '{field.name}' was baked from '{other.name}' for another collider, but its own mesh is '{mesh.name}': assign a field of its own.");
 
             SdfBake bake = null;
-            Output.Progress.Run(output, "baking " + mesh.name, 1, tell => bake = MeshSdfBaker.Bake(triangles, with, (share, stage) =>
+            Output.Progress.Run(output, "baking " + mesh.name, 1, tell => bake = MeshSdfBaker.Bake(triangles, with, (fraction, stage) =>
             {
-                tell(share, stage);
+                tell(fraction, stage);
                 return true;
             }));
             SignedDistanceField written = SignedDistanceField.Create(bake, source, sourceId);
@@ -141,7 +141,7 @@ namespace Host.Baking
             return isOwn ? file : throw new HostException($"its field '{field.name}' is stale, but {(path == "" ? "no file of its own" : path)} is not the project's to write: copy it into the project and assign the copy.");
         }
 
-        /// <summary>Beside the scene, under the mesh's name: free, or with a field of this mesh that nobody referred to.</summary>
+        /// <summary>Beside the scene, under the mesh's name: free, or with a field of this mesh that no one referred to.</summary>
         string PathFor(Mesh mesh, (string, long) source)
         {
             for (int i = 1; ; i++)

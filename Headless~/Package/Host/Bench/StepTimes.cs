@@ -100,7 +100,7 @@ namespace Host.Bench
             public static Spread Of(List<double> values)
             {
                 var sorted = values.OrderBy(value => value).ToList();
-                double At(double share) => sorted[(int)Math.Round(share * (sorted.Count - 1))];
+                double At(double fraction) => sorted[(int)Math.Round(fraction * (sorted.Count - 1))];
                 return new Spread(At(0.5), At(0.1), At(0.9), sorted.Count);
             }
         }

@@ -53,7 +53,7 @@ namespace Host.Experiments
                 throw new HostException($"{name} {Text(value)}: give {Text(min)} to {Text(max)}.");
         }
 
-        /// <summary>Clamps what the solver would not take, and says so.</summary>
+        /// <summary>Clamps what the solver would not take, and reports it.</summary>
         public static void Clamp(string command, ref SolverSettings settings, ref FluidMaterial material)
         {
             if (!settings.Validate(out string problem) | !material.Validate(out string materialProblem))

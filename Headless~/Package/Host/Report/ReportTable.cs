@@ -46,7 +46,7 @@ namespace Host.Report
             string[] said = lines.Where(line => line.StartsWith('#')).ToArray();
             string[] table = lines.Where(line => line.Length > 0 && !line.StartsWith('#')).ToArray();
             if (table.Length == 0)
-                throw new HostException($"{path} holds no table; \"rill report\" without --write-only measures it anew.");
+                throw new HostException($"{path} holds no table; \"rill report\" without --write-only measures it again.");
             var loaded = new ReportTable(table[0].Split(',')) { MeasuredOn = string.Join(" ", said.Select(line => line[1..].Trim())) };
             foreach (string line in table.Skip(1))
             {

@@ -117,7 +117,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Shaders_of_features_that_nobody_wants_are_not_loaded()
+        public void Shaders_of_features_that_no_one_wants_are_not_loaded()
         {
             var loaded = new HashSet<string>();
             var gate = new DeviceGate(DeviceLimits.Current, stage =>

@@ -181,7 +181,7 @@ namespace Rill.Tests
 
                 scene.Step(2);
                 Assert.That(probe.TryGetSample(out FluidProbeSample late) && late.age > 0.5f * SourceScene.Step60 == late.step < 3, "its age is that of its step");
-                scene.Fluid.Restart();      // a request is on its way
+                scene.Fluid.Restart();      // a request is pending
                 AssertNone(probe);
                 probe.Flush();
                 AssertNone(probe);

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>Solid colliders in a solver: nobody inside, nobody through, and what lies behind a surface counts as water.</summary>
+    /// <summary>Solid colliders in a solver: no particle inside, no particle through, and what lies behind a surface counts as water.</summary>
     public class ColliderTests
     {
         const float Spacing = 0.05f;
@@ -43,7 +43,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_plate_that_moves_faster_than_its_thickness_in_a_step_leaves_nobody_behind([Values(1f, 4f)] float spacingsPerStep, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void A_plate_that_moves_faster_than_its_thickness_in_a_step_leaves_no_particle_behind([Values(1f, 4f)] float spacingsPerStep, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(new float3(4f, 0f, 0f) * Spacing, new float3(6f, 6f, 18f) * Spacing))
             {

@@ -348,7 +348,7 @@ namespace Rill.Tests
                     Assert.That(now.particles, Is.InRange(1570, 1600), "no more come back than went");
                 }
                 FluidStatistics statistics = scene.Measure();
-                TestContext.Out.WriteLine($"drained {statistics.drained}, on their way {statistics.recycling}");
+                TestContext.Out.WriteLine($"drained {statistics.drained}, pending {statistics.recycling}");
                 Assert.That(statistics.drained, Is.GreaterThan(300));
                 Assert.That(statistics.refused + statistics.blocked + statistics.waiting, Is.Zero);
             }

@@ -334,7 +334,7 @@ namespace Rill.Tests
                 far.transform.localScale = Vector3.one;
                 emitter.Rate = rate;
                 FluidStatistics last = scene.Step(15).AssertConserved();
-                int steps = what == "speed NaN" ? 45 : 30;      // 1 m/s in place of no number
+                int steps = what == "speed NaN" ? 45 : 30;      // 1 m/s instead of no number
                 Assert.That(last.emitted, Is.EqualTo(steps * rate / 60f / scene.ParticleVolume).Within(1));
                 Assert.That(last.nonFinite + last.refused + last.blocked + last.waiting, Is.Zero);
                 Object.DestroyImmediate(emitter.gameObject);

@@ -22,7 +22,7 @@ namespace UnityEngine.Rendering
             spare.Push(buffer);
         }
 
-        internal static void Forget()
+        internal static void Reset()
         {
             foreach (CommandBuffer buffer in spare)
                 buffer.Dispose();

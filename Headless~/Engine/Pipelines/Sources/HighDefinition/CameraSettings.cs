@@ -99,6 +99,6 @@ namespace UnityEngine.Rendering.HighDefinition
             frameSettings = settings;
         }
 
-        internal static void Forget() => all.Clear();
+        internal static void Reset() => all.Clear();
     }
 }

@@ -234,8 +234,8 @@ namespace UnityEngine.Rendering.HighDefinition
                 handle?.Release();
             color = depth = motion = depthPyramid = colorPyramid = black = null;
             variables.Dispose();
-            HDCamera.Forget();
-            CommandBufferPool.Forget();
+            HDCamera.Reset();
+            CommandBufferPool.Reset();
             GraphicsSettings.lightsUseLinearIntensity = GraphicsSettings.lightsUseColorTemperature = false;
             Shader.globalRenderPipeline = "";
         }

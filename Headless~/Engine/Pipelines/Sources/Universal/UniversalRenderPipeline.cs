@@ -112,7 +112,7 @@ namespace UnityEngine.Rendering.Universal
         protected override void Dispose(bool disposing)
         {
             settings.DestroyRenderers();
-            CommandBufferPool.Forget();
+            CommandBufferPool.Reset();
             Shader.globalRenderPipeline = "";
         }
     }

@@ -345,7 +345,7 @@ namespace UnityEngine.Rendering.Universal
         }
 #endif
 
-        // Later draws of URP's read the camera's matrices, which nobody sets again for them.
+        // Later draws of URP's read the camera's matrices, which no one sets again for them.
         void Guard(ScriptableRenderPass pass, Action run)
         {
             (Matrix4x4 view, Matrix4x4 projection) = (RenderState.View, RenderState.Projection);

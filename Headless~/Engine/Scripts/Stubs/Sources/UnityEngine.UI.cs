@@ -1,5 +1,5 @@
 // com.unity.ugui's API shape for projects that have it: elements hold their values and raise their events when a script
-// sets them; nobody clicks and nothing is drawn.
+// sets them; no one clicks and nothing is drawn.
 using System;
 using System.Collections.Generic;
 using UnityEngine.Events;

@@ -97,6 +97,6 @@ plot '{page.DataFile(LoopTable)}' using 1:3 skip 1 with lines ls 1 title 'steps'
             };
         }
 
-        static string Percent(double share) => $"{share * 100:0.00} %";
+        static string Percent(double fraction) => $"{fraction * 100:0.00} %";
     }
 }

@@ -9,7 +9,7 @@ namespace Host.Report.ErrorTime
     {
         // Water that lies flat cannot lie lower than at rest density; a mean height of less was compressed at some time.
         public const double MinVolume = 0.95, MaxVolume = 1.05, MaxEnergy = 1.01;
-        /// <summary>s; before, water is still on its way and its mean height says nothing of its volume.</summary>
+        /// <summary>s; before, water still moves and its mean height says nothing of its volume.</summary>
         public const double SettledAfter = 6;
 
         readonly ReportTable.Row row;

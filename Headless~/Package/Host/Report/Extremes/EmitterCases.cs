@@ -21,7 +21,7 @@ namespace Host.Report.Extremes
         }
 
         /// <param name="emittingSeconds">Of the three seconds, in which it lets water in.</param>
-        static ExtremeCase Bad(string what, string message, int emittingSeconds, Action<FluidEmitter> spoil, Action<FluidEmitter> mend) => new(Subject, $"emitter whose {what} is NaN or infinite in the second of three seconds", (setting, check) =>
+        static ExtremeCase Bad(string what, string message, int emittingSeconds, Action<FluidEmitter> spoil, Action<FluidEmitter> fix) => new(Subject, $"emitter whose {what} is NaN or infinite in the second of three seconds", (setting, check) =>
         {
             const int capacity = 400;
             FluidEmitter tap = null;
@@ -34,11 +34,11 @@ namespace Host.Report.Extremes
             spoil(tap);
             fluid.Frames(30).Measure();
             fluid.Frames(30).Measure();
-            mend(tap);
+            fix(tap);
             fluid.Frames(60).Measure();
 
             FluidStatistics last = fluid.Samples[^1];
-            check.That("says so by the emitter's name", fluid.Said(message), fluid.Messages.Count == 0 ? "no message" : string.Join(" ", fluid.Messages).Replace(',', ';'));
+            check.That("is logged by the emitter's name", fluid.Said(message), fluid.Messages.Count == 0 ? "no message" : string.Join(" ", fluid.Messages).Replace(',', ';'));
             check.Exactly("messages", fluid.Messages.Count, 1);
             double due = emittingSeconds * Rate / Math.Pow(Spacing, 3);
             check.Between("let in", last.emitted, Math.Floor(due) - 1, Math.Ceiling(due) + 1);

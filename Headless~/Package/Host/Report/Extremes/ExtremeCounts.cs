@@ -15,7 +15,7 @@ namespace Host.Report.Extremes
             return new ExtremeCounts(added, last.particles, last.refused, last.nonFinite, samples.Max(s => s.escaped), last.coincident, samples.Max(s => s.neighborOverflow), samples.Max(s => s.speedMax));
         }
 
-        /// <summary>What holds in any case: nobody outside, nobody lost uncounted, nobody without a number for a speed.</summary>
+        /// <summary>What holds in any case: no particle outside, no particle lost uncounted, no particle without a number for a speed.</summary>
         public IEnumerable<string> Broken()
         {
             if (Escaped != 0)

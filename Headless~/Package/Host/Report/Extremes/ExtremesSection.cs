@@ -47,7 +47,7 @@ namespace Host.Report.Extremes
             List<ReportTable.Row> rows = table.Rows.ToList();
             int failed = rows.Count(row => row["broken"].Length > 0);
             page.Line($"`rill report {Name}`, {table.MeasuredOn}. {rows.Count} runs, of which {rows.Count - failed} hold and {failed} fail. Every run also has to keep each");
-            page.Line("particle inside, with a finite speed, and alive, refused or culled, so that nobody is missing from the sum. *On* and *off* are the setting Deep");
+            page.Line("particle inside, with a finite speed, and alive, refused or culled, so that none is missing from the sum. *On* and *off* are the setting Deep");
             page.Line("Water (automatic is on above four layers of water); *default* goes through the component with its own settings. The bar on speed where");
             page.Line("particles are crowded is what two steps can add: half a spacing a pass, and two spacings by the grid's density correction.");
             page.Line();

@@ -79,7 +79,7 @@ namespace Host.Report.Extremes
             fluid.Frames(10);
             parent.transform.localScale = Vector3.one * 3e38f;
             fluid.Frames(60).Measure();
-            check.That("says so by the object's name", fluid.Said("'Tank': its transform is not finite"), string.Join(" ", fluid.Messages).Replace(',', ';'));
+            check.That("is logged by the object's name", fluid.Said("'Tank': its transform is not finite"), string.Join(" ", fluid.Messages).Replace(',', ';'));
             check.Exactly("messages", fluid.Messages.Count, 1);
             check.Exactly("steps taken", fluid.Fluid.StepCount, 70);
             parent.transform.localScale = Vector3.one;

@@ -27,8 +27,8 @@ namespace Host.Report.Extremes
                 yield return OnThinMesh(size, "open sheet baked as a shell of 0.5 d", Shell(), TestMeshes.Sheet, tilt);
             }
             foreach (int layers in new[] { 12, 50 })
-                foreach (double share in new[] { 0.02, 0.2 })
-                    yield return Piston(layers, share, quick ? 12 : 24, quick ? 2 : 6);
+                foreach (double fraction in new[] { 0.02, 0.2 })
+                    yield return Piston(layers, fraction, quick ? 12 : 24, quick ? 2 : 6);
             int seconds = quick ? 2 : 60;
             foreach ((string name, Func<OpenCup> cup) in new (string, Func<OpenCup>)[] { ("wall and floor of 1 d", () => OpenCup.Solid(1f)), ("wall and floor of 2 d", () => OpenCup.Solid(2f)), ("open shell of 0.5 d", () => OpenCup.Shell(0.5f)) })
             {
@@ -67,17 +67,17 @@ namespace Host.Report.Extremes
         });
 
         // Layers at rest that fill the box to the piston, which then closes.
-        static ExtremeCase Piston(int layers, double share, int side, double seconds) => new(Pistons, FormattableString.Invariant($"closed box of {side} x {layers} x {side} d of water that a piston presses to {1 + share:0.00} of its density in 1 s; {seconds:0} s after that"), (setting, check) =>
+        static ExtremeCase Piston(int layers, double fraction, int side, double seconds) => new(Pistons, FormattableString.Invariant($"closed box of {side} x {layers} x {side} d of water that a piston presses to {1 + fraction:0.00} of its density in 1 s; {seconds:0} s after that"), (setting, check) =>
         {
             const float thickness = 4f;
-            float way = (float)(layers - layers / (1 + share));
+            float way = (float)(layers - layers / (1 + fraction));
             using var fluid = new ExtremeFluid(new float3(side, layers + thickness, side), Spacing, side * layers * side, setting.Solver).AddLattice(0f, new int3(side, layers, side));
             ColliderMotion piston = Solids.Still(ColliderShape.Box, new float3(2f * side, thickness, 2f * side), 0f);
             RigidPose Pose(float time) => new RigidPose(new float3(0.5f * side, layers + thickness - way * math.saturate(time), 0.5f * side), quaternion.identity);
             int beyond = 0;
             fluid.StepAmong(piston, Pose, (int)Math.Round((1 + seconds) / fluid.Input.timeStep), 10, pose => beyond = Math.Max(beyond, fluid.Read().Count(p => p.y > pose.position.y)));
             check.Exactly("most particles past the piston", beyond, 0);
-            check.Between("C+ settled", fluid.Settled(s => s.densityError, 1), 0.5 * share, 1.3 * share, "%");
+            check.Between("C+ settled", fluid.Settled(s => s.densityError, 1), 0.5 * fraction, 1.3 * fraction, "%");
             check.AtMost("p99.9 of C+ over its mean", fluid.Settled(s => s.densityError999, 1) / fluid.Settled(s => s.densityError, 1), 3);
             check.AtMost("jitter", fluid.Settled(s => s.jitter, 1), 0.05, "m/s");
             check.Exactly("closer than 0.05 d", fluid.Last.coincident, 0);

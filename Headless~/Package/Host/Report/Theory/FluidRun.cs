@@ -84,7 +84,7 @@ namespace Host.Report
             Steps++;
         }
 
-        /// <summary>Puts these colliders in place of those before; each moves from its start to its end in a step.</summary>
+        /// <summary>Puts these colliders instead of those before; each moves from its start to its end in a step.</summary>
         public void Use(params ColliderMotion[] motions)
         {
             Input.colliders ??= new ColliderSet();

@@ -29,8 +29,8 @@ namespace Host.Report
             if (!(time >= First && time <= Last))
                 return double.NaN;
             int next = Math.Max(1, Array.FindIndex(times, t => t >= time));
-            double share = (time - times[next - 1]) / (times[next] - times[next - 1]);
-            return places[next - 1] + share * (places[next] - places[next - 1]);
+            double fraction = (time - times[next - 1]) / (times[next] - times[next - 1]);
+            return places[next - 1] + fraction * (places[next] - places[next - 1]);
         }
 
         /// <summary>The experiments: Headless~/Package/data/dam-break-front.csv of the package.</summary>

@@ -14,7 +14,7 @@ namespace Host.Studies.Methods
         {
             yield return new MethodStudy("iterations", "Jacobi passes", "iterations", Iterations(quick ? new[] { 2, 4 } : new[] { 1, 2, 4, 8, 16 }).ToArray(), true);
             yield return new MethodStudy("omega", "Relaxation", "relaxation", Omega(quick ? new[] { 1.2f } : Relaxations).ToArray());
-            yield return new MethodStudy("neighbor-mean", "Neighbors' mean (eq. 4.14)", "share of the neighbors' mean",
+            yield return new MethodStudy("neighbor-mean", "Neighbors' mean (eq. 4.14)", "fraction of the neighbors' mean",
                 (quick ? new[] { 0.5f } : new[] { 0.01f, 0.03f, 0.1f, 0.3f, 0.6f, 0.9f, 1f, 1.1f, 1.3f }).Select(NeighborMeanAt).ToArray());
             yield return new MethodStudy("chebyshev", "Chebyshev (Wang 2015)", "spectral radius", Chebyshev(quick).ToArray());
             yield return new MethodStudy("srj", "Scheduled relaxation", "lowest eigenvalue of the schedule", Scheduled(quick).ToArray(), true);
@@ -43,8 +43,8 @@ namespace Host.Studies.Methods
             }
         }
 
-        static MethodVariant NeighborMeanAt(float share) =>
-            new() { Series = "neighbors' mean, k 4", Value = share, Iterations = 4, Method = () => new NeighborMean(share), PassesPerIteration = 3 };
+        static MethodVariant NeighborMeanAt(float fraction) =>
+            new() { Series = "neighbors' mean, k 4", Value = fraction, Iterations = 4, Method = () => new NeighborMean(fraction), PassesPerIteration = 3 };
 
         static IEnumerable<MethodVariant> Chebyshev(bool quick)
         {

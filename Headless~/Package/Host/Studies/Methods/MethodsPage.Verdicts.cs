@@ -90,7 +90,7 @@ namespace Host.Studies.Methods
 
         static string ValueOf(ReportTable.Row row) => row["label"].Length > 0 ? row["label"] : row["value"];
 
-        static string Percent(double share) => string.Create(CultureInfo.InvariantCulture, $"{100 * share:0.00} %");
+        static string Percent(double fraction) => string.Create(CultureInfo.InvariantCulture, $"{100 * fraction:0.00} %");
 
         static string Figure(double value) => value.ToString("G3", CultureInfo.InvariantCulture);
     }

@@ -8,10 +8,10 @@ namespace Host.Studies.Methods
     sealed class NeighborMean : PassByPass
     {
         readonly ComputeShader shader = StudyShader.Load("NeighborMean");
-        readonly float share;
+        readonly float fraction;
 
         /// <param name="share">That equation's ω.</param>
-        public NeighborMean(float share) => this.share = share;
+        public NeighborMean(float fraction) => this.fraction = fraction;
 
         protected override void AfterPass(CommandBuffer cmd, StudySolver solver, int pass, int passes)
         {
@@ -19,7 +19,7 @@ namespace Host.Studies.Methods
             int kernel = shader.FindKernel("Average");
             solver.BindConstants(cmd, shader);
             solver.Lists.Bind(cmd, shader, kernel);
-            cmd.SetComputeFloatParam(shader, "_Share", share);
+            cmd.SetComputeFloatParam(shader, "_Share", fraction);
             cmd.SetComputeBufferParam(shader, kernel, "_Corrected", particles.Predicted);
             cmd.SetComputeBufferParam(shader, kernel, "_Averaged", particles.Current);
             solver.DispatchParticles(cmd, shader, kernel);

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Host.Studies.Methods
 {
-    /// <summary>Which of several runs nobody beats.</summary>
+    /// <summary>Which of several runs no one beats.</summary>
     static class ParetoFront
     {
         /// <summary>Times and errors repeat to about this: less is no difference.</summary>

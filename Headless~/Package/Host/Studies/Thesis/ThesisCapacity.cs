@@ -42,12 +42,12 @@ namespace Host.Studies.Thesis
             for (int i = 0; i < Shares.Length; i++)
                 plot.Add($"using 1:2 with linespoints ls {i + 1} title '{Shares[i].Name} of the frame'",
                     byIterations.Select(k => new object[] { k.Iterations, Particles(k.Points, Shares[i].Share * Frame) }).Where(point => !double.IsNaN((double)point[1])));
-            page.Plot("thesis-capacity", "Particles that fit a share of a frame at 60 Hz against iterations", plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
+            page.Plot("thesis-capacity", "Particles that fit a fraction of a frame at 60 Hz against iterations", plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
 
-            page.Line(FormattableString.Invariant($"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(share => FormattableString.Invariant($"{share.Name} of the frame ({share.Share * Frame:0.00} ms)")))}:"));
+            page.Line(FormattableString.Invariant($"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Share * Frame:0.00} ms)")))}:"));
             page.Line();
-            page.Table(new[] { "iterations" }.Concat(Shares.Select(share => $"particles in {share.Name}")).Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
-                byIterations.Select(k => new[] { k.Iterations.ToString() }.Concat(Shares.Select(share => Count(k.Points, share.Share * Frame, least, most))).Concat(k.Points.Select(p => FormattableString.Invariant($"{p.Ms:0.000}")))));
+            page.Table(new[] { "iterations" }.Concat(Shares.Select(fraction => $"particles in {fraction.Name}")).Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
+                byIterations.Select(k => new[] { k.Iterations.ToString() }.Concat(Shares.Select(fraction => Count(k.Points, fraction.Share * Frame, least, most))).Concat(k.Points.Select(p => FormattableString.Invariant($"{p.Ms:0.000}")))));
             page.Line("The thesis draws the same curve for its hardware; its absolute counts belong to that and are not repeated here. " + Shape(byIterations));
             page.Line();
         }
@@ -74,7 +74,7 @@ namespace Host.Studies.Thesis
             return points[0].Ms > milliseconds ? FormattableString.Invariant($"fewer than {least:N0}") : FormattableString.Invariant($"more than {most:N0}");
         }
 
-        // A step is a fixed part and a part for each iteration: hence the hyperbola.
+        // A step is a fixed part and a part for each iteration: so the hyperbola.
         static string Shape(List<(int Iterations, (double Particles, double Ms)[] Points)> byIterations)
         {
             (int fewIterations, var few) = byIterations[0];

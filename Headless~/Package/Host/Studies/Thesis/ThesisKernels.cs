@@ -16,7 +16,7 @@ namespace Host.Studies.Thesis
         // Per cent, at 100,000 particles and 5 iterations.
         static readonly (string Kernel, double Share)[] Thesis = { ("λ", 44.7), ("neighbor search", 24.1), ("Δp", 17.2), ("velocity", 11.0), ("rest", 3.0) };
 
-        public override string Title => "Share of each kernel (figure 5.1)";
+        public override string Title => "Fraction of each kernel (figure 5.1)";
 
         public override void Measure(ReportRun run)
         {
@@ -33,22 +33,22 @@ namespace Host.Studies.Thesis
             ReportTable table = page.Load(TableName);
             ReportTable.Row first = table.Rows.First();
             string[] windows = table.Rows.Select(row => row["window"]).Distinct().ToArray();
-            Dictionary<string, double[]> shares = windows.ToDictionary(window => window, window => Shares(table.Rows.Where(row => row["window"] == window)));
+            Dictionary<string, double[]> fractions = windows.ToDictionary(window => window, window => Shares(table.Rows.Where(row => row["window"] == window)));
 
             var plot = new PlotData().Add("using 2:xtic(1) title 'thesis' ls 5", Thesis.Select(kernel => new object[] { kernel.Kernel, kernel.Share }));
             for (int i = 0; i < windows.Length; i++)
-                plot.Add($"using 2:xtic(1) title 'here, {windows[i]}' ls {i + 1}", Thesis.Select((kernel, k) => new object[] { kernel.Kernel, shares[windows[i]][k] }));
-            page.Plot("thesis-kernels", "Share of each kernel in a step: the thesis's and this solver's", plot.Script("set style data histograms\nset style fill solid 0.85\nset boxwidth 0.9\nset ylabel 'share of the step (%)'\nset yrange [0:*]\n"));
+                plot.Add($"using 2:xtic(1) title 'here, {windows[i]}' ls {i + 1}", Thesis.Select((kernel, k) => new object[] { kernel.Kernel, fractions[windows[i]][k] }));
+            page.Plot("thesis-kernels", "Fraction of each kernel in a step: the thesis's and this solver's", plot.Script("set style data histograms\nset style fill solid 0.85\nset boxwidth 0.9\nset ylabel 'share of the step (%)'\nset yrange [0:*]\n"));
 
-            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, per cent of a step{(table.InSoftware ? " (of a CPU: no kernel's share on a GPU follows)" : "")}:"));
+            page.Line(FormattableString.Invariant($"{first.Number("particles"):N0} particles, {Iterations} iterations, per cent of a step{(table.InSoftware ? " (of a CPU: no kernel's fraction on a GPU follows)" : "")}:"));
             page.Line();
             page.Table(new[] { "" }.Concat(Thesis.Select(kernel => kernel.Kernel)).Append("step, ms"),
-                windows.Select(window => shares[window].Select(share => FormattableString.Invariant($"{share:0.0}")).Prepend("here, " + window).Append(FormattableString.Invariant($"{Milliseconds(table, window):0.000}")))
+                windows.Select(window => fractions[window].Select(fraction => FormattableString.Invariant($"{fraction:0.0}")).Prepend("here, " + window).Append(FormattableString.Invariant($"{Milliseconds(table, window):0.000}")))
                     .Prepend(Thesis.Select(kernel => FormattableString.Invariant($"{kernel.Share:0.0}")).Prepend("thesis").Append("")));
             page.Line("The first λ is solved in the pass that builds the neighbor list; here it is taken to cost what each later λ costs and counted there, the rest of that pass as neighbor search. XSPH is part of velocity.");
             page.Line();
-            string dearest = Thesis[Array.IndexOf(shares["initial"], shares["initial"].Max())].Kernel;
-            page.Line(FormattableString.Invariant($"In the thesis {Thesis[0].Kernel} is the dearest part, at {Thesis[0].Share} %. Here it is {dearest}, at {shares["initial"].Max():0.0} % of the initial block's step{(dearest == Thesis[0].Kernel ? ": the same." : $": not the same; λ takes {shares["initial"][0]:0.0} %.")}"));
+            string slowest = Thesis[Array.IndexOf(fractions["initial"], fractions["initial"].Max())].Kernel;
+            page.Line(FormattableString.Invariant($"In the thesis {Thesis[0].Kernel} is the most expensive part, at {Thesis[0].Share} %. Here it is {slowest}, at {fractions["initial"].Max():0.0} % of the initial block's step{(slowest == Thesis[0].Kernel ? ": the same." : $": not the same; λ takes {fractions["initial"][0]:0.0} %.")}"));
             page.Line();
         }
 

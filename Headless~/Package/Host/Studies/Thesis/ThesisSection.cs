@@ -9,7 +9,7 @@ namespace Host.Studies.Thesis
         readonly IReadOnlyList<ThesisFigure> figures = new ThesisFigure[] { new ThesisKernels(), new ThesisCapacity(), new ThesisDensity(), new ThesisTime() };
 
         public override string Name => "thesis";
-        public override string Title => "The thesis's figures, made anew";
+        public override string Title => "The thesis's figures, made again";
 
         public override void Measure(ReportRun run)
         {

@@ -4,10 +4,10 @@ using System.Linq;
 namespace Host.Scripts.Stubs
 {
     /// <summary>
-    /// Which lines of the lists are no C# by themselves, remembered so that a first use need not find out again. Sources/mends.txt
-    /// is a copy of the mends.txt that lies beside a compiled UnityEngine.Stubs.dll in the cache.
+    /// Which lines of the lists are no C# by themselves, remembered so that a first use need not find out again. Sources/fixes.txt
+    /// is a copy of the fixes.txt that lies beside a compiled UnityEngine.Stubs.dll in the cache.
     /// </summary>
-    internal static class Mends
+    internal static class Fixes
     {
         public static IEnumerable<string> Of(StubSources sources)
         {
@@ -20,18 +20,18 @@ namespace Host.Scripts.Stubs
             }
         }
 
-        public static void Apply(StubSources sources, IEnumerable<string> mends)
+        public static void Apply(StubSources sources, IEnumerable<string> fixes)
         {
             var types = sources.Types.SelectMany(t => t.WithNested()).ToLookup(t => t.FullName);
-            foreach (var mend in mends.Select(m => m.TrimEnd('\r').Split('\t')).Where(m => m.Length > 1))
-                foreach (var type in types[mend[0]])
+            foreach (var fix in fixes.Select(m => m.TrimEnd('\r').Split('\t')).Where(m => m.Length > 1))
+                foreach (var type in types[fix[0]])
                 {
-                    if (mend.Length == 2 && mend[1] == "leave out") type.Dropped = true;
-                    else if (mend[1] == "abstract") type.ForcedAbstract = true;
-                    else if (mend[1] == "without") type.Without(mend[2]);
+                    if (fix.Length == 2 && fix[1] == "leave out") type.Dropped = true;
+                    else if (fix[1] == "abstract") type.ForcedAbstract = true;
+                    else if (fix[1] == "without") type.Without(fix[2]);
                     else
-                        foreach (var member in type.Members.Where(m => m.Signature == mend[2]))
-                            if (mend[1] == "values") member.ValueTypesOnly = true;
+                        foreach (var member in type.Members.Where(m => m.Signature == fix[2]))
+                            if (fix[1] == "values") member.ValueTypesOnly = true;
                             else member.Dropped = true;
                 }
         }
