@@ -63,12 +63,17 @@ namespace Host.Tests
         {
             string[] targets = Regex.Matches(File.ReadAllText(page), @"\]\(([^)]+)\)").Select(match => match.Groups[1].Value).ToArray();
             Assert.That(targets, Is.Not.Empty);
+            string[] anchors = File.ReadLines(page).Where(line => line.StartsWith('#'))
+                .Select(line => "#" + ReportFailures.Anchor(line.TrimStart('#', ' '))).ToArray();
             foreach (string target in targets)
-                Assert.That(new FileInfo(Path.Combine(Path.GetDirectoryName(page), target)).Exists, target);
+                if (target.StartsWith('#'))
+                    Assert.That(anchors, Does.Contain(target));
+                else
+                    Assert.That(new FileInfo(Path.Combine(Path.GetDirectoryName(page), target)).Exists, target);
         }
 
         [Test]
-        public void The_page_begins_with_what_was_run_on_what_and_its_links_lead_somewhere()
+        public void The_page_says_what_was_run_on_what_and_its_links_lead_somewhere()
         {
             Measure(Three[0]);
             ReportFolders folders = ReportFolders.Of(folder, null);

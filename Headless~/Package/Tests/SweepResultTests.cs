@@ -34,10 +34,12 @@ namespace Host.Tests
         [TestCase("energy", 1.02, "gains energy")]
         [TestCase("energy", double.NaN, "gains energy")]
         [TestCase("volume", 1.06, "boils")]
+        [TestCase("error_moving", 0.031, "is too dense")]
+        [TestCase("error_settled", double.NaN, "is too dense")]
         public void A_run_beyond_a_limit_does_not_hold(string column, double value, string fault) => Assert.That(Result((column, value)).Fault, Is.EqualTo(fault));
 
         [Test]
-        public void The_volume_of_water_still_on_its_way_is_not_judged() => Assert.That(Result(("seconds", 2), ("volume", 1.3)).Fault, Is.Null);
+        public void The_volume_of_water_that_still_moves_is_not_judged() => Assert.That(Result(("seconds", 2), ("volume", 1.3)).Fault, Is.Null);
 
         [Test]
         public void Time_and_error_are_those_of_the_worse_window()

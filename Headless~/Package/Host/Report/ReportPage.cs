@@ -12,6 +12,7 @@ namespace Host.Report
         readonly string dataFolder, imageFolder, imageLink;
         readonly StringBuilder text = new();
         readonly List<string> tables = new();
+        string section = "", heading = "";
 
         /// <param name="imageLink">From the page to the folder of images.</param>
         public ReportPage(string dataFolder, string imageFolder, string imageLink)
@@ -23,6 +24,9 @@ namespace Host.Report
         }
 
         public override string ToString() => text.ToString();
+
+        /// <summary>What the tables so far say fails.</summary>
+        public ReportFailures Failures { get; } = new();
 
         /// <summary>Names of all tables that were asked for.</summary>
         public IReadOnlyList<string> Tables => tables.Distinct().ToList();
@@ -40,6 +44,7 @@ namespace Host.Report
         public void Section(ReportSection section)
         {
             Line();
+            this.section = heading = section.Title;
             Line("## " + section.Title);
             Line();
             int before = tables.Count;
@@ -51,14 +56,24 @@ namespace Host.Report
 
         public void Line(string line = "") => text.Append(line).Append('\n');
 
+        /// <summary>A heading within a section.</summary>
+        public void Heading(string title)
+        {
+            heading = title;
+            Line("### " + title);
+            Line();
+        }
+
         public void Table(IEnumerable<string> columns, IEnumerable<IEnumerable<string>> rows)
         {
             string[] names = columns.ToArray();
+            List<string[]> cells = rows.Select(row => row.ToArray()).ToList();
             Line("| " + string.Join(" | ", names) + " |");
             Line("|" + string.Concat(names.Select(_ => " --- |")));
-            foreach (IEnumerable<string> row in rows)
+            foreach (string[] row in cells)
                 Line("| " + string.Join(" | ", row) + " |");
             Line();
+            Failures.Add(section, heading, names, cells);
         }
 
         /// <summary>Draws by gnuplot and shows the picture.</summary>

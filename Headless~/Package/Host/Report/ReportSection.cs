@@ -13,6 +13,9 @@ namespace Host.Report
         /// <summary>Runs the simulations; saves tables by <see cref="ReportRun.Save"/>.</summary>
         public abstract void Measure(ReportRun run);
 
+        /// <summary>A picture for the beginning of the page, from the same tables; nothing for most sections.</summary>
+        public virtual void WriteOverview(ReportPage page) { }
+
         /// <summary>Text, tables and plots from what <see cref="Measure"/> saved, maybe on another machine and another day.</summary>
         public abstract void Write(ReportPage page);
     }

@@ -17,12 +17,18 @@ namespace Host.Report
             if (missing.Length > 0)
                 throw new HostException($"{string.Join(", ", missing)}: not measured into {folders.Data}; \"rill report {string.Join(" ", missing)}\" without --write-only does.");
 
-            var page = new ReportPage(folders.Data, folders.Images, folders.ImageLink);
-            Introduce(page, sections, records);
+            ReportPage head = Page(), body = Page();
             foreach (ReportSection section in sections)
-                page.Section(section);
-            File.WriteAllText(folders.Page, page.ToString());
-            CopyTables(page.Tables.Concat(sections.Select(ReportRecord.Name)), folders);
+                body.Section(section);
+            Introduce(head, sections, records);
+            foreach (ReportSection section in sections)
+                section.WriteOverview(head);
+            ListFailures(head, body.Failures);
+            ListRuns(head, sections, records);
+            File.WriteAllText(folders.Page, head.ToString() + body);
+            CopyTables(head.Tables.Concat(body.Tables).Concat(sections.Select(ReportRecord.Name)), folders);
+
+            ReportPage Page() => new(folders.Data, folders.Images, folders.ImageLink);
         }
 
         static void Introduce(ReportPage page, IReadOnlyList<ReportSection> sections, List<ReportRecord> records)
@@ -35,13 +41,31 @@ namespace Host.Report
                 page.Line($"**{(group.Key.Quick ? "A quick run" : "A run")}{(group.Key.InSoftware ? " on a CPU" : "")}** ({what}): {(group.Key.Quick ? "small scenes, few settings; it shows that everything works, not what the solver can do. " : "")}{(group.Key.InSoftware ? "Its times say nothing about a GPU." : "")}".TrimEnd());
                 page.Line();
             }
-            page.Line("Written by `rill report`. What was run on what:");
+            page.Line("Written by `rill report`. It begins with what settings cost and leave of error, and with all that fails. "
+                + "[What was measured on what](#what-was-measured-on-what) stands before the sections.");
+        }
+
+        static void ListRuns(ReportPage page, IReadOnlyList<ReportSection> sections, List<ReportRecord> records)
+        {
+            page.Line("## What was measured on what");
             page.Line();
             page.Table(new[] { "section", "command", "device", "date", "took" }, sections.Select((section, i) => new[]
             {
                 section.Title, $"`rill report {section.Name}{(records[i].Quick ? " --quick" : "")}`", records[i].Device, records[i].Date, records[i].Seconds.ToString("0 s", CultureInfo.InvariantCulture),
             }));
             page.Line("Every table lies beside the page as CSV; its first line says what it was measured on.");
+        }
+
+        static void ListFailures(ReportPage page, ReportFailures failures)
+        {
+            page.Line();
+            page.Line("## What fails");
+            page.Line();
+            page.Line(failures.Rows.Count == 0 ? "Nothing: all figures of the sections below meet their bars."
+                : "Everything that misses its bar in the tables of the sections below; the worst figure of each.");
+            page.Line();
+            if (failures.Rows.Count > 0)
+                page.Table(ReportFailures.Columns, failures.Rows);
         }
 
         // With the records, so that the page can be written again from what lies beside it when one section is measured again.

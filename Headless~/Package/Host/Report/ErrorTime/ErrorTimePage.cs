@@ -8,7 +8,7 @@ namespace Host.Report.ErrorTime
     static class ErrorTimePage
     {
         // C+ that a setting may be asked for.
-        static readonly double[] Targets = { 0.03, 0.01, 0.005, 0.003 };
+        static readonly double[] Targets = { SweepResult.MaxError, 0.01, 0.005, 0.003 };
 
         public static void Write(ReportPage page, List<SweepResult> results, ReportTable table)
         {
@@ -21,11 +21,11 @@ namespace Host.Report.ErrorTime
 
         static void Introduce(ReportPage page, ReportTable table)
         {
-            page.Line("What a setting costs and what it leaves of error, over method (plain iterations, or two-level: with the correction for deep water), iterations, relaxation ω and substeps. " +
+            page.Line("What a setting costs and what it leaves of error, over method (plain iterations, or with Deep Water on), iterations, relaxation ω and substeps. " +
                 $"C+ is the mean of max(0, ρ/ρ0 − 1) over 0.2 to 2 s (*moving*) and over the last 2 s (*settled*); time is the median of steps 20 to 60 (*moving*) and of the last 100 (*settled*). Plots and fronts take the worse window of both. " +
                 "Noise is the rms speed of water that should stand still; where it still sloshes, jitter stands for it: the rms of velocity minus the neighbors' mean.");
             page.Line();
-            page.Line(FormattableString.Invariant($"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.MinVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.MaxEnergy} of the start's (*gains energy*) and, in runs of {SweepResult.SettledAfter} s or more, the volume ends below {SweepResult.MaxVolume} (*boils*). The front is of those that hold: none is both cheaper and nearer to rest density."));
+            page.Line(FormattableString.Invariant($"A setting *holds* if no particle is lost or escapes, the mean height never falls below {SweepResult.MinVolume} of that of water at rest (*collapses*), energy never rises above {SweepResult.MaxEnergy} of the start's (*gains energy*), in runs of {SweepResult.SettledAfter} s or more the volume ends below {SweepResult.MaxVolume} (*boils*), and C+ is at most {SweepResult.MaxError * 100:0} % (*is too dense*). The front is of those that hold: none is both cheaper and nearer to rest density."));
             page.Line();
             if (table.InSoftware)
             {
@@ -48,9 +48,8 @@ namespace Host.Report.ErrorTime
         {
             SweepResult first = scene[0];
             List<SweepResult> front = SweepResult.FrontOf(scene);
-            page.Line("### " + Title(first));
-            page.Line();
-            page.Plot("error-time-" + first.SceneId, $"{Title(first)}: C+ and {UnrestName(first)} against milliseconds, plain and two-level, with the Pareto front", ErrorTimePlot.Script(scene, front, UnrestName(first)), 1200, 440);
+            page.Heading(Title(first));
+            page.Plot("error-time-" + first.SceneId, $"{Title(first)}: C+ and {UnrestName(first)} against milliseconds, plain and deep water, with the Pareto front", ErrorTimePlot.Script(scene, front, UnrestName(first)), 1200, 440);
             page.Line(Held(scene));
             page.Line();
             if (front.Count == 0)
@@ -88,7 +87,7 @@ namespace Host.Report.ErrorTime
         static string Winner(List<SweepResult> scene, List<SweepResult> front)
         {
             int deep = front.Count(r => r.Setting.Deep);
-            string text = deep == front.Count ? "Two-level wins at every time" : deep == 0 ? "Plain wins at every time" : $"{deep} of the front's {front.Count} settings are two-level";
+            string text = deep == front.Count ? "Deep water wins at every time" : deep == 0 ? "Plain wins at every time" : $"{deep} of the front's {front.Count} settings have deep water on";
             SweepResult best = front[^1];
             text += FormattableString.Invariant($": from {front[0].Error * 100:0.00} % at {front[0].Milliseconds:0.000} ms ({front[0].Setting}) to {best.Error * 100:0.00} % at {best.Milliseconds:0.000} ms ({best.Setting}).");
             if (deep > 0 && deep < front.Count)
@@ -108,7 +107,7 @@ namespace Host.Report.ErrorTime
 
         static SweepResult Cheapest(List<SweepResult> scene, bool deep, double target) => scene.Where(r => r.Holds && r.Setting.Deep == deep && r.Error <= target).MinBy(r => r.Milliseconds);
 
-        static string Title(SweepResult r) => FormattableString.Invariant($"{char.ToUpperInvariant(r.Scene[0])}{r.Scene[1..]}, {r.Particles:N0} particles{(r.Scene == "drop" ? " onto a pool of" : "")}{(r.Scene == "drop" ? "" : ",")} {r.Layers} layers");
+        public static string Title(SweepResult r) => FormattableString.Invariant($"{char.ToUpperInvariant(r.Scene[0])}{r.Scene[1..]}, {r.Particles:N0} particles{(r.Scene == "drop" ? " onto a pool of" : "")}{(r.Scene == "drop" ? "" : ",")} {r.Layers} layers");
 
         static string UnrestName(SweepResult r) => r.IsStill ? "noise" : "jitter";
 

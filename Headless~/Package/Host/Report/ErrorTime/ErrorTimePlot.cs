@@ -27,9 +27,9 @@ namespace Host.Report.ErrorTime
             return new PlotData()
                 .Add("using 1:2 with lines lc rgb '#303030' dt 2 lw 1.2 title 'Pareto front'", front.Where(r => value(r) > 0).Select(Point))
                 .Add("using 1:2 with points ls 2 title 'plain'", Points(r => r.Holds && !r.Setting.Deep))
-                .Add("using 1:2 with points ls 1 title 'two-level'", Points(r => r.Holds && r.Setting.Deep))
+                .Add("using 1:2 with points ls 1 title 'deep water'", Points(r => r.Holds && r.Setting.Deep))
                 .Add("using 1:2 with points pt 5 ps 0.6 lc rgb '#e6b8a0' title 'plain, does not hold'", Points(r => !r.Holds && !r.Setting.Deep))
-                .Add("using 1:2 with points pt 7 ps 0.6 lc rgb '#a9c9e2' title 'two-level, does not hold'", Points(r => !r.Holds && r.Setting.Deep))
+                .Add("using 1:2 with points pt 7 ps 0.6 lc rgb '#a9c9e2' title 'deep water, does not hold'", Points(r => !r.Holds && r.Setting.Deep))
                 .Add("using 1:2:3 with labels font ',8' left offset 0.6,0.5 notitle", front.Where(r => value(r) > 0).Select(r => new object[] { r.Milliseconds, value(r), $"{r.Setting.Substeps}x{r.Setting.Iterations}" }))
                 .Script(LogAxis.Script("x", scene.Select(r => r.Milliseconds)) + LogAxis.Script("y", scene.Select(value)) +
                     $"set xlabel 'ms a step, more expensive window{off}'\nset ylabel '{label}'\nset format '%g'\nset lmargin at screen {left.ToString(CultureInfo.InvariantCulture)}\nset rmargin at screen {(left + 0.33).ToString(CultureInfo.InvariantCulture)}\n{key}\n");

@@ -44,6 +44,20 @@ namespace Host.Report.ErrorTime
             ErrorTimePage.Write(page, SweepResult.All(table).ToList(), table);
         }
 
+        public override void WriteOverview(ReportPage page)
+        {
+            List<SweepResult> results = SweepResult.All(page.Load(Sweep)).ToList();
+            page.Line();
+            page.Plot("error-time", "Error against milliseconds in all scenes: plain iterations, deep water, and the default", ErrorTimeOverview.Script(results, Default), ErrorTimeOverview.Width, ErrorTimeOverview.Height);
+            page.Line($"Each point is a setting that [holds](#{ReportFailures.Anchor(Title)}) its scene; lines join those that no other one of their method beats.");
+        }
+
+        SweepSetting? Default(SweepResult result)
+        {
+            ExperimentScene scene = full.Concat(quick).Select(plan => plan.Scene).FirstOrDefault(scene => scene.Name == result.Scene && scene.Particles == result.Particles);
+            return scene == null ? null : SweepSetting.DefaultFor(scene.Particles / ((float)scene.Box.x * scene.Box.z));
+        }
+
         static ReportTable FrontOf(IEnumerable<SweepResult> results)
         {
             var table = new ReportTable("scene", "particles", "layers", "substeps", "iterations", "relaxation", "deep", "ms", "ms_moving", "ms_settled", "error", "error_moving", "error_settled", "noise", "jitter", "bytes");

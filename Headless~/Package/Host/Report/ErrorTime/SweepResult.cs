@@ -8,7 +8,7 @@ namespace Host.Report.ErrorTime
     sealed class SweepResult
     {
         // Water that lies flat cannot lie lower than at rest density; a mean height of less was compressed at some time.
-        public const double MinVolume = 0.95, MaxVolume = 1.05, MaxEnergy = 1.01;
+        public const double MinVolume = 0.95, MaxVolume = 1.05, MaxEnergy = 1.01, MaxError = 0.03;
         /// <summary>s; before, water still moves and its mean height says nothing of its volume.</summary>
         public const double SettledAfter = 6;
 
@@ -60,6 +60,7 @@ namespace Host.Report.ErrorTime
             !(MinVolumeSeen >= MinVolume) ? "collapses" :
             !(Energy <= MaxEnergy) ? "gains energy" :
             Seconds >= SettledAfter && !(Volume <= MaxVolume) ? "boils" :
+            !(Error <= MaxError) ? "is too dense" :
             null;
     }
 }

@@ -55,9 +55,8 @@ namespace Host.Report.Extremes
                 WriteCounts(page, rows);
             foreach (IGrouping<string, ReportTable.Row> subject in rows.GroupBy(row => row["subject"]))
             {
-                page.Line("### " + subject.Key);
-                page.Line();
-                page.Table(new[] { "case", "setting", "bar", "seen", "" }, subject.Select(row => new[] { row["case"], row["setting"], row["bar"], row["seen"], row["broken"].Length == 0 ? "holds" : $"**FAILS**: {row["broken"]}" }));
+                page.Heading(subject.Key);
+                page.Table(new[] { "case", "setting", "bar", "seen", "" }, subject.Select(row => new[] { row["case"], row["setting"], row["bar"], row["seen"], Verdict.Of(row["broken"]) }));
             }
         }
 

@@ -55,7 +55,7 @@ namespace Host.Report.Extremes
             fluid.Input.gravity = new float3(0f, -strength, 0f);
             fluid.Seconds(seconds, 5);
             check.AtMost("highest energy over the start's", fluid.MaxEnergy, 1.005);
-            check.Note("gravity's way in a step in d", strength * Math.Pow(fluid.Input.timeStep, 2) / Spacing);
+            check.Note("gravity's displacement in a step in d", strength * Math.Pow(fluid.Input.timeStep, 2) / Spacing);
             check.Note("substeps", setting.Solver.StableSubsteps(strength / 3600 / Spacing));
             check.Between("volume settled", fluid.Settled(s => s.volumeRatio, 1), 0.9, 1.1);
             check.AtMost("C+ settled", fluid.Settled(s => s.densityError, 1), 0.05, "%");
@@ -67,7 +67,7 @@ namespace Host.Report.Extremes
             using var fluid = new ExtremeFluid(3f * size, Spacing, size * size * size, setting.Solver).AddLattice(size, size);
             fluid.Input.gravity = 0f;
             fluid.Step(120, 10);
-            check.AtMost("way of the centre of mass in d", math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.05);
+            check.AtMost("displacement of the centre of mass in d", math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.05);
             check.AtMost("speed at the end", fluid.Last.speed, 0.05, "m/s");
             return fluid.Counts;
         });
@@ -95,7 +95,7 @@ namespace Host.Report.Extremes
             check.Between("volume settled", fluid.Settled(s => s.volumeRatio), 0.9, 1.1);
             check.AtMost("C+ settled", fluid.Settled(s => s.densityError), 0.05, "%");
             check.Note("substeps", setting.Solver.StableSubsteps(9.81f / 225 / Spacing));
-            check.Note("gravity's way in a step in d", 9.81 * Math.Pow(fluid.Input.timeStep, 2) / Spacing);
+            check.Note("gravity's displacement in a step in d", 9.81 * Math.Pow(fluid.Input.timeStep, 2) / Spacing);
             return fluid.Counts;
         });
     }

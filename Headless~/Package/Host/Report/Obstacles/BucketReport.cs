@@ -50,8 +50,7 @@ namespace Host.Report.Obstacles
         public static void Write(ReportPage page)
         {
             ReportTable table = page.Load(Summary);
-            page.Line("### Rotating bucket");
-            page.Line();
+            page.Heading("Rotating bucket");
             page.Line("Water in a cylinder (an inside-out capsule that turns; the floor is the domain's, which slips) is given the turning of the cylinder as its first velocity, level or already as the parabola; the wall alone would take minutes. Theory: z = z0 + Ω² r² / 2 g (Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², over the theory's. A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's end: water held on a circle loses Ω² Δt of its turning in a second (Δt the substep). What that alone leaves after a time t is 1 / √(1 + 2 Ω0² Δt t). A wall without friction should leave as much. One with friction 1 does not slip and drives the water, so up to 1 may be left. The surface is also compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g. Largest: distance of a ring from the theory's surface over the rise from the middle to the wall.");
             page.Line();
             page.Table(new[] { "radius, d", "rise, d", "deep water", "starts", "wall's friction", "substeps x iterations", "steepness", "within 5 %", "for its own turning", "within 5 %", "largest", "turning left", "by the step alone" },

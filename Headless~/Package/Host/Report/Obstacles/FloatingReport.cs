@@ -36,11 +36,10 @@ namespace Host.Report.Obstacles
         public static void Write(ReportPage page)
         {
             ReportTable table = page.Load(Summary);
-            page.Line("### Floating bodies");
-            page.Line();
+            page.Heading("Floating bodies");
             page.Line($"A ball and a cube of half the water's density, carried by FluidBuoyancy and a Rigidbody that only heaves, are let go {100 * FloatingBody.Lift:0} % of their height above rest, swing with *Damping* 0 and come to rest with the default. Draft: how deep the body lies under the level of the water around it in the last second, against Archimedes. Level: of that water, above or below that of water that keeps its volume. Period: of a damped cosine fitted to the first swings, without its damping, against T = 2π √((m + m_a) / (ρ g A)), A the area that the body cuts out of the surface, m_a half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in endless water) and 0.68 of it for the cube (DNV-RP-C205, appendix D). That is the added mass of fast heave. At this period a ball makes waves and has less of it, which shortens the period by about 3 % (Havelock 1955); the floor, a body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the middle (a wave as long as the tank is wide) has 0.98 of the ball's period, 0.75 of the cube's: what is measured there is the two together. New measurements are made in tanks {FloatingBody.WidthsAcross} bodies wide, in which the walls' waves come back after the fit. Damping: what is seen while *Damping* is 0, as a share of the critical; negative where the late force drives the heave. Above {MaxDamping} there is no period worth the name.");
             page.Line();
-            page.Table(new[] { "body", "layers, width of the tank, d", "deep water", "draft, m", "theory, m", "error", "within 5 %", "level, d", "period, s", "theory, s", "error", "within 5 %", "damping", "misfit of the cosine" },
+            page.Table(new[] { "body", "layers, width of the tank, d", "deep water", "draft, m", "theory, m", "draft's error", "within 5 %", "level, d", "period, s", "theory, s", "period's error", "within 5 %", "damping", "misfit of the cosine" },
                 table.Rows.Select(row =>
                 {
                     double draft = row.Number("draft_m") / row.Number("theory_draft_m") - 1;

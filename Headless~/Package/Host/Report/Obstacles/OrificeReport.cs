@@ -40,11 +40,10 @@ namespace Host.Report.Obstacles
         public static void Write(ReportPage page)
         {
             ReportTable table = page.Load(Summary);
-            page.Line("### Outflow through a hole");
-            page.Line();
+            page.Heading("Outflow through a hole");
             page.Line($"A tank runs out through a square hole with sharp edges in its floor, into air. Torricelli: at z below the level the jet is as fast as what has fallen by z, v = √(2 g z). Speed: of every particle of the jet from half to one width below the hole, where it has drawn together, over that; no coefficient is in it. Rate: from the level, which falls as √h = √h0 − c (a/A) √(g/2) t with a the hole and A the floor; the coefficient c is fitted, for theory gives only that of a slot, π/(π + 2) = {OrificeFlow.SlotCoefficient:0.000} (Lamb, §75), and experiments with sharp edges 0.60 to 0.62. Misfit: largest distance of the level from that parabola over the first level.");
             page.Line();
-            page.Table(new[] { "hole, d", "particles", "deep water", "substeps x iterations", "speed over √(2 g z)", "error", "within 5 %", "coefficient c", "over the slot's", "misfit of the level", "through the floor" },
+            page.Table(new[] { "hole, d", "particles", "deep water", "substeps x iterations", "speed over √(2 g z)", "speed's error", "within 5 %", "coefficient c", "over the slot's", "misfit of the level", "through the floor" },
                 table.Rows.Select(row => new[]
                 {
                     row["across"], row["particles"], row["deep"], $"{row["substeps"]} x {row["iterations"]}", Figures.Fixed(row.Number("speed_ratio"), 3), Figures.Percent(row.Number("speed_ratio") - 1), ObstaclesSection.Within(row.Number("speed_ratio") - 1),

@@ -78,8 +78,7 @@ namespace Host.Report
         public static void Write(ReportPage page)
         {
             ReportTable front = page.Load(Front), fits = page.Load(Fits);
-            page.Line("### Damping against noise");
-            page.Line();
+            page.Heading("Damping against noise");
             page.Line("A step takes motion from water that ideal water keeps. *Numerical Damping* sets how much; still water pays for less with noise. Vortex: the slowest flow along the walls of a flat box full of water (Taylor and Green 1937), without a surface or curved walls. Tank: water that turns in a round tank. For both, what was lost over what a first-order step takes. Wave: water that sloshes in its first mode, 4 d high. Noise: jitter of a still column.");
             page.Line();
             page.Table(new[] { "numerical damping", "substeps", "vortex", "tank", "wave: period", "wave: damping, 1/s", "noise, m/s" }, front.Rows.Select(row => new[]

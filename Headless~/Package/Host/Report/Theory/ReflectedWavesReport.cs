@@ -50,17 +50,16 @@ namespace Host.Report
         {
             ReportTable table = page.Load(Times);
             var groups = table.Rows.GroupBy(row => (Across: row["across"], Damping: row["damping"], Substeps: row["substeps"])).ToArray();
-            page.Line("### Reflected waves");
-            page.Line();
+            page.Heading("Reflected waves");
             page.Line("A dam breaks in a closed tank, and its wave runs to and fro. A wave has arrived at a wall when the centre of mass along the tank turns back there, as then no more water comes than goes. That is one number of all the water, so spray does not move it. Its time is that of a parabola through the samples within 0.15 s of the extreme. First: at the far wall; second: at the near one; third: at the far one again. Mean ± standard deviation over starts whose offsets differ. The bar is the larger of 3 % and two standard deviations of the finest run, the last row.");
             page.Line();
             double[][] finest = Columns.Select(column => groups[^1].Select(row => row.Number(column)).ToArray()).ToArray();
-            page.Table(new[] { "a/d", "numerical damping", "substeps" }.Concat(new[] { "first", "second", "third" }.SelectMany(turn => new[] { turn + ", s", "against the finest", "in the bar" })), groups.Select(group =>
+            page.Table(new[] { "a/d", "numerical damping", "substeps" }.Concat(new[] { "first", "second", "third" }.SelectMany(turn => new[] { turn + ", s", turn + " against the finest", "in the bar" })), groups.Select(group =>
                 new[] { group.Key.Across, group.Key.Damping, group.Key.Substeps }.Concat(Columns.SelectMany((column, turn) =>
                 {
                     double[] seen = group.Select(row => row.Number(column)).ToArray();
                     double error = seen.Average() / finest[turn].Average() - 1;
-                    return new[] { $"{Figures.Fixed(seen.Average(), 3)} ± {Figures.Fixed(ReflectedWaves.Deviation(seen), 3)}", Figures.Percent(error), System.Math.Abs(error) <= ReflectedWaves.Allowed(finest[turn]) ? "yes" : "**no**" };
+                    return new[] { $"{Figures.Fixed(seen.Average(), 3)} ± {Figures.Fixed(ReflectedWaves.Deviation(seen), 3)}", Figures.Percent(error), Verdict.Of(System.Math.Abs(error) <= ReflectedWaves.Allowed(finest[turn])) };
                 }))));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();

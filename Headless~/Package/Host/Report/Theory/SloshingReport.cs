@@ -50,8 +50,7 @@ namespace Host.Report
         public static void Write(ReportPage page)
         {
             ReportTable table = page.Load(Periods);
-            page.Line("### Sloshing");
-            page.Line();
+            page.Heading("Sloshing");
             page.Line("Level water in a box is let go under gravity that leans a little: it swings in its first mode about the surface that is level to that gravity. The period is that of a damped cosine fitted to the centre of mass along the box; theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted cosine swings about, over where the centre of mass lies under a level surface (1 where the pressure answers to the surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a swing there is no period (–): waves of half a spacing can.");
             page.Line();
             page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error", "offset", "damping a period", "misfit of the cosine" },

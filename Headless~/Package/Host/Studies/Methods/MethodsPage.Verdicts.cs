@@ -11,8 +11,7 @@ namespace Host.Studies.Methods
     {
         void WriteVerdicts()
         {
-            page.Line("### Verdicts");
-            page.Line();
+            page.Heading("Verdicts");
             page.Line(FormattableString.Invariant($"By rule, on cost, C+ and noise: a run *beats* another where it is better by {100 * ParetoFront.Better:0} % in one and worse in none (within {100 * ParetoFront.Same:0} %). On the *front*"));
             page.Line("of a scene is what stands and no other run of any method beats. Each run is also held against *the package's*: Jacobi passes, with or without the");
             page.Line("two-level correction as the run has it, relaxation 0.8, one substep, the same number of iterations in all. *Best* is the run with the least C+ that stands: value, C+, noise, " + CostName + ".");

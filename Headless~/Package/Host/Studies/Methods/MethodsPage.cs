@@ -45,8 +45,7 @@ namespace Host.Studies.Methods
             List<ReportTable.Row> here = rows.Where(row => row["study"] == study.Name).ToList();
             if (here.Count == 0)
                 return;
-            page.Line("### " + study.Title);
-            page.Line();
+            page.Heading(study.Title);
             page.Plot("methods-" + study.Name, $"{study.Title}: density error, noise and cost against {study.Axis}", Script(study, here), 1300, 250 * scenes.Length + 40);
         }
 

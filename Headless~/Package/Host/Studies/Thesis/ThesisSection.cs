@@ -28,8 +28,7 @@ namespace Host.Studies.Thesis
             page.Line();
             foreach (ThesisFigure figure in figures)
             {
-                page.Line("### " + figure.Title);
-                page.Line();
+                page.Heading(figure.Title);
                 figure.Write(page);
             }
         }

@@ -1,0 +1,22 @@
+namespace Host.Report
+{
+    /// <summary>What a cell of a table says of the figure before it. The report's first table lists all that fail.</summary>
+    static class Verdict
+    {
+        public const string Yes = "yes", No = "**no**", None = "–";
+        const string Broken = "**FAILS**: ";
+
+        /// <param name="holds">Null where there is no figure.</param>
+        public static string Of(bool? holds) => holds == null ? None : holds.Value ? Yes : No;
+
+        /// <param name="broken">What fails of several bars; empty if all hold.</param>
+        public static string Of(string broken) => broken.Length == 0 ? "holds" : Broken + broken;
+
+        public static bool IsFailure(string cell) => cell == No || cell.StartsWith(Broken, System.StringComparison.Ordinal);
+
+        public static bool IsVerdict(string cell) => cell is Yes or "holds" || IsFailure(cell);
+
+        /// <summary>What fails of several bars.</summary>
+        public static string Reason(string cell) => cell.StartsWith(Broken, System.StringComparison.Ordinal) ? cell[Broken.Length..] : "";
+    }
+}
