@@ -12,6 +12,27 @@ uint ColliderCell(float3 p)
     return ((cell.z * _ColliderCells.y + cell.y) * _ColliderCells.x + cell.x) * _ColliderWords;
 }
 
+// Visits the colliders near a cell that ColliderCell gave, by their index, up to END_COLLIDERS.
+#define FOR_COLLIDERS(cell, index) \
+    for (uint word = 0; word < _ColliderWords; word++) \
+    { \
+        for (uint bits = _ColliderMasks[cell + word]; bits != 0; bits &= bits - 1) \
+        { \
+            uint index = word * 32 + firstbitlow(bits);
+
+// The same for the colliders near any of 'samples' points, at least two, from the start to the end of a path.
+#define FOR_COLLIDERS_ALONG(start, path, samples, index) \
+    for (uint word = 0; word < _ColliderWords; word++) \
+    { \
+        uint near = 0; \
+        for (uint part = 0; part < samples; part++) \
+            near |= _ColliderMasks[ColliderCell(start + path * (part / (samples - 1.0))) + word]; \
+        for (uint bits = near; bits != 0; bits &= bits - 1) \
+        { \
+            uint index = word * 32 + firstbitlow(bits);
+
+#define END_COLLIDERS } }
+
 // Whether a collider comes near the cell of p within the substep. Most water is far from all of them and is done with this.
 bool IsNear(float3 p)
 {

@@ -154,30 +154,25 @@ Surroundings FindSurroundings(float3 p)
     float4 apart = 0.0;         // gradient and density of the bodies, each for itself
     bool touches = false;
     uint cell = ColliderCell(p);
-    for (uint word = 0; word < _ColliderWords; word++)
-    {
-        for (uint bits = _ColliderMasks[cell + word]; bits != 0; bits &= bits - 1)
+    FOR_COLLIDERS(cell, index)
+        Collider collider = _Colliders[index];
+        float4 contact = DomainDistance(collider, p);
+        if (contact.w < result.contact.w)
         {
-            uint index = word * 32 + firstbitlow(bits);
-            Collider collider = _Colliders[index];
-            float4 contact = DomainDistance(collider, p);
-            if (contact.w < result.contact.w)
-            {
-                result.contact = contact;
-                result.nearest = index;
-            }
-            if (contact.w < kSupport && (collider.flags & kContributesDensity) != 0)
-            {
-                if (!touches)
-                    surfaces = WallSurfaces(p, free);
-                touches = true;
-                float4 own, behind;
-                ColliderDensity(collider, p, contact, own, behind);
-                AddSurface(surfaces, contact.xyz, behind);
-                apart += own;
-            }
+            result.contact = contact;
+            result.nearest = index;
         }
-    }
+        if (contact.w < kSupport && (collider.flags & kContributesDensity) != 0)
+        {
+            if (!touches)
+                surfaces = WallSurfaces(p, free);
+            touches = true;
+            float4 own, behind;
+            ColliderDensity(collider, p, contact, own, behind);
+            AddSurface(surfaces, contact.xyz, behind);
+            apart += own;
+        }
+    END_COLLIDERS
     result.boundary = 0.0;
     if (touches)
     {
@@ -197,19 +192,14 @@ uint Deepest(float3 p, float contactOffset, out float4 contact)
     contact = float4(0.0, 1.0, 0.0, contactOffset);
     uint deepest = kNoCollider;
     uint cell = ColliderCell(p);
-    for (uint word = 0; word < _ColliderWords; word++)
-    {
-        for (uint bits = _ColliderMasks[cell + word]; bits != 0; bits &= bits - 1)
+    FOR_COLLIDERS(cell, index)
+        float4 own = DomainDistance(_Colliders[index], p);
+        if (own.w < contact.w)
         {
-            uint index = word * 32 + firstbitlow(bits);
-            float4 own = DomainDistance(_Colliders[index], p);
-            if (own.w < contact.w)
-            {
-                contact = own;
-                deepest = index;
-            }
+            contact = own;
+            deepest = index;
         }
-    }
+    END_COLLIDERS
     return deepest;
 }
 
@@ -280,26 +270,18 @@ uint FirstHit(float3 a, float3 b, bool moving, out float fraction, out float nea
     uint first = kNoCollider;
     float3 path = b - a;
     uint samples = uint(length(path) * _InverseColliderCellSize) + 2;
-    for (uint word = 0; word < _ColliderWords; word++)
-    {
-        uint bits = 0;
-        for (uint s = 0; s < samples; s++)
-            bits |= _ColliderMasks[ColliderCell(a + path * (s / (samples - 1.0))) + word];
-        for (; bits != 0; bits &= bits - 1)
+    FOR_COLLIDERS_ALONG(a, path, samples, index)
+        Collider collider = _Colliders[index];
+        float3 start = moving ? ToLastCollider(collider, a) : ToCollider(collider, a);
+        float hit, distance;
+        bool stops = Trace(collider, start, ToCollider(collider, b), hit, distance);
+        nearest = min(nearest, distance);
+        if (stops && (hit < fraction || first == kNoCollider))
         {
-            uint index = word * 32 + firstbitlow(bits);
-            Collider collider = _Colliders[index];
-            float3 start = moving ? ToLastCollider(collider, a) : ToCollider(collider, a);
-            float hit, distance;
-            bool stops = Trace(collider, start, ToCollider(collider, b), hit, distance);
-            nearest = min(nearest, distance);
-            if (stops && (hit < fraction || first == kNoCollider))
-            {
-                fraction = hit;
-                first = index;
-            }
+            fraction = hit;
+            first = index;
         }
-    }
+    END_COLLIDERS
     return first;
 }
 

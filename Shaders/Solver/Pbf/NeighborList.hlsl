@@ -40,6 +40,20 @@ uint4 NeighborBlock(uint i, uint base, uint k)
     return _Neighbors[base + k * kListStride];
 }
 
+// Visits the neighbors of particle i as j, up to END_NEIGHBORS: four at a time, so that what is fetched of them is in flight together.
+// 'count' is their number, _NeighborCounts[i]. What fills up the last block is i itself: see OwnEntries.
+#define FOR_NEIGHBORS(i, count, j) \
+    { \
+        uint listBase = NeighborBase(i); \
+        for (uint k = 0; k < count; k += kBlockEntries) \
+        { \
+            uint4 block = NeighborBlock(i, listBase, k); \
+            [unroll] \
+            for (uint e = 0; e < kBlockEntries; e++) \
+            { \
+                uint j = block[e];
+#define END_NEIGHBORS } } }
+
 // How often a list names its own particle, to fill its last block: all four of a block are added without asking, and what the
 // particle added to itself is taken off the sums.
 uint OwnEntries(uint count)

@@ -67,16 +67,12 @@ void AddWall(inout Walls walls, float3 normal, float3 velocity, float friction, 
 void AddColliders(inout Walls walls, float3 p)
 {
     uint cell = ColliderCell(p);
-    for (uint word = 0; word < _ColliderWords; word++)
-    {
-        for (uint bits = _ColliderMasks[cell + word]; bits != 0; bits &= bits - 1)
-        {
-            Collider collider = _Colliders[word * 32 + firstbitlow(bits)];
-            float4 contact = DomainDistance(collider, p);
-            if (contact.w < kSupport)
-                AddWall(walls, contact.xyz, SurfaceMotion(collider, p) * _InverseTimeStep, collider.friction, contact.w);
-        }
-    }
+    FOR_COLLIDERS(cell, index)
+        Collider collider = _Colliders[index];
+        float4 contact = DomainDistance(collider, p);
+        if (contact.w < kSupport)
+            AddWall(walls, contact.xyz, SurfaceMotion(collider, p) * _InverseTimeStep, collider.friction, contact.w);
+    END_COLLIDERS
 }
 
 #endif
