@@ -14,7 +14,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
-    public sealed class FluidCollider : MonoBehaviour, IHasProblems, IUsesStages
+    public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages
     {
         [Tooltip("What the collider looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -57,10 +57,7 @@ namespace Rill
 
         HeightField heights;
         readonly List<FluidForce> forces = new List<FluidForce>();
-        float3 lastPosition;
-        quaternion lastRotation = quaternion.identity;
-        float3 lastScale = 1f;      // above 0
-        bool3 lastMirrored;         // axes of the object's frame along which its scale is negative
+        ColliderPlace place = ColliderPlace.Origin;
         bool problemIsKnown;
         string clamped;     // what the newest validation changed
 
@@ -188,27 +185,27 @@ namespace Rill
         /// <returns>Why it is no collider; null where it is one.</returns>
         internal string Describe(out ColliderMotion motion)
         {
-            string problem = FollowTransform();
-            RigidPose pose = new RigidPose(PointOf(center), lastRotation);
-            float evenScale = math.cmax(lastScale);
+            string problem = place.Follow(transform);
+            RigidPose pose = new RigidPose(place.PointOf(center), place.rotation);
+            float3 scale = place.scale;
             motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = measuresForce };
             switch (shape)
             {
                 case ColliderShape.Sphere:
-                    motion.size = radius * evenScale;
+                    motion.size = radius * place.EvenScale;
                     problem ??= Positive("radius", radius);
                     break;
                 case ColliderShape.Capsule:
-                    float scaled = radius * math.max(lastScale.x, lastScale.z);
-                    motion.size = new float3(scaled, math.max(0.5f * height * lastScale.y - scaled, 0f), 0f);
+                    float scaled = radius * math.max(scale.x, scale.z);
+                    motion.size = new float3(scaled, math.max(0.5f * height * scale.y - scaled, 0f), 0f);
                     problem ??= Positive("radius", radius) ?? Positive("height", height);
                     break;
                 case ColliderShape.Box:
-                    motion.size = 0.5f * (float3)size * lastScale;
+                    motion.size = 0.5f * (float3)size * scale;
                     problem ??= Positive("size", math.cmin(size));
                     break;
                 case ColliderShape.Mesh:
-                    problem ??= DescribeField(ref motion, ref pose, evenScale);
+                    problem ??= field == null ? "it is a mesh without a signed distance field. Bake one from the mesh and assign it." : place.DescribeField(field, ref motion, ref pose);
                     break;
                 case ColliderShape.HeightField:
                     problem ??= DescribeHeights(ref motion, ref pose);
@@ -217,6 +214,20 @@ namespace Rill
             motion.start = motion.end = pose;
             return problem;
         }
+
+        string IFluidCollider.Name => name;
+
+        bool IFluidCollider.IsThere => this != null && isActiveAndEnabled;
+
+        int IFluidCollider.Teleports => Teleports;
+
+        string IFluidCollider.Describe(out ColliderMotion motion) => Describe(out motion);
+
+        bool IFluidCollider.TryDescribe(out ColliderMotion motion) => TryDescribe(out motion);
+
+        void IFluidCollider.SetForce(in FluidForce force) => SetForce(force);
+
+        void IFluidCollider.Leave(FluidSimulation simulation) => Leave(simulation);
 
         StageSet IUsesStages.UsedStages => StageSet.Colliders;
 
@@ -243,39 +254,6 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);
         }
 
-        // Where the object is, or where it last was while that is no place.
-        string FollowTransform()
-        {
-            Vector3 position = transform.position, scale = transform.lossyScale;
-            Quaternion rotation = transform.rotation;
-            if (!Limit.IsPose(position, rotation) || !math.all(math.isfinite((float3)scale)))
-                return $"its transform is not finite (position {position}, rotation {rotation}, scale {scale}). Set them to numbers.";
-            lastPosition = position;
-            lastRotation = rotation;
-            lastScale = math.abs((float3)scale);
-            lastMirrored = (float3)scale < 0f;
-            return null;
-        }
-
-        // In world space, m.
-        float3 PointOf(float3 local) => lastPosition + math.mul(lastRotation, math.select(lastScale, -lastScale, lastMirrored) * local);
-
-        string DescribeField(ref ColliderMotion motion, ref RigidPose pose, float scale)
-        {
-            if (field == null)
-                return "it is a mesh without a signed distance field. Bake one from the mesh and assign it.";
-            if (!field.Validate(out string problem))
-                return problem;
-            Bounds bounds = field.Bounds;
-            pose.position = PointOf(bounds.center);
-            motion.mirrored = lastMirrored;
-            motion.size = scale * (float3)bounds.extents;
-            motion.voxel = scale * field.VoxelSize;
-            motion.fieldUnit = scale;
-            motion.field = field.Texture;
-            return math.cmax(lastScale) > 1.001f * math.cmin(lastScale) ? $"its scale {(Vector3)lastScale} is not the same along all axes, and distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
-        }
-
         // As Unity's Terrain it follows the object's position alone.
         string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)
         {
@@ -283,7 +261,7 @@ namespace Rill
                 return "it is a height field without heights. Add a Fluid Terrain beside a Terrain, or set Heights.";
             if (heights.Texture == null)
                 return "its heights were disposed of. Set others.";
-            pose = new RigidPose(lastPosition + heights.Center, quaternion.identity);
+            pose = new RigidPose(place.position + heights.Center, quaternion.identity);
             motion.size = heights.Extents;
             motion.fieldUnit = 1f;
             motion.field = heights.Texture;

@@ -10,7 +10,7 @@ namespace Rill
         // A collider whose sums are on their way.
         struct Taken
         {
-            public FluidCollider owner;
+            public IFluidCollider owner;
             public RelativeMotion motion;
             public float arm;       // of the moment, d
         }
@@ -48,7 +48,7 @@ namespace Rill
             double scale = -takenImpulse / reactions.Duration;
             for (int i = 0; i < takenCount; i++)
             {
-                FluidCollider owner = taken[i].owner;
+                IFluidCollider owner = taken[i].owner;
                 bool left = i >= Set.Count || !ReferenceEquals(entries[i].owner, owner);
                 if (left || owner == null || !owner.MeasuresForce)
                     continue;
