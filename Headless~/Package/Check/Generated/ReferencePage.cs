@@ -120,6 +120,7 @@ namespace Host.Check
         {
             null => "none",
             UnityEngine.Object asset => asset == null ? "none" : asset.name,
+            LayerMask layers => layers.value == 0 ? "nothing" : layers.value == ~0 ? "everything" : "some layers",
             bool isOn => isOn ? "on" : "off",
             float number => Number(number),
             Vector3 vector => $"{Number(vector.x)}, {Number(vector.y)}, {Number(vector.z)}",
