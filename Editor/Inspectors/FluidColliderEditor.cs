@@ -24,6 +24,11 @@ namespace Rill.Editor
                 new InspectorField("contributesDensity")),
             new InspectorSection("Reaction", false,
                 new InspectorField("measuresForce")),
+            new InspectorSection("Contacts", false,
+                new InspectorField("contacts.hitImpulse", "N s"),
+                new InspectorField("contacts.touched"),
+                new InspectorField("contacts.hit"),
+                new InspectorField("contacts.left")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

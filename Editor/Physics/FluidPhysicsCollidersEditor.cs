@@ -11,11 +11,17 @@ namespace Rill.Editor
         {
             new InspectorSection("Colliders", true,
                 new InspectorField("colliderLayers"),
+                new InspectorField("floatingLayers"),
                 new InspectorField("meshFields")),
             new InspectorSection("Surface", true,
                 new InspectorField("friction"),
                 new InspectorField("bounciness"),
                 new InspectorField("contributesDensity")),
+            new InspectorSection("Contacts", false,
+                new InspectorField("contacts.hitImpulse", "N s"),
+                new InspectorField("contacts.touched"),
+                new InspectorField("contacts.hit"),
+                new InspectorField("contacts.left")),
         };
 
         internal override InspectorSection[] Sections => AllSections;

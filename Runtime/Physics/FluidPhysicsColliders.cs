@@ -23,6 +23,9 @@ namespace Rill
         [Tooltip("Layers whose colliders hold the water. Nothing costs nothing.")]
         [SerializeField] LayerMask colliderLayers;
 
+        [Tooltip("Of these layers, those whose free Rigidbodies the water carries. Each with one collider. Nothing costs nothing.")]
+        [SerializeField] LayerMask floatingLayers;
+
         [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
         [SerializeField] List<MeshField> meshFields = new List<MeshField>();
 
@@ -37,18 +40,24 @@ namespace Rill
         [Tooltip("Whether the colliders count as water to the density of what touches them. Without, water thins out towards the surface.")]
         [SerializeField] bool contributesDensity = true;
 
+        [SerializeField] ContactEvents contacts = ContactEvents.Default;
+
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         readonly Dictionary<Collider, GatheredCollider> known = new Dictionary<Collider, GatheredCollider>();
         readonly List<IFluidCollider> taken = new List<IFluidCollider>();       // all of known, in the order in which they came
+        readonly List<GatheredCollider> leavers = new List<GatheredCollider>();     // whose listeners are to be told
         Collider[] found;       // null until a query was made
         int round;
-        bool tooManyIsKnown;
+        bool tooManyIsKnown, listens;
         FluidSimulation fluid;
         string clamped;         // what the newest validation changed
 
         /// <summary>Layers whose colliders hold the water.</summary>
         public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
+
+        /// <summary>Of the collider layers, those whose free Rigidbodies the water carries.</summary>
+        public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
 
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
         public List<MeshField> MeshFields => meshFields;
@@ -61,6 +70,21 @@ namespace Rill
 
         /// <summary>Whether the colliders count as water to the density of what touches them.</summary>
         public bool ContributesDensity { get => contributesDensity; set => contributesDensity = value; }
+
+        /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
+        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
+
+        /// <summary>Water has come to a collider. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
+        public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
+
+        /// <summary>The fluid gave a collider an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three frames.</summary>
+        public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
+
+        /// <summary>A collider has felt no water for 0.2 s, or has left the fluid's box. Not told where it or the fluid is disabled.</summary>
+        public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
+
+        /// <summary>Whether anybody listened before the newest steps.</summary>
+        internal bool ListensToContacts => listens;
 
         /// <summary>Whether the physics has been asked.</summary>
         internal bool HasAsked => found != null;
@@ -75,6 +99,7 @@ namespace Rill
             problem = null;
             Limit.Clamp("friction", ref friction, 0f, 1f, 0f, ref problem);
             Limit.Clamp("bounciness", ref bounciness, 0f, 1f, 0f, ref problem);
+            contacts.Validate(ref problem);
             return problem == null;
         }
 
@@ -103,6 +128,8 @@ namespace Rill
                 if (!IsFluidCollider(found[i]))
                     Take(found[i]);
             DropOthers();
+            listens = contacts.HasListeners;
+            FollowBodies();
             return taken;
         }
 
@@ -136,6 +163,25 @@ namespace Rill
             Forget();
             shaders.Release();
         }
+
+        // Outside of the fluid's steps: listeners may do anything to the scene.
+        void Update()
+        {
+            for (int i = 0; i < leavers.Count; i++)
+                leavers[i].TellLeft(fluid);
+            leavers.Clear();
+        }
+
+        void FixedUpdate()
+        {
+            if (floatingLayers == 0)
+                return;
+            foreach (IFluidCollider collider in taken)
+                ((GatheredCollider)collider).CarryBody();
+        }
+
+        /// <summary>Calls who listens.</summary>
+        internal void Tell(ContactChange change, in FluidContact contact) => contacts.Raise(change, contact);
 
         void OnValidate()
         {
@@ -184,11 +230,34 @@ namespace Rill
             {
                 var gathered = (GatheredCollider)taken[i];
                 if (gathered.Round == round)
+                {
                     taken[kept++] = gathered;
-                else
-                    Drop(gathered);
+                    continue;
+                }
+                if (gathered.Leave(fluid) && gathered.IsThere)
+                    leavers.Add(gathered);
+                Drop(gathered);
             }
             taken.RemoveRange(kept, taken.Count - kept);
+        }
+
+        void FollowBodies()
+        {
+            foreach (IFluidCollider collider in taken)
+                ((GatheredCollider)collider).FindBody();
+            foreach (IFluidCollider collider in taken)
+            {
+                var gathered = (GatheredCollider)collider;
+                gathered.FollowBody(floatingLayers, floatingLayers != 0 && gathered.Body != null && HasOther(gathered));
+            }
+        }
+
+        bool HasOther(GatheredCollider one)
+        {
+            foreach (IFluidCollider collider in taken)
+                if (!ReferenceEquals(collider, one) && ReferenceEquals(((GatheredCollider)collider).Body, one.Body))
+                    return true;
+            return false;
         }
 
         void Forget()
@@ -201,7 +270,7 @@ namespace Rill
         void Drop(GatheredCollider gathered)
         {
             known.Remove(gathered.Collider);
-            gathered.End();
+            gathered.Drop();
         }
     }
 }

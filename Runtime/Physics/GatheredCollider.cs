@@ -6,9 +6,14 @@ namespace Rill
     /// <summary>A collider of Unity's physics as one fluid sees it, sized by the rules of the physics.</summary>
     sealed class GatheredCollider : IFluidCollider
     {
+        const string CompoundProblem = "its Rigidbody has several colliders, and by layer the water carries bodies with one. Bake its mesh, and put a Fluid Collider with it and a Fluid Buoyancy on the body.";
+
         readonly FluidPhysicsColliders source;
         ColliderPlace place = ColliderPlace.Origin;
-        bool problemIsKnown;
+        FloatingBody floating;
+        FluidForce force;
+        ContactWatch watch;
+        bool hasForce, isDropped, compoundIsKnown, problemIsKnown;
 
         public GatheredCollider(FluidPhysicsColliders source, Collider collider)
         {
@@ -16,8 +21,7 @@ namespace Rill
             Collider = collider;
         }
 
-        /// <summary>Null once it was dropped.</summary>
-        public Collider Collider { get; private set; }
+        public Collider Collider { get; }
 
         /// <summary>Of the last query that found it.</summary>
         public int Round { get; set; }
@@ -27,17 +31,53 @@ namespace Rill
 
         public string Name => Collider.name;
 
-        public bool IsThere => Collider != null && Collider.enabled && Collider.gameObject.activeInHierarchy;
+        public bool IsThere => !isDropped && Collider != null && Collider.enabled && Collider.gameObject.activeInHierarchy;
 
         public int Teleports => 0;
 
-        public bool MeasuresForce => false;
+        public bool MeasuresForce => Floats || source.ListensToContacts;
 
-        /// <summary>The fluid has dropped it; it counts as one that is gone.</summary>
-        public void End()
+        /// <summary>Its Rigidbody; null where it has none.</summary>
+        public Rigidbody Body { get; private set; }
+
+        /// <summary>Whether the fluid carries its Rigidbody.</summary>
+        public bool Floats { get; private set; }
+
+        /// <summary>The fluid drops it; it counts as one that is gone.</summary>
+        public void Drop() => isDropped = true;
+
+        /// <summary>Looks for the body again, which may change between frames.</summary>
+        public void FindBody() => Body = Collider.attachedRigidbody;
+
+        /// <summary>Follows whether the fluid carries the body.</summary>
+        /// <param name="floatingLayers">Whose free bodies it carries.</param>
+        /// <param name="isCompound">Whether another collider that the fluid takes is of the same body.</param>
+        public void FollowBody(LayerMask floatingLayers, bool isCompound)
         {
-            Collider = null;
-            Field = null;
+            bool isFree = (floatingLayers & 1 << Collider.gameObject.layer) != 0 && Body != null && !Body.isKinematic;
+            bool isRefused = isFree && isCompound;
+            if (isRefused && !compoundIsKnown)
+                Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' does not carry '{Name}': {CompoundProblem}", Collider);
+            compoundIsKnown = isRefused;
+            Floats = isFree && !isCompound;
+            if (!Floats)
+                floating = default;
+        }
+
+        /// <summary>Lets the fluid act on the body, at a fixed step.</summary>
+        public void CarryBody()
+        {
+            if (!Floats || Body == null || !TryDescribe(out ColliderMotion shape))
+                return;
+            float volume = FloatingBody.VolumeOf(shape, Field);
+            if (!(volume > 0f))
+                return;
+            FloatingBody.Smooth(Body);
+            floating.Begin(Body, shape, volume, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
+            if (hasForce)
+                floating.Add(force);
+            if (floating.IsKnown)
+                floating.Apply(Body, FloatingResponse.DefaultMaxAcceleration);
         }
 
         public bool TryDescribe(out ColliderMotion motion)
@@ -96,9 +136,27 @@ namespace Rill
             return problem;
         }
 
-        public void SetForce(in FluidForce force) { }
+        public void SetForce(in FluidForce newest)
+        {
+            force = newest;
+            hasForce = true;
+        }
 
-        public void Leave(FluidSimulation simulation) { }
+        public void TellContacts(FluidSimulation fluid)
+        {
+            if (source.ListensToContacts)
+                source.Tell(watch.Follow(force.Force.magnitude * force.Duration, force.Duration, source.HitImpulse), new FluidContact(Collider, force));
+        }
+
+        public bool Leave(FluidSimulation fluid)
+        {
+            bool touched = watch.Touches && source.ListensToContacts;
+            hasForce = false;
+            watch = default;
+            return touched;
+        }
+
+        public void TellLeft(FluidSimulation fluid) => source.Tell(ContactChange.Left, FluidContact.Leaving(Collider, fluid));
 
         // The height follows the scale along it, the radius the larger of the other two.
         string DescribeCapsule(ref ColliderMotion motion, float radius, float height, int direction)

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -51,12 +52,15 @@ namespace Rill
         [Tooltip("Whether what the water does to the collider is summed and brought back, a few frames late. Costs a little where on.")]
         [SerializeField] bool measuresForce;
 
+        [SerializeField] ContactEvents contacts = ContactEvents.Default;
+
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         static List<FluidCollider> enabledColliders = new List<FluidCollider>();
 
         HeightField heights;
         readonly List<FluidForce> forces = new List<FluidForce>();
+        readonly List<ContactWatch> watches = new List<ContactWatch>();        // one beside each of forces
         ColliderPlace place = ColliderPlace.Origin;
         bool problemIsKnown;
         string clamped;     // what the newest validation changed
@@ -97,6 +101,18 @@ namespace Rill
         /// <summary>Whether what the water does to the collider is summed and brought back.</summary>
         public bool MeasuresForce { get => measuresForce; set => measuresForce = value; }
 
+        /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
+        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
+
+        /// <summary>Water has come to it. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
+        public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
+
+        /// <summary>The fluid gave it an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three frames.</summary>
+        public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
+
+        /// <summary>It has felt no water for 0.2 s, or has left the fluid's box. Not told where the collider or the fluid is disabled.</summary>
+        public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
+
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
         public Vector3 WorldCenter => shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
@@ -123,25 +139,25 @@ namespace Rill
         /// <summary>The newest of each simulation; some may have ended since.</summary>
         internal List<FluidForce> Forces => forces;
 
-        /// <summary>Drops the result of a simulation that it has left, which else would act for ever.</summary>
-        internal void Leave(FluidSimulation simulation)
-        {
-            for (int i = forces.Count - 1; i >= 0; i--)
-                if (ReferenceEquals(forces[i].From, simulation))
-                    forces.RemoveAt(i);
-        }
-
         /// <summary>Takes a new result of a simulation in place of its last.</summary>
         internal void SetForce(in FluidForce force)
         {
-            for (int i = 0; i < forces.Count; i++)
+            int index = IndexOf(force.From);
+            if (index >= 0)
             {
-                if (!ReferenceEquals(forces[i].From, force.From))
-                    continue;
-                forces[i] = force;
+                forces[index] = force;
                 return;
             }
             forces.Add(force);
+            watches.Add(default);
+        }
+
+        int IndexOf(FluidSimulation fluid)
+        {
+            for (int i = 0; i < forces.Count; i++)
+                if (ReferenceEquals(forces[i].From, fluid))
+                    return i;
+            return -1;
         }
 
         /// <summary>Grows with each <see cref="Teleport"/>.</summary>
@@ -162,6 +178,7 @@ namespace Rill
             Limit.Finite("size", ref size, Vector3.one, ref problem);
             Limit.Clamp("friction", ref friction, 0f, 1f, 0f, ref problem);
             Limit.Clamp("bounciness", ref bounciness, 0f, 1f, 0f, ref problem);
+            contacts.Validate(ref problem);
             return problem == null;
         }
 
@@ -188,7 +205,7 @@ namespace Rill
             string problem = place.Follow(transform);
             RigidPose pose = new RigidPose(place.PointOf(center), place.rotation);
             float3 scale = place.scale;
-            motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = measuresForce };
+            motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = NeedsForce };
             switch (shape)
             {
                 case ColliderShape.Sphere:
@@ -215,7 +232,11 @@ namespace Rill
             return problem;
         }
 
+        bool NeedsForce => measuresForce || contacts.HasListeners;
+
         string IFluidCollider.Name => name;
+
+        bool IFluidCollider.MeasuresForce => NeedsForce;
 
         bool IFluidCollider.IsThere => this != null && isActiveAndEnabled;
 
@@ -227,7 +248,31 @@ namespace Rill
 
         void IFluidCollider.SetForce(in FluidForce force) => SetForce(force);
 
-        void IFluidCollider.Leave(FluidSimulation simulation) => Leave(simulation);
+        void IFluidCollider.TellContacts(FluidSimulation fluid)
+        {
+            int index = IndexOf(fluid);
+            if (index < 0 || !contacts.HasListeners)
+                return;
+            FluidForce force = forces[index];
+            ContactWatch watch = watches[index];
+            ContactChange change = watch.Follow(force.Force.magnitude * force.Duration, force.Duration, contacts.HitImpulse);
+            watches[index] = watch;
+            contacts.Raise(change, new FluidContact(this, force));
+        }
+
+        // Its last result else acted for ever.
+        bool IFluidCollider.Leave(FluidSimulation fluid)
+        {
+            int index = IndexOf(fluid);
+            if (index < 0)
+                return false;
+            bool touched = watches[index].Touches && contacts.HasListeners;
+            forces.RemoveAt(index);
+            watches.RemoveAt(index);
+            return touched;
+        }
+
+        void IFluidCollider.TellLeft(FluidSimulation fluid) => contacts.Raise(ContactChange.Left, FluidContact.Leaving(this, fluid));
 
         StageSet IUsesStages.UsedStages => StageSet.Colliders;
 
@@ -243,6 +288,7 @@ namespace Rill
         {
             enabledColliders.Remove(this);
             forces.Clear();
+            watches.Clear();
             shaders.Release();
         }
 

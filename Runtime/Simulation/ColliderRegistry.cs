@@ -19,6 +19,7 @@ namespace Rill
         public readonly ColliderSet Set = new ColliderSet();
 
         Entry[] entries, last;      // null until there was a collider
+        readonly List<IFluidCollider> leavers = new List<IFluidCollider>();      // whose listeners are to be told
         int lastCount;
         bool changed, reordered;    // of the colliders since the last steps, as far as they are collected
 
@@ -71,8 +72,8 @@ namespace Rill
                 Follow(ref motion, last[before].motion, steps.clock);
             if (!IsNear(motion, steps.size))
             {
-                if (before >= 0)
-                    collider.Leave(steps.fluid);
+                if (before >= 0 && collider.Leave(steps.fluid))
+                    leavers.Add(collider);
                 return;
             }
             if (Set.Count == ColliderSet.Most)

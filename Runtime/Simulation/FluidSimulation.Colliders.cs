@@ -53,7 +53,7 @@ namespace Rill
                 return null;
             reactions.Arrived ??= OnReactions;
             GetPose(out _, out Quaternion rotation);
-            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation);
+            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation, StepCount);
             return reactions;
         }
 

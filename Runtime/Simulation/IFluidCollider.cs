@@ -26,7 +26,14 @@ namespace Rill
         /// <summary>Takes a new result of a fluid in place of its last.</summary>
         void SetForce(in FluidForce force);
 
+        /// <summary>Calls the listeners to what the newest result of a fluid has changed. They may do anything to the scene.</summary>
+        void TellContacts(FluidSimulation fluid);
+
         /// <summary>Drops the result of a fluid that it has left.</summary>
-        void Leave(FluidSimulation simulation);
+        /// <returns>Whether listeners have to be told, by <see cref="TellLeft"/>.</returns>
+        bool Leave(FluidSimulation fluid);
+
+        /// <summary>Calls the listeners to its leaving a fluid.</summary>
+        void TellLeft(FluidSimulation fluid);
     }
 }

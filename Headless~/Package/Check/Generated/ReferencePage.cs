@@ -119,6 +119,7 @@ namespace Host.Check
         static string Value(object value) => value switch
         {
             null => "none",
+            UnityEngine.Events.UnityEventBase => "none",
             UnityEngine.Object asset => asset == null ? "none" : asset.name,
             LayerMask layers => layers.value == 0 ? "nothing" : layers.value == ~0 ? "everything" : "some layers",
             bool isOn => isOn ? "on" : "off",
