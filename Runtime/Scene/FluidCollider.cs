@@ -292,6 +292,9 @@ namespace Rill
             shaders.Release();
         }
 
+        // In the Editor, where the component was added or reset.
+        void Reset() => ColliderFit.Fit(this);
+
         void OnValidate()
         {
             shaders.Follow(StageSet.Colliders);

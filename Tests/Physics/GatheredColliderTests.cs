@@ -235,6 +235,39 @@ namespace Rill.Tests
             Assert.That(colliders.Friction, Is.EqualTo(1f));
         }
 
+        [Test]
+        public void A_new_FluidCollider_fits_the_collider_that_is_there()
+        {
+            var box = Add<BoxCollider>(Vector3.zero);
+            box.center = Vector3.up;
+            box.size = new Vector3(1f, 2f, 3f);
+            FluidCollider collider = Fitted(box);
+            Assert.That((collider.Shape, collider.Center, collider.Size), Is.EqualTo((ColliderShape.Box, Vector3.up, box.size)));
+
+            var sphere = Add<SphereCollider>(Vector3.zero);
+            sphere.center = Vector3.left;
+            sphere.radius = 0.3f;
+            collider = Fitted(sphere);
+            Assert.That((collider.Shape, collider.Center, collider.Radius), Is.EqualTo((ColliderShape.Sphere, Vector3.left, 0.3f)));
+
+            var capsule = Add<CapsuleCollider>(Vector3.zero);
+            capsule.radius = 0.2f;
+            capsule.height = 1.5f;
+            collider = Fitted(capsule);
+            Assert.That((collider.Shape, collider.Radius, collider.Height), Is.EqualTo((ColliderShape.Capsule, 0.2f, 1.5f)));
+            capsule.direction = 0;
+            Assert.That(PhysicsFit.Fit(collider), Is.False, "a Fluid Collider's capsule is along y");
+
+            Assert.That(Fitted(Add<MeshCollider>(Vector3.zero)).Shape, Is.EqualTo(ColliderShape.Mesh));
+        }
+
+        static FluidCollider Fitted(Collider own)
+        {
+            var collider = own.gameObject.AddComponent<FluidCollider>();
+            Assert.That(PhysicsFit.Fit(collider), Is.True);
+            return collider;
+        }
+
         List<IFluidCollider> Gather() => ((IColliderSource)colliders).Gather(Vector3.zero, Quaternion.identity, Vector3.one, 0.05f);
 
         ColliderMotion TheOnly()
