@@ -160,6 +160,7 @@ namespace Rill
         {
             if (fluid != null && ReferenceEquals(fluid.ColliderSource, this))
                 fluid.ColliderSource = null;
+            leavers.Clear();
             Forget();
             shaders.Release();
         }

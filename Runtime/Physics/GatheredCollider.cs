@@ -156,7 +156,11 @@ namespace Rill
             return touched;
         }
 
-        public void TellLeft(FluidSimulation fluid) => source.Tell(ContactChange.Left, FluidContact.Leaving(Collider, fluid));
+        public void TellLeft(FluidSimulation fluid)
+        {
+            if (Collider != null)       // destroyed since
+                source.Tell(ContactChange.Left, FluidContact.Leaving(Collider, fluid));
+        }
 
         // The height follows the scale along it, the radius the larger of the other two.
         string DescribeCapsule(ref ColliderMotion motion, float radius, float height, int direction)

@@ -272,7 +272,11 @@ namespace Rill
             return touched;
         }
 
-        void IFluidCollider.TellLeft(FluidSimulation fluid) => contacts.Raise(ContactChange.Left, FluidContact.Leaving(this, fluid));
+        void IFluidCollider.TellLeft(FluidSimulation fluid)
+        {
+            if (((IFluidCollider)this).IsThere)     // disabled or destroyed since
+                contacts.Raise(ContactChange.Left, FluidContact.Leaving(this, fluid));
+        }
 
         StageSet IUsesStages.UsedStages => StageSet.Colliders;
 

@@ -114,14 +114,19 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Holes_of_the_part_are_said_once()
+        public void Holes_are_said_once()
         {
             data.SetHoles(60, 60, new bool[1, 1]);
             LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': its Terrain has holes, which are closed to water. Lower the ground there"));
+            int said = 0;
+            Application.LogCallback count = (text, trace, type) => said += text.Contains("holes") ? 1 : 0;
+            Application.logMessageReceived += count;
             FluidTerrain terrain = Add();
             data.SetHoles(3, 3, new bool[1, 1]);
             terrain.Refresh();
             terrain.Refresh();
+            Application.logMessageReceived -= count;
+            Assert.That(said, Is.EqualTo(1));
         }
 
         FluidTerrain Add()
