@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEditor;
 using UnityEngine;
 
@@ -8,9 +9,13 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidColliderEditor : RillEditor
     {
+        static readonly GUIContent BakeLabel = new GUIContent("Bake...", "Opens the window that bakes this object's mesh into a field and assigns it.");
+
+        const string ShapeTitle = "Shape";
+
         static readonly InspectorSection[] AllSections =
         {
-            new InspectorSection("Shape", true,
+            new InspectorSection(ShapeTitle, true,
                 new InspectorField("shape"),
                 new InspectorField("center", "m", When.IsNot("shape", ColliderShape.Mesh, ColliderShape.HeightField)),
                 new InspectorField("size", "m", When.Is("shape", ColliderShape.Box)),
@@ -24,9 +29,22 @@ namespace Rill.Editor
                 new InspectorField("contributesDensity")),
             new InspectorSection("Reaction", false,
                 new InspectorField("measuresForce")),
+            new InspectorSection("Contacts", false,
+                new InspectorField("contacts.hitImpulse", "N s"),
+                new InspectorField("contacts.touched"),
+                new InspectorField("contacts.hit"),
+                new InspectorField("contacts.left")),
         };
 
         internal override InspectorSection[] Sections => AllSections;
+
+        private protected override void DrawBelow(string title)
+        {
+            if (title != ShapeTitle || !NeedsBake)
+                return;
+            if (GUILayout.Button(BakeLabel))
+                BakeWindow.Open(targets.Select(collider => ((FluidCollider)collider).gameObject));
+        }
 
         internal override void ListLive(List<(string label, string text)> live)
         {
@@ -38,6 +56,9 @@ namespace Rill.Editor
             if (known)
                 live.Add(("Torque", $"{torque.x:0.##}, {torque.y:0.##}, {torque.z:0.##} N m about its middle"));
         }
+
+        // Whether one of them lacks the field of a mesh that it has.
+        bool NeedsBake => targets.Cast<FluidCollider>().Any(collider => collider.Shape == ColliderShape.Mesh && collider.Field == null && collider.GetComponentInChildren<MeshFilter>(true) != null);
 
         void OnSceneGUI() => ColliderHandles.Draw((FluidCollider)target);
     }

@@ -32,7 +32,7 @@ namespace Rill
 
         FluidCollider obstacle;
         Rigidbody body;
-        FloatingResponse response;
+        FloatingBody floating;
         float waited;
         bool measuredBefore, problemIsKnown;
         string clamped;         // what the newest validation changed
@@ -47,7 +47,7 @@ namespace Rill
         public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
 
         /// <summary>Share of the body that was under water in the newest steps that are known, 0 to 1.</summary>
-        public float SubmergedFraction => response.Fraction;
+        public float SubmergedFraction => floating.SubmergedFraction;
 
         /// <summary>Clamps what is out of range.</summary>
         /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
@@ -66,8 +66,7 @@ namespace Rill
             body = GetComponent<Rigidbody>();
             measuredBefore = obstacle.MeasuresForce;
             obstacle.MeasuresForce = true;
-            if (body.interpolation == RigidbodyInterpolation.None)
-                body.interpolation = RigidbodyInterpolation.Interpolate;
+            FloatingBody.Smooth(body);
             waited = 0f;
         }
 
@@ -75,7 +74,7 @@ namespace Rill
         {
             if (obstacle != null)
                 obstacle.MeasuresForce = measuredBefore;
-            response = default;
+            floating = default;
         }
 
         void OnValidate()
@@ -90,50 +89,29 @@ namespace Rill
             problems.AddIfAny(clamped);
             var collider = GetComponent<FluidCollider>();       // its own problems are its own to tell
             if (collider.Describe(out ColliderMotion shape) == null)
-                problems.AddIfAny(Problem(shape, VolumeOf(collider, shape)));
+                problems.AddIfAny(Problem(shape, FloatingBody.VolumeOf(shape, collider.Field)));
         }
 
         void FixedUpdate()
         {
             if (body.isKinematic || !obstacle.isActiveAndEnabled || !obstacle.TryDescribe(out ColliderMotion shape))
                 return;
-            float volume = VolumeOf(obstacle, shape);
+            float volume = FloatingBody.VolumeOf(shape, obstacle.Field);
             Say(Problem(shape, volume));
             if (problemIsKnown)
                 return;
 
-            response.Begin(shape, volume, body.mass, body.GetPointVelocity(body.worldCenterOfMass), body.angularVelocity, Time.fixedDeltaTime);
-            response.Tune(virtualMass, damping);
+            floating.Begin(body, shape, volume, virtualMass, damping);
             foreach (FluidForce force in obstacle.Forces)
-                if (force.From != null && force.From.isActiveAndEnabled)
-                    response.Add(force, force.From.Material.density, force.From.Gravity);
-            if (!response.IsKnown)
+                floating.Add(force);
+            if (!floating.IsKnown)
             {
                 Wait();
                 return;
             }
 
             waited = float.NegativeInfinity;
-            Vector3 gravity = body.useGravity ? UnityEngine.Physics.gravity : Vector3.zero;
-            Vector3 torque = response.TorqueAbout(body.worldCenterOfMass);
-            response.Solve(gravity, Turn(torque), maxAcceleration, out Vector3 acceleration, out Vector3 angularAcceleration);
-            body.AddForce(acceleration - gravity, ForceMode.Acceleration);      // it falls by itself
-            body.AddTorque(angularAcceleration, ForceMode.Acceleration);
-        }
-
-        // Angular acceleration of the body alone, rad/s².
-        Vector3 Turn(Vector3 torque)
-        {
-            Quaternion axes = body.rotation * body.inertiaTensorRotation;
-            Vector3 local = Quaternion.Inverse(axes) * torque, inertia = body.inertiaTensor;
-            for (int i = 0; i < 3; i++)
-                local[i] = inertia[i] > 0f ? local[i] / inertia[i] : 0f;        // 0 does not turn
-            return axes * local;
-        }
-
-        static float VolumeOf(FluidCollider collider, in ColliderMotion shape)
-        {
-            return shape.shape == ColliderShape.Mesh ? collider.Field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : ColliderMeasures.Volume(shape);
+            floating.Apply(body, maxAcceleration);
         }
 
         string Problem(in ColliderMotion shape, float volume)

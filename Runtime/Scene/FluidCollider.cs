@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Unity.Mathematics;
 using UnityEngine;
@@ -14,7 +15,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
-    public sealed class FluidCollider : MonoBehaviour, IHasProblems, IUsesStages
+    public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages
     {
         [Tooltip("What the collider looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -51,16 +52,16 @@ namespace Rill
         [Tooltip("Whether what the water does to the collider is summed and brought back, a few frames late. Costs a little where on.")]
         [SerializeField] bool measuresForce;
 
+        [SerializeField] ContactEvents contacts = ContactEvents.Default;
+
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
         static List<FluidCollider> enabledColliders = new List<FluidCollider>();
 
         HeightField heights;
         readonly List<FluidForce> forces = new List<FluidForce>();
-        float3 lastPosition;
-        quaternion lastRotation = quaternion.identity;
-        float3 lastScale = 1f;      // above 0
-        bool3 lastMirrored;         // axes of the object's frame along which its scale is negative
+        readonly List<ContactWatch> watches = new List<ContactWatch>();        // one beside each of forces
+        ColliderPlace place = ColliderPlace.Origin;
         bool problemIsKnown;
         string clamped;     // what the newest validation changed
 
@@ -100,6 +101,18 @@ namespace Rill
         /// <summary>Whether what the water does to the collider is summed and brought back.</summary>
         public bool MeasuresForce { get => measuresForce; set => measuresForce = value; }
 
+        /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
+        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
+
+        /// <summary>Water has come to it. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
+        public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
+
+        /// <summary>The fluid gave it an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three frames.</summary>
+        public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
+
+        /// <summary>It has felt no water for 0.2 s, or has left the fluid's box. Not told where the collider or the fluid is disabled.</summary>
+        public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
+
         /// <summary>Middle of the shape now, world space, m: what torques are about.</summary>
         public Vector3 WorldCenter => shape == ColliderShape.HeightField && heights != null ? transform.position + (Vector3)heights.Center
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
@@ -126,25 +139,25 @@ namespace Rill
         /// <summary>The newest of each simulation; some may have ended since.</summary>
         internal List<FluidForce> Forces => forces;
 
-        /// <summary>Drops the result of a simulation that it has left, which else would act for ever.</summary>
-        internal void Leave(FluidSimulation simulation)
-        {
-            for (int i = forces.Count - 1; i >= 0; i--)
-                if (ReferenceEquals(forces[i].From, simulation))
-                    forces.RemoveAt(i);
-        }
-
         /// <summary>Takes a new result of a simulation instead of its last.</summary>
         internal void SetForce(in FluidForce force)
         {
-            for (int i = 0; i < forces.Count; i++)
+            int index = IndexOf(force.From);
+            if (index >= 0)
             {
-                if (!ReferenceEquals(forces[i].From, force.From))
-                    continue;
-                forces[i] = force;
+                forces[index] = force;
                 return;
             }
             forces.Add(force);
+            watches.Add(default);
+        }
+
+        int IndexOf(FluidSimulation fluid)
+        {
+            for (int i = 0; i < forces.Count; i++)
+                if (ReferenceEquals(forces[i].From, fluid))
+                    return i;
+            return -1;
         }
 
         /// <summary>Grows with each <see cref="Teleport"/>.</summary>
@@ -165,6 +178,7 @@ namespace Rill
             Limit.Finite("size", ref size, Vector3.one, ref problem);
             Limit.Clamp("friction", ref friction, 0f, 1f, 0f, ref problem);
             Limit.Clamp("bounciness", ref bounciness, 0f, 1f, 0f, ref problem);
+            contacts.Validate(ref problem);
             return problem == null;
         }
 
@@ -188,27 +202,27 @@ namespace Rill
         /// <returns>Why it is no collider; null where it is one.</returns>
         internal string Describe(out ColliderMotion motion)
         {
-            string problem = FollowTransform();
-            RigidPose pose = new RigidPose(PointOf(center), lastRotation);
-            float evenScale = math.cmax(lastScale);
-            motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = measuresForce };
+            string problem = place.Follow(transform);
+            RigidPose pose = new RigidPose(place.PointOf(center), place.rotation);
+            float3 scale = place.scale;
+            motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = NeedsForce };
             switch (shape)
             {
                 case ColliderShape.Sphere:
-                    motion.size = radius * evenScale;
+                    motion.size = radius * place.EvenScale;
                     problem ??= Positive("radius", radius);
                     break;
                 case ColliderShape.Capsule:
-                    float scaled = radius * math.max(lastScale.x, lastScale.z);
-                    motion.size = new float3(scaled, math.max(0.5f * height * lastScale.y - scaled, 0f), 0f);
+                    float scaled = radius * math.max(scale.x, scale.z);
+                    motion.size = new float3(scaled, math.max(0.5f * height * scale.y - scaled, 0f), 0f);
                     problem ??= Positive("radius", radius) ?? Positive("height", height);
                     break;
                 case ColliderShape.Box:
-                    motion.size = 0.5f * (float3)size * lastScale;
+                    motion.size = 0.5f * (float3)size * scale;
                     problem ??= Positive("size", math.cmin(size));
                     break;
                 case ColliderShape.Mesh:
-                    problem ??= DescribeField(ref motion, ref pose, evenScale);
+                    problem ??= field == null ? "it is a mesh without a signed distance field. Bake one from the mesh and assign it." : place.DescribeField(field, ref motion, ref pose);
                     break;
                 case ColliderShape.HeightField:
                     problem ??= DescribeHeights(ref motion, ref pose);
@@ -216,6 +230,52 @@ namespace Rill
             }
             motion.start = motion.end = pose;
             return problem;
+        }
+
+        bool NeedsForce => measuresForce || contacts.HasListeners;
+
+        string IFluidCollider.Name => name;
+
+        bool IFluidCollider.MeasuresForce => NeedsForce;
+
+        bool IFluidCollider.IsThere => this != null && isActiveAndEnabled;
+
+        int IFluidCollider.Teleports => Teleports;
+
+        string IFluidCollider.Describe(out ColliderMotion motion) => Describe(out motion);
+
+        bool IFluidCollider.TryDescribe(out ColliderMotion motion) => TryDescribe(out motion);
+
+        void IFluidCollider.SetForce(in FluidForce force) => SetForce(force);
+
+        void IFluidCollider.TellContacts(FluidSimulation fluid)
+        {
+            int index = IndexOf(fluid);
+            if (index < 0 || !contacts.HasListeners)
+                return;
+            FluidForce force = forces[index];
+            ContactWatch watch = watches[index];
+            ContactChange change = watch.Follow(force.Force.magnitude * force.Duration, force.Duration, contacts.HitImpulse);
+            watches[index] = watch;
+            contacts.Raise(change, new FluidContact(this, force));
+        }
+
+        // Its last result else acted for ever.
+        bool IFluidCollider.Leave(FluidSimulation fluid)
+        {
+            int index = IndexOf(fluid);
+            if (index < 0)
+                return false;
+            bool touched = watches[index].Touches && contacts.HasListeners;
+            forces.RemoveAt(index);
+            watches.RemoveAt(index);
+            return touched;
+        }
+
+        void IFluidCollider.TellLeft(FluidSimulation fluid)
+        {
+            if (((IFluidCollider)this).IsThere)     // disabled or destroyed since
+                contacts.Raise(ContactChange.Left, FluidContact.Leaving(this, fluid));
         }
 
         StageSet IUsesStages.UsedStages => StageSet.Colliders;
@@ -232,8 +292,12 @@ namespace Rill
         {
             enabledColliders.Remove(this);
             forces.Clear();
+            watches.Clear();
             shaders.Release();
         }
+
+        // In the Editor, where the component was added or reset.
+        void Reset() => ColliderFit.Fit(this);
 
         void OnValidate()
         {
@@ -243,39 +307,6 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidCollider '{name}': {clamped}", this);
         }
 
-        // Where the object is, or where it last was while that is no place.
-        string FollowTransform()
-        {
-            Vector3 position = transform.position, scale = transform.lossyScale;
-            Quaternion rotation = transform.rotation;
-            if (!Limit.IsPose(position, rotation) || !math.all(math.isfinite((float3)scale)))
-                return $"its transform is not finite (position {position}, rotation {rotation}, scale {scale}). Set them to numbers.";
-            lastPosition = position;
-            lastRotation = rotation;
-            lastScale = math.abs((float3)scale);
-            lastMirrored = (float3)scale < 0f;
-            return null;
-        }
-
-        // In world space, m.
-        float3 PointOf(float3 local) => lastPosition + math.mul(lastRotation, math.select(lastScale, -lastScale, lastMirrored) * local);
-
-        string DescribeField(ref ColliderMotion motion, ref RigidPose pose, float scale)
-        {
-            if (field == null)
-                return "it is a mesh without a signed distance field. Bake one from the mesh and assign it.";
-            if (!field.Validate(out string problem))
-                return problem;
-            Bounds bounds = field.Bounds;
-            pose.position = PointOf(bounds.center);
-            motion.mirrored = lastMirrored;
-            motion.size = scale * (float3)bounds.extents;
-            motion.voxel = scale * field.VoxelSize;
-            motion.fieldUnit = scale;
-            motion.field = field.Texture;
-            return math.cmax(lastScale) > 1.001f * math.cmin(lastScale) ? $"its scale {(Vector3)lastScale} is not the same along all axes, and distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
-        }
-
         // As Unity's Terrain it follows the object's position alone.
         string DescribeHeights(ref ColliderMotion motion, ref RigidPose pose)
         {
@@ -283,7 +314,7 @@ namespace Rill
                 return "it is a height field without heights. Add a Fluid Terrain beside a Terrain, or set Heights.";
             if (heights.Texture == null)
                 return "its heights were disposed of. Set others.";
-            pose = new RigidPose(lastPosition + heights.Center, quaternion.identity);
+            pose = new RigidPose(place.position + heights.Center, quaternion.identity);
             motion.size = heights.Extents;
             motion.fieldUnit = 1f;
             motion.field = heights.Texture;

@@ -13,12 +13,19 @@ namespace Rill
         /// <summary>How the collider moved meanwhile, as the simulation saw it.</summary>
         public readonly RelativeMotion Motion;
 
-        public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion)
+        /// <summary>Fluid time of the steps, s.</summary>
+        public readonly float Duration;
+        /// <summary>The last of them, as <see cref="FluidSimulation.StepCount"/> counts.</summary>
+        public readonly int Step;
+
+        public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion, float duration = 0f, int step = 0)
         {
             From = from;
             Force = force;
             Torque = torque;
             Motion = motion;
+            Duration = duration;
+            Step = step;
         }
     }
 }

@@ -10,19 +10,22 @@ namespace Rill
         // A collider whose sums are pending.
         struct Taken
         {
-            public FluidCollider owner;
+            public IFluidCollider owner;
             public RelativeMotion motion;
             public float arm;       // of the moment, d
+            public bool delivered;
         }
 
         Taken[] taken;
         int takenCount;
         double takenImpulse;        // N s of a displacement of one particle by d
         Quaternion takenRotation;
+        int takenStep;
 
         /// <summary>Records the handing over of the sums since the last.</summary>
         /// <param name="rotation">Of the domain, world space.</param>
-        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, float spacing, Quaternion rotation)
+        /// <param name="step">The newest.</param>
+        public void RecordTake(CommandBuffer commands, ColliderReactions reactions, in StepInput input, float spacing, Quaternion rotation, int step)
         {
             taken ??= new Taken[ColliderSet.Most];
             takenCount = Set.Count;
@@ -34,12 +37,13 @@ namespace Rill
                     taken[i].motion = entries[i].track.Take();
             }
             takenRotation = rotation;
+            takenStep = step;
             double d = spacing;
             takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep / VelocityExtrapolation.FractionAtOnce(input);
             reactions.RecordTake(commands);
         }
 
-        /// <summary>Hands the forces that have come to the colliders that are still there.</summary>
+        /// <summary>Hands the forces that have come to the colliders that are still there, then tells who listens to contacts.</summary>
         /// <param name="spacing">m.</param>
         public void Deliver(ColliderReactions reactions, FluidSimulation fluid, float spacing)
         {
@@ -48,15 +52,28 @@ namespace Rill
             double scale = -takenImpulse / reactions.Duration;
             for (int i = 0; i < takenCount; i++)
             {
-                FluidCollider owner = taken[i].owner;
+                IFluidCollider owner = taken[i].owner;
                 bool left = i >= Set.Count || !ReferenceEquals(entries[i].owner, owner);
-                if (left || owner == null || !owner.MeasuresForce)
+                taken[i].delivered = !left && owner.IsThere && owner.MeasuresForce;
+                if (!taken[i].delivered)
                     continue;
                 reactions.Get(i, out double3 sum, out double3 moment);
                 var force = (Vector3)(float3)(sum * scale);
                 var torque = (Vector3)(float3)(moment * (scale * spacing * taken[i].arm));
-                owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[i].motion));
+                owner.SetForce(new FluidForce(fluid, takenRotation * force, takenRotation * torque, taken[i].motion, reactions.Duration, takenStep));
             }
+            // What a listener changes, such as restarting the fluid, is of the next result.
+            for (int i = 0; i < takenCount; i++)
+                if (taken[i].delivered)
+                    taken[i].owner.TellContacts(fluid);
+        }
+
+        /// <summary>Calls the listeners of colliders that have left the box. They may do anything to the scene.</summary>
+        public void TellLeft(FluidSimulation fluid)
+        {
+            for (int i = 0; i < leavers.Count; i++)
+                leavers[i].TellLeft(fluid);
+            leavers.Clear();
         }
     }
 }

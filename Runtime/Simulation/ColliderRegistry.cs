@@ -1,4 +1,4 @@
-using System;
+using System.Collections.Generic;
 using Unity.Mathematics;
 
 namespace Rill
@@ -9,7 +9,7 @@ namespace Rill
         // A collider of the last steps, beside its motion in the set.
         struct Entry
         {
-            public FluidCollider owner;
+            public IFluidCollider owner;
             public ColliderMotion motion;       // of the steps before: what the set held then
             public ColliderTrack track;
             public int teleports;
@@ -19,7 +19,9 @@ namespace Rill
         public readonly ColliderSet Set = new ColliderSet();
 
         Entry[] entries, last;      // null until there was a collider
+        readonly List<IFluidCollider> leavers = new List<IFluidCollider>();      // whose listeners are to be told
         int lastCount;
+        bool changed, reordered;    // of the colliders since the last steps, as far as they are collected
 
         /// <summary>What moved since the last steps has not moved through the fluid.</summary>
         public bool Jumped { get; set; }
@@ -28,17 +30,16 @@ namespace Rill
         public int LeftOutCount { get; private set; }
 
         /// <summary>The first of them; null for none.</summary>
-        public FluidCollider FirstLeftOut { get; private set; }
+        public IFluidCollider FirstLeftOut { get; private set; }
 
         public void Clear() => Set.Count = 0;
 
         /// <summary>Gathers the colliders that can touch a fluid in the coming steps.</summary>
-        /// <param name="size">Of the domain, d.</param>
-        /// <param name="duration">Fluid time of the steps, s.</param>
-        /// <param name="substepTime">s.</param>
-        public void Collect(FluidSimulation fluid, in DomainFrame frame, float3 size, FixedStepClock clock, float duration, float substepTime)
+        /// <param name="own">Those of this fluid alone; null for none.</param>
+        public void Collect(in CollectedSteps steps, List<IFluidCollider> own)
         {
-            if (FluidCollider.Enabled.Count == 0 && Set.Count == 0)
+            bool hasOwn = own != null && own.Count > 0;
+            if (FluidCollider.Enabled.Count == 0 && !hasOwn && Set.Count == 0)
                 return;
             MakeEntries();
             for (int i = 0; i < Set.Count; i++)
@@ -48,46 +49,51 @@ namespace Rill
             Set.Count = 0;
             FirstLeftOut = null;
             LeftOutCount = 0;
-            bool changed = false, reordered = false;
+            changed = reordered = false;
             foreach (FluidCollider collider in FluidCollider.Enabled)
-            {
-                if (!collider.TryDescribe(out ColliderMotion motion))
-                    continue;
-                ToDomain(ref motion, frame);
-                int before = LastIndex(collider);
-                bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen));
-                if (follows)
-                    Follow(ref motion, last[before].motion, clock);
-                if (!IsNear(motion, size))
-                {
-                    if (before >= 0)
-                        collider.Leave(fluid);
-                    continue;
-                }
-                if (Set.Count == ColliderSet.Most)
-                {
-                    FirstLeftOut = FirstLeftOut == null ? collider : FirstLeftOut;
-                    LeftOutCount++;
-                    continue;
-                }
-                int index = Set.Count++;
-                reordered |= before != index;
-                changed |= before != index || !SameShape(motion, last[before].motion);
-                Set.Items[index] = motion;
-                ref Entry entry = ref entries[index];
-                entry.owner = collider;
-                entry.teleports = collider.Teleports;
-                if (!motion.reacts)
-                    continue;
-                RigidPose pose = frame.World(motion.end);
-                entry.track = follows && last[before].motion.reacts ? last[before].track : ColliderTrack.At(pose);
-                entry.track.Follow(pose, duration, substepTime);
-            }
+                Collect(steps, collider);
+            for (int i = 0; hasOwn && i < own.Count; i++)
+                Collect(steps, own[i]);
             Jumped = false;
             if (changed || Set.Count != lastCount)
                 Set.Version++;
             if (reordered)
                 Set.Order++;
+        }
+
+        void Collect(in CollectedSteps steps, IFluidCollider collider)
+        {
+            if (!collider.TryDescribe(out ColliderMotion motion))
+                return;
+            ToDomain(ref motion, steps.frame);
+            int before = LastIndex(collider);
+            bool follows = before >= 0 && last[before].teleports == collider.Teleports && (!Jumped || motion.seen.Equals(last[before].motion.seen));
+            if (follows)
+                Follow(ref motion, last[before].motion, steps.clock);
+            if (!IsNear(motion, steps.size))
+            {
+                if (before >= 0 && collider.Leave(steps.fluid))
+                    leavers.Add(collider);
+                return;
+            }
+            if (Set.Count == ColliderSet.Most)
+            {
+                FirstLeftOut ??= collider;
+                LeftOutCount++;
+                return;
+            }
+            int index = Set.Count++;
+            reordered |= before != index;
+            changed |= before != index || !SameShape(motion, last[before].motion);
+            Set.Items[index] = motion;
+            ref Entry entry = ref entries[index];
+            entry.owner = collider;
+            entry.teleports = collider.Teleports;
+            if (!motion.reacts)
+                return;
+            RigidPose pose = steps.frame.World(motion.end);
+            entry.track = follows && last[before].motion.reacts ? last[before].track : ColliderTrack.At(pose);
+            entry.track.Follow(pose, steps.duration, steps.substepTime);
         }
 
         void MakeEntries()
@@ -96,7 +102,7 @@ namespace Rill
             last ??= new Entry[ColliderSet.Most];
         }
 
-        int LastIndex(FluidCollider collider)
+        int LastIndex(IFluidCollider collider)
         {
             int likely = Set.Count;       // where it is as long as none before it came or went
             if (likely < lastCount && ReferenceEquals(last[likely].owner, collider))
@@ -104,7 +110,7 @@ namespace Rill
             return IndexOf(last, lastCount, collider);
         }
 
-        static int IndexOf(Entry[] entries, int count, FluidCollider collider)
+        static int IndexOf(Entry[] entries, int count, IFluidCollider collider)
         {
             for (int i = 0; i < count; i++)
                 if (ReferenceEquals(entries[i].owner, collider))

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Rill
@@ -20,11 +21,24 @@ namespace Rill
             }
         }
 
+        /// <summary>Finds colliders for this fluid alone; null for none.</summary>
+        internal IColliderSource ColliderSource { get; set; }
+
+        // Those of this fluid alone; null for none.
+        List<IFluidCollider> GatherOwnColliders()
+        {
+            if (ColliderSource == null)
+                return null;
+            GetPose(out Vector3 place, out Quaternion rotation);
+            return ColliderSource.Gather(place, rotation, domainSize, particleSpacing);
+        }
+
         /// <summary>Gathers the colliders that can touch the fluid in the coming steps.</summary>
         /// <param name="duration">Fluid time of the steps, s.</param>
         void CollectColliders(float duration)
         {
-            colliders.Collect(this, Frame, pbf.Layout.DomainSize, clock, duration, FixedStep / input.settings.substeps);
+            var steps = new CollectedSteps(this, Frame, pbf.Layout.DomainSize, clock, duration, FixedStep / input.settings.substeps);
+            colliders.Collect(steps, GatherOwnColliders());
             if (colliders.LeftOutCount > 0 && !tooManyIsKnown)
                 Debug.LogError($"Rill: FluidSimulation '{name}' {TooManyProblem}", this);
             tooManyIsKnown = colliders.LeftOutCount > 0;
@@ -39,7 +53,7 @@ namespace Rill
                 return null;
             reactions.Arrived ??= OnReactions;
             GetPose(out _, out Quaternion rotation);
-            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation);
+            colliders.RecordTake(commands, reactions, input, particleSpacing, rotation, StepCount);
             return reactions;
         }
 

@@ -284,6 +284,7 @@ namespace Rill
         /// <param name="frameTime">Time since the last call, s.</param>
         internal void Advance(float frameTime)
         {
+            colliders.TellLeft(this);
             if (layoutChanged)
             {
                 Release();

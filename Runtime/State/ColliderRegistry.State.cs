@@ -13,9 +13,9 @@ namespace Rill
             for (int i = 0; i < Set.Count; i++)
             {
                 ColliderMotion motion = Set.Items[i];
-                FluidCollider owner = entries[i].owner;
+                IFluidCollider owner = entries[i].owner;
                 ColliderMotion now = default;
-                bool isThere = owner != null && owner.isActiveAndEnabled && owner.Describe(out now) == null;
+                bool isThere = owner.IsThere && owner.Describe(out now) == null;
                 if (isThere)
                     ToDomain(ref now, frame);
                 records.Add(new ColliderRecord
@@ -33,13 +33,14 @@ namespace Rill
 
         /// <summary>Takes those that are where they were: they go on from there.</summary>
         /// <param name="tolerance">Of positions and sizes, d.</param>
+        /// <param name="own">Those of this fluid alone; null for none.</param>
         /// <returns>Whether all were.</returns>
-        public bool Load(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame, float tolerance)
+        public bool Load(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame, float tolerance, List<IFluidCollider> own)
         {
             MakeEntries();
             Set.Count = 0;
             foreach (ColliderRecord record in records)
-                if (record.follows != 0 && TryFind(record, frame, tolerance, out FluidCollider owner, out ColliderMotion motion))
+                if (record.follows != 0 && TryFind(record, frame, tolerance, own, out IFluidCollider owner, out ColliderMotion motion))
                 {
                     motion.start = motion.end = record.end.Pose;
                     motion.seen = record.seen.Pose;
@@ -52,21 +53,26 @@ namespace Rill
             return Set.Count == records.Length;
         }
 
-        bool TryFind(in ColliderRecord record, in DomainFrame frame, float tolerance, out FluidCollider found, out ColliderMotion motion)
+        bool TryFind(in ColliderRecord record, in DomainFrame frame, float tolerance, List<IFluidCollider> own, out IFluidCollider found, out ColliderMotion motion)
         {
+            foreach (FluidCollider collider in FluidCollider.Enabled)
+                if (IsOf(record, frame, tolerance, found = collider, out motion))
+                    return true;
+            for (int i = 0; own != null && i < own.Count; i++)
+                if (IsOf(record, frame, tolerance, found = own[i], out motion))
+                    return true;
             motion = default;
             found = null;
-            foreach (FluidCollider collider in FluidCollider.Enabled)
-            {
-                if (IndexOf(entries, Set.Count, collider) >= 0 || collider.Describe(out motion) != null)
-                    continue;
-                ToDomain(ref motion, frame);
-                if ((int)motion.shape != record.shape || math.distance(motion.size, record.size) > tolerance || !record.now.IsAt(motion.end, tolerance))
-                    continue;
-                found = collider;
-                return true;
-            }
             return false;
+        }
+
+        bool IsOf(in ColliderRecord record, in DomainFrame frame, float tolerance, IFluidCollider collider, out ColliderMotion motion)
+        {
+            motion = default;
+            if (IndexOf(entries, Set.Count, collider) >= 0 || collider.Describe(out motion) != null)
+                return false;
+            ToDomain(ref motion, frame);
+            return (int)motion.shape == record.shape && math.distance(motion.size, record.size) <= tolerance && record.now.IsAt(motion.end, tolerance);
         }
     }
 }

@@ -117,7 +117,7 @@ namespace Rill
                 stages |= Available(StageSet.Drains, DeviceFeature.Drains);
             if (contents.Has(SnapshotSection.Fields) && HasAny(fields))
                 stages |= Available(StageSet.ForceFields, DeviceFeature.None);
-            if (contents.Has(SnapshotSection.Colliders) && FluidCollider.Enabled.Count > 0)
+            if (contents.Has(SnapshotSection.Colliders) && (FluidCollider.Enabled.Count > 0 || ColliderSource != null))
                 stages |= Available(StageSet.Colliders, DeviceFeature.Colliders);
             return stages;
         }
@@ -223,7 +223,7 @@ namespace Rill
         void LoadColliders(ReadOnlySpan<ColliderRecord> records, in DomainFrame frame)
         {
             int before = colliders.Set.Count;
-            bool areAllThere = colliders.Load(records, frame, SamePlace);
+            bool areAllThere = colliders.Load(records, frame, SamePlace, GatherOwnColliders());
             if (records.Length > 0 && areAllThere && HasStages(StageSet.Colliders))
                 pbf.AdoptColliders(colliders.Set);
             else if (records.Length + before > 0)

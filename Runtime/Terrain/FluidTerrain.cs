@@ -5,10 +5,10 @@ using UnityEngine;
 namespace Rill
 {
     /// <summary>
-    /// Makes a Terrain solid for the fluid: gives its heights to the <see cref="FluidCollider"/> beside it, again whenever they
-    /// were changed and <see cref="Refresh"/> is called.
+    /// Makes a Terrain solid for the fluid: gives its heights to the <see cref="FluidCollider"/> beside it, again in the
+    /// frame in which they were changed.
     /// </summary>
-    /// <remarks>Holes of the terrain are closed; trees and details are no colliders. Without the terrain module this component is not there.</remarks>
+    /// <remarks>Holes of the terrain are closed, which is said once; trees and details are no colliders. Without the terrain module this component is not there.</remarks>
     [AddComponentMenu("Rill/Fluid Terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
@@ -17,10 +17,15 @@ namespace Rill
         [Tooltip("Part of the terrain that the fluid can reach, as fractions of its sides from 0 to 1. A smaller part is exact in large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
+        const string HolesProblem = "its Terrain has holes, which are closed to water. Lower the ground there, or leave the terrain out and put Fluid Colliders where it is.";
+
         FluidCollider collider;
+        Terrain terrain;
         HeightField heights;
         string clamped;     // what the newest validation changed
         string refusal;     // why the newest heights were not taken
+        RectInt taken;      // of the terrain's heights
+        bool isStale, holesAreKnown;
 
         /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call <see cref="Refresh"/>.</summary>
         public Rect Part { get => part; set { part = value; OnValidate(); } }
@@ -39,11 +44,12 @@ namespace Rill
             return false;
         }
 
-        /// <summary>Takes the terrain's heights again.</summary>
+        /// <summary>Takes the terrain's heights again: after a change of <see cref="Part"/> or of the terrain's size. Edits of heights are noticed without it.</summary>
         public void Refresh()
         {
             Release();
             refusal = null;
+            isStale = false;
             TerrainData data = GetComponent<Terrain>().terrainData;
             if (data == null)
             {
@@ -58,6 +64,8 @@ namespace Rill
                 Refuse($"it has {countX} x {countZ} heights, and {HeightField.MaxHeights} along a side can be taken. Set Part to where the fluid gets, or lower the terrain's heightmap resolution.");
                 return;
             }
+            taken = new RectInt(x, z, countX, countZ);
+            SayHoles(data);
             Vector3 size = data.size, spacing = size / last;
             float[,] fractions = data.GetHeights(x, z, countX, countZ);
             for (int i = 0; i < countZ; i++)
@@ -79,10 +87,30 @@ namespace Rill
         void OnEnable()
         {
             collider = GetComponent<FluidCollider>();
+            terrain = GetComponent<Terrain>();
             Refresh();
+            TerrainCallbacks.heightmapChanged += OnHeightsChanged;
         }
 
-        void OnDisable() => Release();
+        void OnDisable()
+        {
+            TerrainCallbacks.heightmapChanged -= OnHeightsChanged;
+            Release();
+        }
+
+        // Before the steps of the frame; once, however many edits there were.
+        void LateUpdate()
+        {
+            if (isStale)
+                Refresh();
+        }
+
+        // Heights that were edited on the GPU come to the CPU later, which is told again.
+        void OnHeightsChanged(Terrain changed, RectInt region, bool synched)
+        {
+            if (synched && ReferenceEquals(changed, terrain) && region.Overlaps(taken))
+                isStale = true;
+        }
 
         void OnValidate()
         {
@@ -94,6 +122,28 @@ namespace Rill
         {
             problems.AddIfAny(clamped);
             problems.AddIfAny(refusal);
+            problems.AddIfAny(holesAreKnown ? HolesProblem : null);
+        }
+
+        void SayHoles(TerrainData data)
+        {
+            if (holesAreKnown || !HasHoles(data))
+                return;
+            holesAreKnown = true;
+            Debug.LogWarning($"Rill: FluidTerrain '{name}': {HolesProblem}", this);
+        }
+
+        // A hole is false, between four heights.
+        bool HasHoles(TerrainData data)
+        {
+            int last = data.holesResolution;
+            int width = Mathf.Min(taken.xMax, last) - taken.xMin, length = Mathf.Min(taken.yMax, last) - taken.yMin;
+            if (width <= 0 || length <= 0)
+                return false;
+            foreach (bool isGround in data.GetHoles(taken.xMin, taken.yMin, width, length))
+                if (!isGround)
+                    return true;
+            return false;
         }
 
         void Refuse(string problem)

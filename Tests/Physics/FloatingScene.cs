@@ -29,7 +29,8 @@ namespace Rill.Tests
 
         /// <param name="size">Sides of a box, m; of a ball its diameter.</param>
         /// <param name="layers">Of water.</param>
-        public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26, DeepWater deepWater = DeepWater.On)
+        /// <param name="byLayer">A collider of Unity's physics that the fluid takes by layer, in place of a Fluid Collider with a Fluid Buoyancy.</param>
+        public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26, DeepWater deepWater = DeepWater.On, bool byLayer = false)
         {
             Side = side * Spacing;
             var tank = new Vector3(Side, 40 * Spacing, Side);
@@ -48,10 +49,17 @@ namespace Rill.Tests
 
             GameObject body = Make("Body");
             body.transform.position = new Vector3(0f, height, 0f);
-            Obstacle = body.AddComponent<FluidCollider>();
-            Obstacle.Shape = shape;
-            Obstacle.Size = size;
-            Obstacle.Radius = size.x / 2f;
+            if (byLayer)
+            {
+                AddUnityCollider(body, shape, size);
+            }
+            else
+            {
+                Obstacle = body.AddComponent<FluidCollider>();
+                Obstacle.Shape = shape;
+                Obstacle.Size = size;
+                Obstacle.Radius = size.x / 2f;
+            }
             bool isBall = shape == ColliderShape.Sphere;
             Volume = isBall ? Mathf.PI / 6f * size.x * size.x * size.x : size.x * size.y * size.z;
             Body = body.AddComponent<Rigidbody>();
@@ -59,11 +67,25 @@ namespace Rill.Tests
             Vector3 squares = Vector3.Scale(size, size) * (Body.mass / 12f);
             Body.inertiaTensor = isBall ? Vector3.one * (0.1f * Body.mass * size.x * size.x) : new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
             Body.inertiaTensorRotation = Quaternion.identity;
-            Buoyancy = body.AddComponent<FluidBuoyancy>();
+            Body.interpolation = RigidbodyInterpolation.Interpolate;
+            if (!byLayer)
+                Buoyancy = body.AddComponent<FluidBuoyancy>();
             least = size.y / 2f;
             Depth = layers * Spacing;
             for (int i = made.Count - 1; i >= 0; i--)       // the fluid after its water
                 made[i].SetActive(true);
+        }
+
+        void AddUnityCollider(GameObject body, ColliderShape shape, Vector3 size)
+        {
+            const int Layer = 8;
+            body.layer = Layer;
+            if (shape == ColliderShape.Sphere)
+                body.AddComponent<SphereCollider>().radius = size.x / 2f;
+            else
+                body.AddComponent<BoxCollider>().size = size;
+            var colliders = Fluid.gameObject.AddComponent<FluidPhysicsColliders>();
+            colliders.ColliderLayers = colliders.FloatingLayers = 1 << Layer;
         }
 
         /// <summary>Level of the water over the floor, m, from the mean height of its particles: under plain iterations it stands lower than it was filled in, the deeper the more.</summary>

@@ -163,6 +163,14 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void HearHits(FluidCollider gate)
+        {
+            #region Hear what the water hits
+            gate.HitImpulse = 20f;                                              // N s of one reading, which is that of one to three frames
+            gate.Hit += contact => Debug.Log($"{contact.Collider.name}: {contact.Impulse.magnitude} N s in step {contact.Step}");
+            #endregion
+        }
+
         static void SetBudget(FluidSimulation fluid)
         {
             #region Set a budget and the solver
@@ -301,6 +309,7 @@ namespace Rill.Tests
             FluidDetector basin = Part<FluidDetector>();
             WatchABasin(basin, jet);
             MoveCollider(collider, true);
+            HearHits(collider);
             AddSplash(fluid, new Vector3(0.3f, 0f, 0f));
             float highest = float.MinValue;
             using (var readback = new ParticleReadback())

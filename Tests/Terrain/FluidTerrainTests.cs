@@ -1,3 +1,4 @@
+using System.Collections;
 using System.Text.RegularExpressions;
 using NUnit.Framework;
 using UnityEngine;
@@ -86,6 +87,46 @@ namespace Rill.Tests
             terrain.Refresh();
             Assert.That(thing.GetComponent<FluidCollider>().Heights, Is.Not.Null);
             Object.DestroyImmediate(large);
+        }
+
+        [UnityTest]
+        public IEnumerator Edited_heights_count_in_the_same_frame_where_they_are_of_the_part()
+        {
+            FluidTerrain terrain = Add();
+            var collider = thing.GetComponent<FluidCollider>();
+            terrain.Part = Rect.MinMaxRect(0f, 0f, 0.5f, 0.5f);
+            terrain.Refresh();
+            HeightField before = collider.Heights;
+            data.SetHeights(40, 40, new float[8, 8]);
+            yield return null;
+            Assert.That(collider.Heights, Is.SameAs(before), "beside the part");
+            data.SetHeights(30, 30, new float[8, 8]);
+            data.SetHeights(0, 0, new float[33, 33]);
+            yield return null;
+            Assert.That(collider.Heights, Is.Not.SameAs(before));
+            Assert.That(collider.TryDescribe(out ColliderMotion motion), Is.True);
+            Assert.That(motion.size.y, Is.Zero);
+            before = collider.Heights;
+            terrain.enabled = false;
+            data.SetHeights(0, 0, new float[33, 33]);
+            yield return null;
+            Assert.That(collider.Heights, Is.Null, "nobody listens");
+        }
+
+        [Test]
+        public void Holes_are_said_once()
+        {
+            data.SetHoles(60, 60, new bool[1, 1]);
+            LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': its Terrain has holes, which are closed to water. Lower the ground there"));
+            int said = 0;
+            Application.LogCallback count = (text, trace, type) => said += text.Contains("holes") ? 1 : 0;
+            Application.logMessageReceived += count;
+            FluidTerrain terrain = Add();
+            data.SetHoles(3, 3, new bool[1, 1]);
+            terrain.Refresh();
+            terrain.Refresh();
+            Application.logMessageReceived -= count;
+            Assert.That(said, Is.EqualTo(1));
         }
 
         FluidTerrain Add()

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace UnityEngine
 {
@@ -8,7 +9,12 @@ namespace UnityEngine
     /// </summary>
     public sealed class Terrain : Behaviour
     {
+        internal static readonly List<Terrain> Active = new List<Terrain>();
+
         public TerrainData terrainData { get; set; }
+
+        internal override void OnActivated() => Active.Add(this);
+        internal override void OnDeactivated() => Active.Remove(this);
 
         /// <summary>A terrain follows its object's position alone.</summary>
         public Vector3 GetPosition() => transform.position;
@@ -20,6 +26,7 @@ namespace UnityEngine
         const int Steps = 32766, LeastResolution = 33, MostResolution = 4097;
 
         float[,] heights = new float[LeastResolution, LeastResolution];
+        bool[,] ground;     // null where there are no holes
         Vector3 scale = new Vector3(1f, 600f, 1f);
 
         /// <summary>Heights along a side: 33, 65 and so on to 4,097; other numbers become the next of these. A change clears the heights and keeps their distance, so that the size changes: set the size after it.</summary>
@@ -32,6 +39,7 @@ namespace UnityEngine
                 while (resolution < value && resolution < MostResolution)
                     resolution = 2 * resolution - 1;
                 heights = new float[resolution, resolution];
+                ground = null;
             }
         }
 
@@ -62,12 +70,58 @@ namespace UnityEngine
             for (int z = 0; z < heights.GetLength(0); z++)
                 for (int x = 0; x < heights.GetLength(1); x++)
                     this.heights[yBase + z, xBase + x] = (float)Math.Round(Mathf.Clamp01(heights[z, x]) * Steps) / Steps;
+            TerrainCallbacks.Tell(this, new RectInt(xBase, yBase, heights.GetLength(1), heights.GetLength(0)));
+        }
+
+        /// <summary>Along a side: one between each two heights.</summary>
+        public int holesResolution => heightmapResolution - 1;
+
+        /// <summary>[z, x] whether there is ground, from a place on.</summary>
+        public bool[,] GetHoles(int xBase, int yBase, int width, int height)
+        {
+            CheckHoles(xBase, yBase, width, height);
+            var part = new bool[height, width];
+            for (int z = 0; z < height; z++)
+                for (int x = 0; x < width; x++)
+                    part[z, x] = ground == null || ground[yBase + z, xBase + x];
+            return part;
+        }
+
+        /// <param name="holes">[z, x] whether there is ground.</param>
+        public void SetHoles(int xBase, int yBase, bool[,] holes)
+        {
+            CheckHoles(xBase, yBase, holes.GetLength(1), holes.GetLength(0));
+            ground = GetHoles(0, 0, holesResolution, holesResolution);
+            for (int z = 0; z < holes.GetLength(0); z++)
+                for (int x = 0; x < holes.GetLength(1); x++)
+                    ground[yBase + z, xBase + x] = holes[z, x];
+        }
+
+        void CheckHoles(int x, int z, int width, int length)
+        {
+            if (x < 0 || z < 0 || width < 0 || length < 0 || x + width > holesResolution || z + length > holesResolution)
+                throw new ArgumentException($"The part {x}, {z} with {width} x {length} holes does not lie within the {holesResolution} of the terrain.");
         }
 
         void Check(int x, int z, int width, int length)
         {
             if (x < 0 || z < 0 || width < 0 || length < 0 || x + width > heightmapResolution || z + length > heightmapResolution)
                 throw new ArgumentException($"The part {x}, {z} with {width} x {length} heights does not lie within the {heightmapResolution} of the terrain.");
+        }
+    }
+
+    /// <summary>Tells of changed heights, all of which are on the CPU here.</summary>
+    public static class TerrainCallbacks
+    {
+        public delegate void HeightmapChangedCallback(Terrain terrain, RectInt heightRegion, bool synched);
+
+        public static event HeightmapChangedCallback heightmapChanged;
+
+        internal static void Tell(TerrainData data, RectInt region)
+        {
+            foreach (Terrain terrain in Terrain.Active.ToArray())
+                if (ReferenceEquals(terrain.terrainData, data))
+                    heightmapChanged?.Invoke(terrain, region, true);
         }
     }
 }

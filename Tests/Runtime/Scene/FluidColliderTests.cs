@@ -194,6 +194,22 @@ namespace Rill.Tests
             Assert.That(force.y, Is.GreaterThan(3f * Mathf.Abs(force.z)));
         }
 
+        [TestCase("Sphere", ColliderShape.Sphere)]
+        [TestCase("Capsule", ColliderShape.Capsule)]
+        [TestCase("Crate", ColliderShape.Box)]
+        public void A_new_collider_fits_the_mesh_that_is_there(string mesh, ColliderShape shape)
+        {
+            FluidCollider collider = Make(ColliderShape.Box, Vector3.zero);
+            ColliderFit.Fit(collider);
+            Assert.That(collider.Size, Is.EqualTo(Vector3.one), "as it was: there is nothing to fit");
+            var made = new Mesh { name = mesh, bounds = new Bounds(Vector3.up, new Vector3(1f, 3f, 1f)) };
+            collider.gameObject.AddComponent<MeshFilter>().sharedMesh = made;
+            ColliderFit.Fit(collider);
+            Assert.That((collider.Shape, collider.Center, collider.Size), Is.EqualTo((shape, Vector3.up, new Vector3(1f, 3f, 1f))));
+            Assert.That((collider.Radius, collider.Height), Is.EqualTo((0.5f, 3f)));
+            Object.DestroyImmediate(made);
+        }
+
         static FluidCollider Make(ColliderShape shape, Vector3 place)
         {
             var obstacle = new GameObject("Collider");

@@ -2,12 +2,22 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
+    /// <summary>What a collider is to the physics. The collider lies in an assembly of its own.</summary>
+    internal abstract class PhysicsShape
+    {
+        /// <summary>Queries find it where its object is now.</summary>
+        public abstract void Sync();
+    }
+
     /// <summary>The free bodies of all scenes, moved after each FixedUpdate. No contacts, no joints.</summary>
     internal static class PhysicsWorld
     {
         static readonly Vector3 DefaultGravity = new Vector3(0f, -9.81f, 0f);
 
         public static readonly List<Rigidbody> Bodies = new List<Rigidbody>();
+
+        /// <summary>What can be found by queries.</summary>
+        public static readonly List<PhysicsShape> Shapes = new List<PhysicsShape>();
 
         /// <summary>Physics.gravity, m/s².</summary>
         public static Vector3 Gravity = DefaultGravity;
@@ -19,6 +29,13 @@ namespace UnityEngine.Headless
                 body.State.ShowBody(body.transform);
         }
 
+        /// <summary>Queries find shapes where their objects are now.</summary>
+        public static void SyncTransforms()
+        {
+            foreach (PhysicsShape shape in Shapes)
+                shape.Sync();
+        }
+
         /// <summary>After them.</summary>
         public static void Step(float time)
         {
@@ -28,6 +45,7 @@ namespace UnityEngine.Headless
                 body.State.Step(body, time);
                 body.State.ShowBody(body.transform);
             }
+            SyncTransforms();
         }
 
         /// <summary>After the fixed steps of a frame.</summary>
@@ -45,6 +63,7 @@ namespace UnityEngine.Headless
         public static void Reset()
         {
             Bodies.Clear();
+            Shapes.Clear();
             Gravity = DefaultGravity;
         }
     }

@@ -119,7 +119,9 @@ namespace Host.Check
         static string Value(object value) => value switch
         {
             null => "none",
+            UnityEngine.Events.UnityEventBase => "none",
             UnityEngine.Object asset => asset == null ? "none" : asset.name,
+            LayerMask layers => layers.value == 0 ? "nothing" : layers.value == ~0 ? "everything" : "some layers",
             bool isOn => isOn ? "on" : "off",
             float number => Number(number),
             Vector3 vector => $"{Number(vector.x)}, {Number(vector.y)}, {Number(vector.z)}",

@@ -1,0 +1,31 @@
+using System.Collections.Generic;
+using UnityEditor;
+
+namespace Rill.Editor
+{
+    [CustomEditor(typeof(FluidPhysicsColliders))]
+    [CanEditMultipleObjects]
+    sealed class FluidPhysicsCollidersEditor : RillEditor
+    {
+        static readonly InspectorSection[] AllSections =
+        {
+            new InspectorSection("Colliders", true,
+                new InspectorField("colliderLayers"),
+                new InspectorField("floatingLayers"),
+                new InspectorField("meshFields")),
+            new InspectorSection("Surface", true,
+                new InspectorField("friction"),
+                new InspectorField("bounciness"),
+                new InspectorField("contributesDensity")),
+            new InspectorSection("Contacts", false,
+                new InspectorField("contacts.hitImpulse", "N s"),
+                new InspectorField("contacts.touched"),
+                new InspectorField("contacts.hit"),
+                new InspectorField("contacts.left")),
+        };
+
+        internal override InspectorSection[] Sections => AllSections;
+
+        internal override void ListLive(List<(string label, string text)> live) => live.Add(("Colliders near the box", ((FluidPhysicsColliders)target).Taken.Count.ToString()));
+    }
+}

@@ -1,0 +1,277 @@
+using System;
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>
+    /// Lets the fluid on this object take the colliders of Unity's physics that lie on some layers, without a component on each: box,
+    /// sphere, capsule, character controller, and mesh by a baked field.
+    /// </summary>
+    /// <remarks>
+    /// Before the steps of a frame the physics is asked which colliders reach into the fluid's box and what lies half as far around it.
+    /// They follow their objects, and have the sizes that the physics gives them. Triggers are no colliders. A collider beside an enabled
+    /// <see cref="FluidCollider"/>, or whose Rigidbody has one, is left to that. Without the physics module this component is not there.
+    /// </remarks>
+    [AddComponentMenu("Rill/Fluid Physics Colliders")]
+    [DisallowMultipleComponent]
+    [RequireComponent(typeof(FluidSimulation))]
+    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages
+    {
+        const int FirstFound = 64, MaxFound = 4096;
+
+        [Tooltip("Layers whose colliders hold the water. Nothing costs nothing.")]
+        [SerializeField] LayerMask colliderLayers;
+
+        [Tooltip("Of these layers, those whose free Rigidbodies the water carries. Each with one collider. Nothing costs nothing.")]
+        [SerializeField] LayerMask floatingLayers;
+
+        [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
+        [SerializeField] List<MeshField> meshFields = new List<MeshField>();
+
+        [Tooltip("Share of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
+        [Range(0f, 1f)]
+        [SerializeField] float friction;
+
+        [Tooltip("Share of the velocity into the surface that is given back. 0 to 1.")]
+        [Range(0f, 1f)]
+        [SerializeField] float bounciness;
+
+        [Tooltip("Whether the colliders count as water to the density of what touches them. Without, water thins out towards the surface.")]
+        [SerializeField] bool contributesDensity = true;
+
+        [SerializeField] ContactEvents contacts = ContactEvents.Default;
+
+        [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
+
+        readonly Dictionary<Collider, GatheredCollider> known = new Dictionary<Collider, GatheredCollider>();
+        readonly List<IFluidCollider> taken = new List<IFluidCollider>();       // all of known, in the order in which they came
+        readonly List<GatheredCollider> leavers = new List<GatheredCollider>();     // whose listeners are to be told
+        Collider[] found;       // null until a query was made
+        int round;
+        bool tooManyIsKnown, listens;
+        FluidSimulation fluid;
+        string clamped;         // what the newest validation changed
+
+        /// <summary>Layers whose colliders hold the water.</summary>
+        public LayerMask ColliderLayers { get => colliderLayers; set => colliderLayers = value; }
+
+        /// <summary>Of the collider layers, those whose free Rigidbodies the water carries.</summary>
+        public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
+
+        /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
+        public List<MeshField> MeshFields => meshFields;
+
+        /// <summary>Share of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
+        public float Friction { get => friction; set { friction = value; OnValidate(); } }
+
+        /// <summary>Share of the velocity into the surface that is given back, 0 to 1.</summary>
+        public float Bounciness { get => bounciness; set { bounciness = value; OnValidate(); } }
+
+        /// <summary>Whether the colliders count as water to the density of what touches them.</summary>
+        public bool ContributesDensity { get => contributesDensity; set => contributesDensity = value; }
+
+        /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
+        public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
+
+        /// <summary>Water has come to a collider. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
+        public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
+
+        /// <summary>The fluid gave a collider an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three frames.</summary>
+        public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
+
+        /// <summary>A collider has felt no water for 0.2 s, or has left the fluid's box. Not told where it or the fluid is disabled.</summary>
+        public event Action<FluidContact> Left { add => contacts.Left += value; remove => contacts.Left -= value; }
+
+        /// <summary>Whether anybody listened before the newest steps.</summary>
+        internal bool ListensToContacts => listens;
+
+        /// <summary>Whether the physics has been asked.</summary>
+        internal bool HasAsked => found != null;
+
+        /// <summary>Those that the newest query found, in the order in which they came.</summary>
+        internal List<IFluidCollider> Taken => taken;
+
+        /// <summary>Clamps what is out of range.</summary>
+        /// <param name="problem">What was wrong and what is used instead; null if nothing was.</param>
+        public bool Validate(out string problem)
+        {
+            problem = null;
+            Limit.Clamp("friction", ref friction, 0f, 1f, 0f, ref problem);
+            Limit.Clamp("bounciness", ref bounciness, 0f, 1f, 0f, ref problem);
+            contacts.Validate(ref problem);
+            return problem == null;
+        }
+
+        /// <summary>Of a mesh; null where it has none.</summary>
+        internal SignedDistanceField FieldOf(Mesh mesh)
+        {
+            if (mesh == null)
+                return null;
+            foreach (MeshField pair in meshFields)
+                if (pair.Mesh == mesh && pair.Field != null)
+                    return pair.Field;
+            return null;
+        }
+
+        List<IFluidCollider> IColliderSource.Gather(Vector3 center, Quaternion rotation, Vector3 size, float spacing)
+        {
+            if (colliderLayers == 0)
+            {
+                Forget();
+                return taken;
+            }
+            round++;
+            // Half the box more on all sides: what is fast was then seen before it comes.
+            int count = Ask(center, rotation, size + 2f * spacing * Vector3.one);
+            for (int i = 0; i < count; i++)
+                if (!IsFluidCollider(found[i]))
+                    Take(found[i]);
+            DropOthers();
+            listens = contacts.HasListeners;
+            FollowBodies();
+            return taken;
+        }
+
+        void IHasProblems.ListProblems(List<string> problems)
+        {
+            problems.AddIfAny(clamped);
+            problems.AddIfAny(colliderLayers == 0 ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
+            problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
+            foreach (IFluidCollider collider in taken)
+                if (collider.IsThere && collider.Describe(out _) is string problem)
+                    problems.Add($"The collider '{collider.Name}' is left out: {problem}");
+        }
+
+        StageSet IUsesStages.UsedStages => StageSet.Colliders;
+
+        StageReferences IUsesStages.StageReferences => shaders;
+
+        static string TooManyProblem => $"more than {MaxFound} colliders of its layers are near its box, and the rest is left out. Take objects out of Collider Layers.";
+
+        void OnEnable()
+        {
+            fluid = GetComponent<FluidSimulation>();
+            fluid.ColliderSource = this;
+            shaders.Hold();
+        }
+
+        void OnDisable()
+        {
+            if (fluid != null && ReferenceEquals(fluid.ColliderSource, this))
+                fluid.ColliderSource = null;
+            leavers.Clear();
+            Forget();
+            shaders.Release();
+        }
+
+        // Outside of the fluid's steps: listeners may do anything to the scene.
+        void Update()
+        {
+            for (int i = 0; i < leavers.Count; i++)
+                leavers[i].TellLeft(fluid);
+            leavers.Clear();
+        }
+
+        void FixedUpdate()
+        {
+            if (floatingLayers == 0)
+                return;
+            foreach (IFluidCollider collider in taken)
+                ((GatheredCollider)collider).CarryBody();
+        }
+
+        /// <summary>Calls who listens.</summary>
+        internal void Tell(ContactChange change, in FluidContact contact) => contacts.Raise(change, contact);
+
+        void OnValidate()
+        {
+            shaders.Follow(StageSet.Colliders);
+            if (!Validate(out clamped))
+                Debug.LogWarning($"Rill: FluidPhysicsColliders '{name}': {clamped}", this);
+        }
+
+        int Ask(Vector3 center, Quaternion rotation, Vector3 half)
+        {
+            found ??= new Collider[FirstFound];
+            int count;
+            while ((count = UnityEngine.Physics.OverlapBoxNonAlloc(center, half, found, rotation, colliderLayers, QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
+                Array.Resize(ref found, 2 * count);
+            bool tooMany = count == MaxFound;
+            if (tooMany && !tooManyIsKnown)
+                Debug.LogError($"Rill: FluidPhysicsColliders '{name}': {TooManyProblem}", this);
+            tooManyIsKnown = tooMany;
+            return count;
+        }
+
+        static bool IsFluidCollider(Collider collider)
+        {
+            if (collider.TryGetComponent(out FluidCollider own) && own.isActiveAndEnabled)
+                return true;
+            Rigidbody body = collider.attachedRigidbody;
+            return body != null && body.TryGetComponent(out own) && own.isActiveAndEnabled;
+        }
+
+        void Take(Collider collider)
+        {
+            if (!known.TryGetValue(collider, out GatheredCollider gathered))
+            {
+                gathered = new GatheredCollider(this, collider);
+                known.Add(collider, gathered);
+                taken.Add(gathered);
+            }
+            gathered.Round = round;
+        }
+
+        // What the newest query did not find; the others keep their order.
+        void DropOthers()
+        {
+            int kept = 0;
+            for (int i = 0; i < taken.Count; i++)
+            {
+                var gathered = (GatheredCollider)taken[i];
+                if (gathered.Round == round)
+                {
+                    taken[kept++] = gathered;
+                    continue;
+                }
+                if (gathered.Leave(fluid) && gathered.IsThere)
+                    leavers.Add(gathered);
+                Drop(gathered);
+            }
+            taken.RemoveRange(kept, taken.Count - kept);
+        }
+
+        void FollowBodies()
+        {
+            foreach (IFluidCollider collider in taken)
+                ((GatheredCollider)collider).FindBody();
+            foreach (IFluidCollider collider in taken)
+            {
+                var gathered = (GatheredCollider)collider;
+                gathered.FollowBody(floatingLayers, floatingLayers != 0 && gathered.Body != null && HasOther(gathered));
+            }
+        }
+
+        bool HasOther(GatheredCollider one)
+        {
+            foreach (IFluidCollider collider in taken)
+                if (!ReferenceEquals(collider, one) && ReferenceEquals(((GatheredCollider)collider).Body, one.Body))
+                    return true;
+            return false;
+        }
+
+        void Forget()
+        {
+            foreach (IFluidCollider collider in taken)
+                Drop((GatheredCollider)collider);
+            taken.Clear();
+        }
+
+        void Drop(GatheredCollider gathered)
+        {
+            known.Remove(gathered.Collider);
+            gathered.Drop();
+        }
+    }
+}

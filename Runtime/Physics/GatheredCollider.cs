@@ -1,0 +1,182 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>A collider of Unity's physics as one fluid sees it, sized by the rules of the physics.</summary>
+    sealed class GatheredCollider : IFluidCollider
+    {
+        const string CompoundProblem = "its Rigidbody has several colliders, and by layer the water carries bodies with one. Bake its mesh, and put a Fluid Collider with it and a Fluid Buoyancy on the body.";
+
+        readonly FluidPhysicsColliders source;
+        ColliderPlace place = ColliderPlace.Origin;
+        FloatingBody floating;
+        FluidForce force;
+        ContactWatch watch;
+        bool hasForce, isDropped, compoundIsKnown, problemIsKnown;
+
+        public GatheredCollider(FluidPhysicsColliders source, Collider collider)
+        {
+            this.source = source;
+            Collider = collider;
+        }
+
+        public Collider Collider { get; }
+
+        /// <summary>Of the last query that found it.</summary>
+        public int Round { get; set; }
+
+        /// <summary>Of the mesh; null for the other shapes.</summary>
+        public SignedDistanceField Field { get; private set; }
+
+        public string Name => Collider.name;
+
+        public bool IsThere => !isDropped && Collider != null && Collider.enabled && Collider.gameObject.activeInHierarchy;
+
+        public int Teleports => 0;
+
+        public bool MeasuresForce => Floats || source.ListensToContacts;
+
+        /// <summary>Its Rigidbody; null where it has none.</summary>
+        public Rigidbody Body { get; private set; }
+
+        /// <summary>Whether the fluid carries its Rigidbody.</summary>
+        public bool Floats { get; private set; }
+
+        /// <summary>The fluid drops it; it counts as one that is gone.</summary>
+        public void Drop() => isDropped = true;
+
+        /// <summary>Looks for the body again, which may change between frames.</summary>
+        public void FindBody() => Body = Collider.attachedRigidbody;
+
+        /// <summary>Follows whether the fluid carries the body.</summary>
+        /// <param name="floatingLayers">Whose free bodies it carries.</param>
+        /// <param name="isCompound">Whether another collider that the fluid takes is of the same body.</param>
+        public void FollowBody(LayerMask floatingLayers, bool isCompound)
+        {
+            bool isFree = (floatingLayers & 1 << Collider.gameObject.layer) != 0 && Body != null && !Body.isKinematic;
+            bool isRefused = isFree && isCompound;
+            if (isRefused && !compoundIsKnown)
+                Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' does not carry '{Name}': {CompoundProblem}", Collider);
+            compoundIsKnown = isRefused;
+            Floats = isFree && !isCompound;
+            if (!Floats)
+                floating = default;
+        }
+
+        /// <summary>Lets the fluid act on the body, at a fixed step.</summary>
+        public void CarryBody()
+        {
+            if (!Floats || Body == null || !TryDescribe(out ColliderMotion shape))
+                return;
+            float volume = FloatingBody.VolumeOf(shape, Field);
+            if (!(volume > 0f))
+                return;
+            FloatingBody.Smooth(Body);
+            floating.Begin(Body, shape, volume, FloatingResponse.DefaultVirtualMass, FloatingResponse.DefaultDamping);
+            if (hasForce)
+                floating.Add(force);
+            if (floating.IsKnown)
+                floating.Apply(Body, FloatingResponse.DefaultMaxAcceleration);
+        }
+
+        public bool TryDescribe(out ColliderMotion motion)
+        {
+            motion = default;
+            if (!IsThere)
+                return false;
+            string problem = Describe(out motion);
+            if (problem != null && !problemIsKnown)
+                Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' leaves out the collider '{Name}': {problem}", Collider);
+            problemIsKnown = problem != null;
+            return problem == null;
+        }
+
+        public string Describe(out ColliderMotion motion)
+        {
+            motion = new ColliderMotion { friction = source.Friction, bounciness = source.Bounciness, contributesDensity = source.ContributesDensity, reacts = MeasuresForce };
+            string problem = place.Follow(Collider.transform);
+            var pose = new RigidPose(place.position, place.rotation);
+            float3 scale = place.scale;
+            Field = null;
+            switch (Collider)
+            {
+                case BoxCollider box:
+                    motion.shape = ColliderShape.Box;
+                    motion.size = 0.5f * (float3)box.size * scale;
+                    pose.position = place.PointOf(box.center);
+                    problem ??= HasSize(math.cmin(motion.size));
+                    break;
+                case SphereCollider sphere:
+                    motion.shape = ColliderShape.Sphere;
+                    motion.size = sphere.radius * place.EvenScale;
+                    pose.position = place.PointOf(sphere.center);
+                    problem ??= HasSize(motion.size.x);
+                    break;
+                case CapsuleCollider capsule:
+                    pose.position = place.PointOf(capsule.center);
+                    pose.rotation = math.mul(place.rotation, FromY(capsule.direction));
+                    problem ??= DescribeCapsule(ref motion, capsule.radius, capsule.height, capsule.direction);
+                    break;
+                case CharacterController character:     // upright, however its object is turned
+                    pose.position = place.PointOf(character.center);
+                    pose.rotation = quaternion.identity;
+                    problem ??= DescribeCapsule(ref motion, character.radius, character.height, 1);
+                    break;
+                case MeshCollider mesh:
+                    Field = source.FieldOf(mesh.sharedMesh);
+                    problem ??= Field == null ? "its mesh has no signed distance field. Bake one and add both to Mesh Fields, or take the object out of Collider Layers."
+                        : place.DescribeField(Field, ref motion, ref pose);
+                    break;
+                default:
+                    problem ??= "water takes no collider of this kind. Put a Fluid Terrain on a Terrain, a Fluid Collider on anything else, or take the object out of Collider Layers.";
+                    break;
+            }
+            motion.start = motion.end = pose;
+            return problem;
+        }
+
+        public void SetForce(in FluidForce newest)
+        {
+            force = newest;
+            hasForce = true;
+        }
+
+        public void TellContacts(FluidSimulation fluid)
+        {
+            if (source.ListensToContacts)
+                source.Tell(watch.Follow(force.Force.magnitude * force.Duration, force.Duration, source.HitImpulse), new FluidContact(Collider, force));
+        }
+
+        public bool Leave(FluidSimulation fluid)
+        {
+            bool touched = watch.Touches && source.ListensToContacts;
+            hasForce = false;
+            watch = default;
+            return touched;
+        }
+
+        public void TellLeft(FluidSimulation fluid)
+        {
+            if (Collider != null)       // destroyed since
+                source.Tell(ContactChange.Left, FluidContact.Leaving(Collider, fluid));
+        }
+
+        // The height follows the scale along it, the radius the larger of the other two.
+        string DescribeCapsule(ref ColliderMotion motion, float radius, float height, int direction)
+        {
+            float scaled = radius * math.max(place.scale[(direction + 1) % 3], place.scale[(direction + 2) % 3]);
+            motion.shape = ColliderShape.Capsule;
+            motion.size = new float3(scaled, math.max(0.5f * height * place.scale[direction] - scaled, 0f), 0f);
+            return HasSize(scaled);
+        }
+
+        // Turns the y axis to another, by thirds of a turn.
+        static quaternion FromY(int axis)
+        {
+            return axis == 0 ? new quaternion(-0.5f, -0.5f, -0.5f, 0.5f) : axis == 2 ? new quaternion(0.5f, 0.5f, 0.5f, 0.5f) : quaternion.identity;
+        }
+
+        static string HasSize(float size) => size > 0f && !float.IsInfinity(size) ? null : "its size or scale is 0 along an axis, or not finite. Set both above 0.";
+    }
+}

@@ -1,0 +1,59 @@
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Where a collider's object is: its last finite position, rotation and scale.</summary>
+    struct ColliderPlace
+    {
+        /// <summary>World space, m.</summary>
+        public float3 position;
+        public quaternion rotation;
+        /// <summary>Above 0.</summary>
+        public float3 scale;
+        /// <summary>Axes of the object's frame along which its scale is negative.</summary>
+        public bool3 mirrored;
+
+        public static ColliderPlace Origin => new ColliderPlace { rotation = quaternion.identity, scale = 1f };
+
+        /// <summary>Largest of the three scales.</summary>
+        public float EvenScale => math.cmax(scale);
+
+        /// <summary>Follows an object; stays where it last was while that is no place.</summary>
+        /// <returns>Why it is no place; null where it is one.</returns>
+        public string Follow(Transform transform)
+        {
+            Vector3 place = transform.position, lossyScale = transform.lossyScale;
+            Quaternion turn = transform.rotation;
+            if (!Limit.IsPose(place, turn) || !math.all(math.isfinite((float3)lossyScale)))
+                return $"its transform is not finite (position {place}, rotation {turn}, scale {lossyScale}). Set them to numbers.";
+            position = place;
+            rotation = turn;
+            scale = math.abs((float3)lossyScale);
+            mirrored = (float3)lossyScale < 0f;
+            return null;
+        }
+
+        /// <summary>A point of the object's frame in world space, m.</summary>
+        public float3 PointOf(float3 local) => position + math.mul(rotation, math.select(scale, -scale, mirrored) * local);
+
+        /// <summary>Makes a motion that of a mesh with this field.</summary>
+        /// <param name="field">Not null.</param>
+        /// <returns>Why it is no collider; null where it is one.</returns>
+        public string DescribeField(SignedDistanceField field, ref ColliderMotion motion, ref RigidPose pose)
+        {
+            if (!field.Validate(out string problem))
+                return problem;
+            Bounds bounds = field.Bounds;
+            float even = EvenScale;
+            pose.position = PointOf(bounds.center);
+            motion.shape = ColliderShape.Mesh;
+            motion.mirrored = mirrored;
+            motion.size = even * (float3)bounds.extents;
+            motion.voxel = even * field.VoxelSize;
+            motion.fieldUnit = even;
+            motion.field = field.Texture;
+            return even > 1.001f * math.cmin(scale) ? $"its scale {(Vector3)scale} is not the same along all axes, and distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
+        }
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+
+namespace Rill
+{
+    /// <summary>What a reading of the force on a collider has changed.</summary>
+    [Flags]
+    enum ContactChange
+    {
+        None = 0,
+        /// <summary>Water has come to it.</summary>
+        Touched = 1,
+        /// <summary>An impulse as large as the threshold.</summary>
+        Hit = 2,
+        /// <summary>Water has left it.</summary>
+        Left = 4,
+    }
+
+    /// <summary>Follows the readings of one fluid's force on one collider, and tells each change once.</summary>
+    struct ContactWatch
+    {
+        /// <summary>Without any force, until the water has left, s: drops bounce.</summary>
+        public const float QuietTime = 0.2f;
+
+        /// <summary>Of the threshold: below it the next hit can come.</summary>
+        public const float CalmFraction = 0.5f;
+
+        bool touches, hits;
+        float quiet;        // s
+
+        /// <summary>Whether water touches it.</summary>
+        public bool Touches => touches;
+
+        /// <param name="impulse">Of the reading, N s.</param>
+        /// <param name="duration">Of its steps, s.</param>
+        /// <param name="threshold">Of a hit, N s, above 0.</param>
+        public ContactChange Follow(float impulse, float duration, float threshold)
+        {
+            var change = ContactChange.None;
+            if (impulse > 0f)
+            {
+                quiet = 0f;
+                if (!touches)
+                    change |= ContactChange.Touched;
+                touches = true;
+            }
+            else if (touches && (quiet += duration) >= QuietTime)
+            {
+                touches = false;
+                change |= ContactChange.Left;
+            }
+            bool hit = impulse >= (hits ? CalmFraction * threshold : threshold);
+            if (hit && !hits)
+                change |= ContactChange.Hit;
+            hits = hit;
+            return change;
+        }
+    }
+}

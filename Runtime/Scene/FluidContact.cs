@@ -1,0 +1,34 @@
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>A change in how a fluid touches a collider: it came, it left, or it hit hard.</summary>
+    public readonly struct FluidContact
+    {
+        /// <summary>The <see cref="FluidCollider"/>, or the collider of Unity's physics that a Fluid Physics Colliders took.</summary>
+        public readonly Component Collider;
+
+        /// <summary>The fluid that touches it.</summary>
+        public readonly FluidSimulation Fluid;
+
+        /// <summary>What the fluid gave to the collider in the steps of this reading, N s, world space; zero where it left.</summary>
+        public readonly Vector3 Impulse;
+
+        /// <summary>Last step of the reading, as <see cref="FluidSimulation.StepCount"/> counts; two or three frames ago.</summary>
+        public readonly int Step;
+
+        internal FluidContact(Component collider, in FluidForce force)
+        {
+            Collider = collider;
+            Fluid = force.From;
+            Impulse = force.Force * force.Duration;
+            Step = force.Step;
+        }
+
+        /// <summary>Of a collider that has left a fluid's box.</summary>
+        internal static FluidContact Leaving(Component collider, FluidSimulation fluid)
+        {
+            return new FluidContact(collider, new FluidForce(fluid, Vector3.zero, Vector3.zero, default, 0f, fluid.StepCount));
+        }
+    }
+}

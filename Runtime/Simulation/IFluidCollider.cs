@@ -1,0 +1,39 @@
+namespace Rill
+{
+    /// <summary>A collider as a fluid sees it: a <see cref="FluidCollider"/>, or one that a source of this fluid gathered.</summary>
+    interface IFluidCollider
+    {
+        /// <summary>Of its object, for messages.</summary>
+        string Name { get; }
+
+        /// <summary>Whether it can be taken now: enabled, and not destroyed.</summary>
+        bool IsThere { get; }
+
+        /// <summary>Grows each time that it went somewhere else without moving there.</summary>
+        int Teleports { get; }
+
+        /// <summary>Whether what the fluid does to it is brought back.</summary>
+        bool MeasuresForce { get; }
+
+        /// <summary>Shape and place now, in world space and metres; its poses are both the present one.</summary>
+        /// <returns>Why it is no collider; null where it is one.</returns>
+        string Describe(out ColliderMotion motion);
+
+        /// <summary>As <see cref="Describe"/>; a problem is logged once, by name.</summary>
+        /// <returns>Whether it is a collider.</returns>
+        bool TryDescribe(out ColliderMotion motion);
+
+        /// <summary>Takes a new result of a fluid in place of its last.</summary>
+        void SetForce(in FluidForce force);
+
+        /// <summary>Calls the listeners to what the newest result of a fluid has changed. They may do anything to the scene.</summary>
+        void TellContacts(FluidSimulation fluid);
+
+        /// <summary>Drops the result of a fluid that it has left.</summary>
+        /// <returns>Whether listeners have to be told, by <see cref="TellLeft"/>.</returns>
+        bool Leave(FluidSimulation fluid);
+
+        /// <summary>Calls the listeners to its leaving a fluid.</summary>
+        void TellLeft(FluidSimulation fluid);
+    }
+}
