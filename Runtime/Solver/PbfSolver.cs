@@ -302,6 +302,7 @@ namespace Rill
             ReleaseQueries();
             ReleaseSurface();
             ReleaseEdits();
+            ReleasePacking();
             GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);
         }
