@@ -279,6 +279,7 @@ namespace Rill
                 Emitters.Describe(emitters, step, tags),
                 SurfaceParticles.Describe(surface, step),
                 Rill.Queries.Describe(queries, queried, tags),
+                FramePacking.Describe(packing),
                 StatisticsPass.Describe(statistics, step, statisticsInterval),
             };
         }

@@ -20,6 +20,7 @@ namespace Rill
     public sealed class FluidPlayback : MonoBehaviour, IUsesStages, IHasProblems
     {
         const float MaxSpeed = 100f;
+        const double Tolerance = 1e-5;      // s: by which a time that is meant to be a frame's may fall short of it
 
         [Tooltip("Recording that is opened when this is enabled. A relative path begins in the StreamingAssets folder. Empty: none is.")]
         [SerializeField] string file = "";
@@ -57,6 +58,7 @@ namespace Rill
         public bool IsPlaying { get; private set; }
 
         /// <summary>Time that is shown since the first frame, s, 0 to <see cref="Duration"/>. Set it to go anywhere, also while paused; it is brought into that range.</summary>
+        /// <exception cref="ArgumentException">Set to what is no number.</exception>
         public double Time
         {
             get => time;
@@ -72,10 +74,20 @@ namespace Rill
         }
 
         /// <summary>Time from the first frame to the last, s; 0 where none is open.</summary>
-        public double Duration => FrameCount > 0 ? reader.TimeOf(FrameCount - 1) - reader.TimeOf(0) : 0.0;
+        public double Duration => FrameCount > 0 ? TimeOf(FrameCount - 1) : 0.0;
 
         /// <summary>Frames of the recording; 0 where none is open.</summary>
         public int FrameCount => reader?.FrameCount ?? 0;
+
+        /// <summary>Time of a frame since the first, s.</summary>
+        /// <param name="frame">0 to <see cref="FrameCount"/> - 1.</param>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
+        public double TimeOf(int frame)
+        {
+            if (frame < 0 || frame >= FrameCount)
+                throw new ArgumentOutOfRangeException(nameof(frame), frame, $"The recording has {FrameCount:N0} frames.");
+            return reader.TimeOf(frame) - reader.TimeOf(0);
+        }
 
         /// <summary>Number of the frame that the fluid shows, from 0; -1 before the first has been read.</summary>
         public int ShownFrame { get; private set; } = -1;
@@ -106,6 +118,9 @@ namespace Rill
         /// <summary>Time of the shown picture since the shown frame, s.</summary>
         internal double Lag { get; private set; }
 
+        /// <summary>Takes the place of the file: for tests.</summary>
+        internal Func<string, Stream> OpenFile { get; set; } = File.OpenRead;
+
         /// <summary>Takes the place of Application.platform: for tests.</summary>
         internal RuntimePlatform? Platform { get; set; }
 
@@ -128,7 +143,7 @@ namespace Rill
             if (!isActiveAndEnabled)
                 throw new InvalidOperationException($"FluidPlayback '{name}' is disabled: enable it before you open a recording.");
             Close();
-            var next = new RecordingReader(File.OpenRead(Path.Combine(Application.streamingAssetsPath, recording)));
+            var next = new RecordingReader(OpenFile(Path.Combine(Application.streamingAssetsPath, recording)));
             if (next.FrameCount == 0)
             {
                 next.Dispose();
@@ -186,7 +201,7 @@ namespace Rill
             if (!Fits(solver))
                 return false;
             double at = reader.TimeOf(0) + time;
-            int number = reader.FrameAt(at);
+            int number = reader.FrameAt(at + Tolerance);
             if (!isShown || number != ShownFrame)
             {
                 frame = frames.Take(number, !goesBack, waitForFrames, out string failure);

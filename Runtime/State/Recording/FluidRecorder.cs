@@ -58,7 +58,7 @@ namespace Rill
         string path, problem, clamped;
         double startTime;
         long lastFrame;
-        int lastStep;
+        int lastStep, buffers;
 
         /// <summary>What is kept of each particle besides its position; of the next recording.</summary>
         public RecordingFields Fields { get => fields; set => fields = value & RecordingFields.All; }
@@ -114,7 +114,7 @@ namespace Rill
             solver = simulation.Solver;
             header = new RecordingHeader(solver.Layout, fields);
             writer = new RecordingWriter(OpenFile(file), header, bufferedFrames);
-            (path, problem) = (file, null);
+            (path, problem, buffers) = (file, null, bufferedFrames);
             (lastFrame, lastStep) = (-1, simulation.StepCount);
             simulation.AfterStep += OnStep;
             simulation.AfterSteps += OnSteps;
@@ -199,7 +199,8 @@ namespace Rill
             RecordedFrame frame = writer.TryReserve();
             if (frame == null)
             {
-                Fail($"{bufferedFrames} frames wait for the disk, which is all that Buffered Frames allows. Record fewer Fields or at a lower Rate, raise Buffered Frames, or use a faster disk.");
+                int fromGpu = recorded.Count + coming.Count;
+                Fail($"all {buffers} frames that Buffered Frames allows are on their way, {fromGpu} from the GPU and {buffers - fromGpu} to the disk. Record fewer Fields or at a lower Rate, raise Buffered Frames, or use a faster disk.");
                 return;
             }
             frame.step = step;
@@ -285,6 +286,7 @@ namespace Rill
             foreach (Transfer transfer in idle)
                 GpuBuffer.Release(ref transfer.buffer);
             idle.Clear();       // a callback that is late finds no frame
+            solver?.ReleasePacking();
             solver = null;
             writer.Finish();
         }

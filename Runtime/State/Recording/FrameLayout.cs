@@ -46,8 +46,11 @@ namespace Rill
 
         public int Bits => IsWide ? WideBits : NarrowBits;
 
-        /// <summary>The number that stands for the far side of the box; 0 stands for the near one.</summary>
+        /// <summary>The number that stands for the highest coordinate that a particle's centre can have; 0 stands for the lowest.</summary>
         public uint MaxSteps => (1u << Bits) - 1u;
+
+        /// <summary>Length of a step of a coordinate, d; a particle is stored within half of it.</summary>
+        public float3 StepSize(float3 domainSize) => (domainSize - 2f * Colliders.ContactOffset) / MaxSteps;
 
         public bool Has(RecordingFields field) => (Fields & field) != 0;
 

@@ -1,5 +1,6 @@
 using System;
 using Unity.Mathematics;
+using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -8,6 +9,8 @@ namespace Rill
     /// <summary>Packs the particles into frames of a recording and unpacks them, on the GPU. Made when first needed.</summary>
     sealed class FramePacking : IDisposable
     {
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Recording");
+
         readonly ComputeShader shader = StageShader.LoadCompute("Recording");
         readonly int pack, unpack;
         GraphicsBuffer upload;
@@ -23,9 +26,11 @@ namespace Rill
         /// <param name="frame">uint, <see cref="FrameLayout.PackedHeader"/> words and those of the particles.</param>
         public void RecordPack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, float3 domainSize, in FrameLayout layout, GraphicsBuffer frame)
         {
-            Bind(cmd, pack, particles, tags, hasTags, layout, layout.MaxSteps / domainSize);
+            cmd.BeginSample(Marker);
+            Bind(cmd, pack, particles, tags, hasTags, layout, 1f / layout.StepSize(domainSize));
             cmd.SetComputeBufferParam(shader, pack, Ids.Frame, frame);
             particles.DispatchAlive(cmd, shader, pack);
+            cmd.EndSample(Marker);
         }
 
         /// <summary>Uploads a frame, and records that its particles take the place of those that are there.</summary>
@@ -40,7 +45,8 @@ namespace Rill
             }
             frame.Reserve(words);
             upload.SetData(frame.words, 0, 0, words);
-            Bind(cmd, unpack, particles, tags, hasTags, layout, domainSize / layout.MaxSteps);
+            cmd.BeginSample(Marker);
+            Bind(cmd, unpack, particles, tags, hasTags, layout, layout.StepSize(domainSize));
             cmd.SetComputeBufferParam(shader, unpack, Ids.Frame, upload);
             cmd.SetComputeBufferParam(shader, unpack, Ids.AliveArguments, particles.AliveArguments);
             cmd.SetComputeIntParam(shader, Ids.FrameParticles, frame.particles);
@@ -48,9 +54,21 @@ namespace Rill
             cmd.SetComputeFloatParam(shader, Ids.StepBack, stepBack);
             int groups = Math.Max(ParticleBuffers.Groups(frame.particles), 1);
             cmd.DispatchCompute(shader, unpack, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            cmd.EndSample(Marker);
         }
 
         public void Dispose() => GpuBuffer.Release(ref upload);
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(FramePacking stage)
+        {
+            var description = new StageDescription("Recording", stage != null, stage != null ? "frames are recorded or played back, outside the step" : "nothing is recorded or played back");
+            if (stage == null)
+                return description;
+            description.Kernel("Recording", stage.upload != null ? "UnpackFrame" : "PackFrame", 0);
+            description.Buffer("Rill.PlayedFrame", stage.upload);
+            return description;
+        }
 
         void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, in FrameLayout layout, float3 stepScale)
         {
