@@ -121,7 +121,7 @@ namespace Host.Tests
             ("a pass of a script where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilledAsleep" }),
             ("a recorder that does not record", null, s => s.gameObject.AddComponent<FluidRecorder>(), new string[0]),
             ("a playback without a recording", null, s => s.gameObject.AddComponent<FluidPlayback>(), new string[0]),
-            ("a recording", null, Record, new[] { "+1 Recording.compute PackFrame", "+2 Rill.RecordedFrame *", "+1 Rill.NoTags *" }),
+            ("a recording", null, Record, new[] { "+1 Recording.compute PackFrame", "+2 Rill.RecordedFrame *" }),
             ("phases for a script", null, s => s.TrackPhases = true, new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *" }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute ApplyDeltaP" }),
         };

@@ -87,7 +87,7 @@ namespace Rill
             FluidMaterial still = material;
             still.velocitySmoothing = still.dynamicViscosity = still.shearModulus = still.vorticity = still.artificialPressure = 0f;
             effective = settings;
-            return new StepInput { timeStep = FixedStep, gravity = float3.zero, settings = settings, material = still, needsDensity = NeedsDensity || material.velocitySmoothing > 0f };      // as in the steps that were recorded
+            return new StepInput { timeStep = FixedStep, gravity = float3.zero, settings = settings, material = still, needsDensity = NeedsDensity };
         }
     }
 }

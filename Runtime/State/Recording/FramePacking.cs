@@ -22,12 +22,12 @@ namespace Rill
         }
 
         /// <summary>Records the packing of the particles.</summary>
-        /// <param name="hasTags">Whether <paramref name="tags"/> are those of the particles, and not what stands for them.</param>
+        /// <param name="tags">Null where the particles have none.</param>
         /// <param name="frame">uint, <see cref="FrameLayout.PackedHeader"/> words and those of the particles.</param>
-        public void RecordPack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, float3 domainSize, in FrameLayout layout, GraphicsBuffer frame)
+        public void RecordPack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout, GraphicsBuffer frame)
         {
             cmd.BeginSample(Marker);
-            Bind(cmd, pack, particles, tags, hasTags, layout, 1f / layout.StepSize(domainSize));
+            Bind(cmd, pack, particles, tags, layout, 1f / layout.StepSize(domainSize));
             cmd.SetComputeBufferParam(shader, pack, Ids.Frame, frame);
             particles.DispatchAlive(cmd, shader, pack);
             cmd.EndSample(Marker);
@@ -35,7 +35,7 @@ namespace Rill
 
         /// <summary>Uploads a frame, and records that its particles take the place of those that are there.</summary>
         /// <param name="stepBack">s, see Recording.compute.</param>
-        public void RecordUnpack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, float3 domainSize, in FrameLayout layout, RecordedFrame frame, float stepBack)
+        public void RecordUnpack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout, RecordedFrame frame, float stepBack)
         {
             int words = Math.Max((int)layout.Words(frame.particles), 1);
             if (upload == null || upload.count < words)
@@ -46,7 +46,7 @@ namespace Rill
             frame.Reserve(words);
             upload.SetData(frame.words, 0, 0, words);
             cmd.BeginSample(Marker);
-            Bind(cmd, unpack, particles, tags, hasTags, layout, layout.StepSize(domainSize));
+            Bind(cmd, unpack, particles, tags, layout, layout.StepSize(domainSize));
             cmd.SetComputeBufferParam(shader, unpack, Ids.Frame, upload);
             cmd.SetComputeBufferParam(shader, unpack, Ids.AliveArguments, particles.AliveArguments);
             cmd.SetComputeIntParam(shader, Ids.FrameParticles, frame.particles);
@@ -70,17 +70,17 @@ namespace Rill
             return description;
         }
 
-        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, in FrameLayout layout, float3 stepScale)
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer tags, in FrameLayout layout, float3 stepScale)
         {
             cmd.SetComputeVectorParam(shader, Ids.StepScale, new Vector4(stepScale.x, stepScale.y, stepScale.z, 0f));
             cmd.SetComputeIntParam(shader, Ids.MaxSteps, (int)layout.MaxSteps);
             cmd.SetComputeIntParam(shader, Ids.IsWide, layout.IsWide ? 1 : 0);
             cmd.SetComputeIntParam(shader, Ids.FrameFields, (int)layout.Fields);
-            cmd.SetComputeIntParam(shader, Ids.HasTags, hasTags ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.HasTags, tags != null ? 1 : 0);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? particles.SortedIds);     // what is bound in place of tags is not touched
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 

@@ -12,7 +12,7 @@ namespace Rill
 
         /// <summary>Records the packing of the particles as the commands so far leave them.</summary>
         /// <param name="frame">uint, see <see cref="FramePacking.RecordPack"/>.</param>
-        public void RecordFrame(CommandBuffer cmd, in FrameLayout layout, GraphicsBuffer frame) => Packing.RecordPack(cmd, particles, TagsToBind, tags != null, Layout.DomainSize, layout, frame);
+        public void RecordFrame(CommandBuffer cmd, in FrameLayout layout, GraphicsBuffer frame) => Packing.RecordPack(cmd, particles, tags?.Current, Layout.DomainSize, layout, frame);
 
         /// <summary>
         /// Uploads a frame and records it in place of the present state, with its cells and neighbor lists, so that all that looks at the
@@ -33,7 +33,7 @@ namespace Rill
             maxParticles = frame.particles;
             minAdded = 0f;      // where they are is not known here
             maxAdded = Layout.DomainSize;
-            Packing.RecordUnpack(cmd, particles, TagsToBind, tags != null, Layout.DomainSize, layout, frame, still.timeStep);
+            Packing.RecordUnpack(cmd, particles, tags?.Current, Layout.DomainSize, layout, frame, still.timeStep);
             Step(cmd, still);
         }
 

@@ -131,21 +131,22 @@ namespace Rill.Tests
                 scene.Fluid.NeedsSurface = true;
                 scene.Step();
                 scene.Fluid.FlushQueries();
-                Assert.That(actual.TryGetSample(out FluidProbeSample played) && expected.TryGetSample(out FluidProbeSample sample), Is.True);
-                expected.TryGetSample(out sample);
+                Assert.That(actual.TryGetSample(out FluidProbeSample played));
+                Assert.That(expected.TryGetSample(out FluidProbeSample sample));
+                TestContext.Out.WriteLine($"density {sample.density} and {played.density}, height {sample.height} and {played.height} m, velocity {sample.velocity.x} {sample.velocity.y} {sample.velocity.z} and {played.velocity.x} {played.velocity.y} {played.velocity.z} m/s");
                 Assert.That(played.density, Is.EqualTo(sample.density).Within(2e-3f));
-                Assert.That(played.height, Is.EqualTo(sample.height).Within(1e-3f * RecordedWater.Spacing * 10f));
-                Assert.That(math.length(played.velocity - sample.velocity), Is.LessThan(1e-3f));
-                uint[] drawn = Drawn(scene), before = Drawn(live);
-                Assert.That(drawn[0], Is.EqualTo(before[0]).Within(before[0] / 50), "ellipsoids");
-                Assert.That(before[0], Is.GreaterThan(100));
+                Assert.That(played.height, Is.EqualTo(sample.height).Within(0.01f * RecordedWater.Spacing));
+                Assert.That(math.length(played.velocity - sample.velocity), Is.LessThan(5e-3f), "the cells of a step are those before its correction");
+                uint drawn = Drawn(scene), before = Drawn(live);
+                Assert.That(drawn, Is.EqualTo(before).Within(before / 50), "ellipsoids");
+                Assert.That(before, Is.GreaterThan(100));
             }
         }
 
-        static uint[] Drawn(SourceScene scene)
+        static uint Drawn(SourceScene scene)
         {
             Assert.That(scene.Fluid.Solver.SurfaceIsCurrent);
-            return GpuTest.Read<uint>(scene.Fluid.Solver.Surface.Counters, scene.Fluid.Solver.Surface.Counters.count);
+            return GpuTest.Read<uint>(scene.Fluid.Solver.Surface.Counters, scene.Fluid.Solver.Surface.Counters.count)[(int)SurfaceParticles.Counter.Drawn];
         }
 
         [Test]
