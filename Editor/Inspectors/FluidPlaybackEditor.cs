@@ -11,7 +11,7 @@ namespace Rill.Editor
         static readonly InspectorSection[] AllSections =
         {
             new InspectorSection("Playback", true,
-                new InspectorField("file"),
+                new InspectorField("recording"),
                 new InspectorField("playOnEnable"),
                 new InspectorField("speed"),
                 new InspectorField("loop"),

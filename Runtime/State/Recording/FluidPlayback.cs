@@ -23,7 +23,7 @@ namespace Rill
         const double Tolerance = 1e-5;      // s: by which a time that is meant to be a frame's may fall short of it
 
         [Tooltip("Recording that is opened when this is enabled. A relative path begins in the StreamingAssets folder. Empty: none is.")]
-        [SerializeField] string file = "";
+        [SerializeField] string recording = "";
 
         [Tooltip("Whether it plays once it is opened. Off: it shows the first frame.")]
         [SerializeField] bool playOnEnable = true;
@@ -50,6 +50,12 @@ namespace Rill
         int shownGeneration;
         string refused;             // why it does not fit, of the solver that was looked at
         PbfSolver checkedSolver;
+
+        /// <summary>Path of the recording that is opened when this is enabled; a relative one begins in the StreamingAssets folder. Empty for none. Takes effect when this is enabled next; <see cref="Open"/> opens one at once.</summary>
+        public string Recording { get => recording; set => recording = value ?? ""; }
+
+        /// <summary>Whether a recording plays once it is opened; if not, it shows the first frame.</summary>
+        public bool PlayOnEnable { get => playOnEnable; set => playOnEnable = value; }
 
         /// <summary>Whether a recording is open; the fluid then takes no steps.</summary>
         public bool IsOpen => reader != null;
@@ -129,27 +135,27 @@ namespace Rill
         StageReferences IUsesStages.StageReferences => shaders;
 
         /// <summary>Opens a recording at its first frame. It plays where Play On Enable is on, else call <see cref="Play"/> or set <see cref="Time"/>. One that was open is closed.</summary>
-        /// <param name="recording">Path of the file; a relative one begins in the StreamingAssets folder.</param>
+        /// <param name="file">Its path; a relative one begins in the StreamingAssets folder.</param>
         /// <exception cref="ArgumentNullException">No path.</exception>
         /// <exception cref="InvalidOperationException">This is disabled, or the platform is WebGL.</exception>
         /// <exception cref="InvalidDataException">The file is no recording, is damaged, holds no frame or is of a newer version.</exception>
         /// <exception cref="IOException">The file cannot be read; as for other exceptions of File.OpenRead.</exception>
-        public void Open(string recording)
+        public void Open(string file)
         {
-            if (recording == null)
-                throw new ArgumentNullException(nameof(recording));
+            if (file == null)
+                throw new ArgumentNullException(nameof(file));
             if ((Platform ?? Application.platform) == RuntimePlatform.WebGLPlayer)
                 throw new InvalidOperationException($"FluidPlayback '{name}' cannot play: WebGL has no threads, one of which reads the file. Play on another platform.");
             if (!isActiveAndEnabled)
                 throw new InvalidOperationException($"FluidPlayback '{name}' is disabled: enable it before you open a recording.");
             Close();
-            var next = new RecordingReader(OpenFile(Path.Combine(Application.streamingAssetsPath, recording)));
+            var next = new RecordingReader(OpenFile(Path.Combine(Application.streamingAssetsPath, file)));
             if (next.FrameCount == 0)
             {
                 next.Dispose();
-                throw new InvalidDataException($"'{recording}' holds no whole frame. Record again, and call Stop before the player ends.");
+                throw new InvalidDataException($"'{file}' holds no whole frame. Record again, and call Stop before the player ends.");
             }
-            (reader, opened, time, problem) = (next, recording, 0.0, null);
+            (reader, opened, time, problem) = (next, file, 0.0, null);
             frames = new FrameReadAhead(reader);
             (MissedFrames, hasJumped, goesBack, IsPlaying) = (0, true, speed < 0f, playOnEnable);
             simulation.Playback = this;
@@ -224,15 +230,15 @@ namespace Rill
         {
             simulation = GetComponent<FluidSimulation>();
             shaders.Hold();
-            if (string.IsNullOrEmpty(file) || DeviceGate.HasNoGraphics)
+            if (string.IsNullOrEmpty(recording) || DeviceGate.HasNoGraphics)
                 return;
             try
             {
-                Open(file);
+                Open(recording);
             }
             catch (Exception refusal) when (refusal is IOException || refusal is InvalidDataException || refusal is UnauthorizedAccessException || refusal is InvalidOperationException || refusal is ArgumentException || refusal is NotSupportedException)
             {
-                Say($"does not play '{file}': {refusal.Message}");
+                Say($"does not play '{recording}': {refusal.Message}");
             }
         }
 

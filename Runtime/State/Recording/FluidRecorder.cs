@@ -23,6 +23,7 @@ namespace Rill
     {
         const int MinBuffers = 4, MaxBuffers = 64, DefaultBuffers = 12;
         const float MaxRate = 1000f;
+        const int MaxWait = 10_000;     // for the disk, of a recorder that is disabled, ms
 
         [Tooltip("What is kept of each particle besides its position. Velocities: 6 bytes; phases: 1 byte; ids: 4 bytes.")]
         [SerializeField] RecordingFields fields = RecordingFields.Velocities | RecordingFields.Phases | RecordingFields.Ids;
@@ -156,7 +157,8 @@ namespace Rill
             foreach (Transfer transfer in recorded)         // a pass of a script disabled this: its step is yet to be executed
                 Forget(transfer);
             writer?.Finish();
-            writer?.Join();
+            if (writer != null && !writer.Join(MaxWait))
+                Debug.LogError($"Rill: FluidRecorder '{name}': the disk did not take the last frames of '{path}' within {MaxWait / 1000} s. Those before them can be played; the rest is written if the player goes on.", this);
             Check();
             shaders.Release();
         }

@@ -17,6 +17,7 @@ namespace Rill
         }
 
         const int Ahead = 4;        // frames, the one asked for included
+        const int MaxWait = 2000;   // ms
 
         readonly object gate = new object();
         readonly RecordingReader reader;
@@ -69,8 +70,7 @@ namespace Rill
                 isDisposed = true;
                 Monitor.PulseAll(gate);
             }
-            thread.Join();
-            reader.Dispose();
+            thread.Join(MaxWait);       // so that the file can be deleted; a disk that hangs keeps it
         }
 
         void Run()
@@ -93,6 +93,7 @@ namespace Rill
                     Monitor.PulseAll(gate);
                 }
             }
+            reader.Dispose();
         }
 
         // Waits for a frame that is wanted and not there.

@@ -89,8 +89,9 @@ namespace Rill
             }
         }
 
-        /// <summary>Waits until nothing more will be written.</summary>
-        public void Join() => thread.Join();
+        /// <summary>Waits until nothing more will be written, but no longer than a time.</summary>
+        /// <returns>Whether nothing more will be.</returns>
+        public bool Join(int milliseconds) => thread.Join(milliseconds);
 
         void Run()
         {

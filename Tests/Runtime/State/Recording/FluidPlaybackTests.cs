@@ -222,9 +222,10 @@ namespace Rill.Tests
                 playback.Open("memory");
                 playback.Pause();
                 scene.Step(2);
-                Assert.That((playback.ShownFrame, playback.MissedFrames), Is.EqualTo((-1, 2)));
-                TestFluid.AssertSame(scene.Read(), before);
+                (int shown, int missed) = (playback.ShownFrame, playback.MissedFrames);
                 disk.Gate.Set();
+                Assert.That((shown, missed), Is.EqualTo((-1, 2)));
+                TestFluid.AssertSame(scene.Read(), before);
                 playback.WaitForFrames = true;
                 scene.Step();
                 Assert.That((playback.ShownFrame, playback.MissedFrames), Is.EqualTo((0, 2)));

@@ -140,10 +140,11 @@ namespace Rill.Tests
             var writer = new RecordingWriter(disk, Header, 4);
             for (int i = 0; i < 4; i++)
                 writer.Write(Fill(writer.TryReserve(), 4));
-            Assert.That(writer.TryReserve(), Is.Null, "all wait for the disk");
+            RecordedFrame more = writer.TryReserve();
             disk.Go();
+            Assert.That(more, Is.Null, "all wait for the disk");
             writer.Finish();
-            writer.Join();
+            Assert.That(writer.Join(20_000));
             Assert.That((writer.FramesWritten, writer.Problem, writer.IsDone), Is.EqualTo((4, (string)null, true)));
             Assert.That(writer.TryReserve(), Is.Not.Null, "buffers come back");
             Assert.That(writer.BytesWritten, Is.EqualTo(disk.ToArray().Length));
@@ -158,7 +159,7 @@ namespace Rill.Tests
             for (int i = 0; i < 8; i++)
                 writer.Write(Fill(writer.TryReserve(), 4));
             writer.Finish();
-            writer.Join();
+            Assert.That(writer.Join(20_000));
             Assert.That(writer.Problem, Does.Contain("No space left"));
             Assert.That(writer.FramesWritten, Is.EqualTo(1));
             Assert.That(Count(disk.ToArray()), Is.EqualTo(1));
@@ -239,7 +240,7 @@ namespace Rill.Tests
             for (int i = 0; i < counts.Length; i++)
                 writer.Write(Fill(writer.TryReserve(), i));
             writer.Finish();
-            writer.Join();
+            Assert.That(writer.Join(20_000));
             Assert.That(writer.Problem, Is.Null);
             return stream.ToArray();
         }
