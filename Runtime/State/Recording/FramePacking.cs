@@ -80,7 +80,7 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? particles.SortedIds);     // what is bound in place of tags is not touched
+            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? (kernel == pack ? particles.Ids : particles.SortedIds));     // which is not touched
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 
