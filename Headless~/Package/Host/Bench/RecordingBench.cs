@@ -5,6 +5,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Runtime.InteropServices;
 using Host.Commands;
 using Host.Experiments;
 using Host.Report;
@@ -72,6 +73,7 @@ namespace Host.Bench
                 if (!double.IsNaN(packing))
                     Row(output, "packing, device, ms", packing);
                 Row(output, "copy out of the readback, main thread, ms", Median(times.copies));
+                Row(output, "checksum alone, ms", Median(times.checksums));
                 Row(output, "checksum and writing, thread of its own, ms", times.writing / frames);
                 Row(output, "the same, MB/s", times.bytes * 1e-3 / times.writing);
                 Row(output, "reading and checksum, thread of its own, ms", Median(read));
@@ -95,14 +97,14 @@ namespace Host.Bench
         struct Times
         {
             public long bytes;
-            public List<double> copies;
+            public List<double> copies, checksums;
             public double writing;      // of all frames, ms
         }
 
         // The same frame again and again: first all copies, as the main thread makes them, then all writing, as its thread does.
         static Times Write(string path, RecordingHeader header, GraphicsBuffer packed, int frames)
         {
-            var times = new Times { copies = new List<double>() };
+            var times = new Times { copies = new List<double>(), checksums = new List<double>() };
             AsyncGPUReadback.Request(packed, request =>
             {
                 NativeArray<uint> words = request.GetData<uint>();
@@ -116,6 +118,9 @@ namespace Host.Bench
                     NativeArray<uint>.Copy(words, FrameLayout.PackedHeader, frame.words, 0, (int)header.Layout.Words(frame.particles));
                     times.copies.Add(watch.Elapsed.TotalMilliseconds);
                     (frame.step, frame.time) = (i, i / 60.0);
+                    watch.Restart();
+                    Crc32C.Of(MemoryMarshal.AsBytes(frame.words.AsSpan(0, (int)header.Layout.Words(frame.particles))));
+                    times.checksums.Add(watch.Elapsed.TotalMilliseconds);
                     watch.Restart();
                     writer.Write(frame);
                     while (writer.FramesWritten <= i)
