@@ -84,7 +84,7 @@ namespace Rill
         /// <summary>Pairs of triangles that cross each other, without those that share a vertex and without those in one plane.</summary>
         public int SelfIntersections { get; }
 
-        /// <summary>Share of the pairs in question that were tested, 0 to 1: below 1 for meshes that would take too long.</summary>
+        /// <summary>Fraction of the pairs in question that were tested, 0 to 1: below 1 for meshes that would take too long.</summary>
         public float SelfIntersectionsChecked { get; }
 
         /// <summary>m².</summary>

@@ -90,7 +90,7 @@ namespace Rill
         /// <summary>Until the result is there.</summary>
         internal MeshSdfPasses Passes => passes;
 
-        /// <summary>Share of the work that is done, 0 to 1.</summary>
+        /// <summary>Fraction of the work that is done, 0 to 1.</summary>
         public float Progress => IsDone ? 1f : (float)steps / totalSteps;
 
         /// <summary>What is being done, for a progress bar.</summary>

@@ -14,7 +14,7 @@ namespace Rill
         public readonly struct Count
         {
             public readonly int Pairs;
-            /// <summary>Share of the grid's cells that were looked through before the limit, 0 to 1.</summary>
+            /// <summary>Fraction of the grid's cells that were looked through before the limit, 0 to 1.</summary>
             public readonly float Checked;
 
             public Count(int pairs, float checkedFraction) => (Pairs, Checked) = (pairs, checkedFraction);

@@ -23,7 +23,7 @@ namespace Rill
         [Range(0.25f, 16f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
-        [Tooltip("Share of the critical damping with which heave and turns die out, beside what the water does. 0 to 2.")]
+        [Tooltip("Fraction of the critical damping with which heave and turns die out, beside what the water does. 0 to 2.")]
         [Range(0f, 2f)]
         [SerializeField] float damping = FloatingResponse.DefaultDamping;
 
@@ -40,13 +40,13 @@ namespace Rill
         /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it displaces, 0.25 to 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
 
-        /// <summary>Share of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
+        /// <summary>Fraction of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
         public float Damping { get => damping; set { damping = value; OnValidate(); } }
 
         /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its centre of mass, and by turning it, to its farthest points.</summary>
         public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
 
-        /// <summary>Share of the body that was under water in the newest steps that are known, 0 to 1.</summary>
+        /// <summary>Fraction of the body that was under water in the newest steps that are known, 0 to 1.</summary>
         public float SubmergedFraction => floating.SubmergedFraction;
 
         /// <summary>Clamps what is out of range.</summary>

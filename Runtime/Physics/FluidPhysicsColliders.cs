@@ -29,11 +29,11 @@ namespace Rill
         [Tooltip("Fields of meshes: a Mesh Collider is taken where its mesh has one.")]
         [SerializeField] List<MeshField> meshFields = new List<MeshField>();
 
-        [Tooltip("Share of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
+        [Tooltip("Fraction of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
         [Range(0f, 1f)]
         [SerializeField] float friction;
 
-        [Tooltip("Share of the velocity into the surface that is given back. 0 to 1.")]
+        [Tooltip("Fraction of the velocity into the surface that is given back. 0 to 1.")]
         [Range(0f, 1f)]
         [SerializeField] float bounciness;
 
@@ -62,10 +62,10 @@ namespace Rill
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
         public List<MeshField> MeshFields => meshFields;
 
-        /// <summary>Share of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
+        /// <summary>Fraction of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
         public float Friction { get => friction; set { friction = value; OnValidate(); } }
 
-        /// <summary>Share of the velocity into the surface that is given back, 0 to 1.</summary>
+        /// <summary>Fraction of the velocity into the surface that is given back, 0 to 1.</summary>
         public float Bounciness { get => bounciness; set { bounciness = value; OnValidate(); } }
 
         /// <summary>Whether the colliders count as water to the density of what touches them.</summary>

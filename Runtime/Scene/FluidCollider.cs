@@ -38,11 +38,11 @@ namespace Rill
         [Tooltip("Whether the water is inside: an aquarium, a pipe.")]
         [SerializeField] bool insideOut;
 
-        [Tooltip("Share of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
+        [Tooltip("Fraction of the velocity along the surface that touching water loses in 1/60 s. 0 slips, 1 sticks.")]
         [Range(0f, 1f)]
         [SerializeField] float friction;
 
-        [Tooltip("Share of the velocity into the surface that is given back. 0 to 1.")]
+        [Tooltip("Fraction of the velocity into the surface that is given back. 0 to 1.")]
         [Range(0f, 1f)]
         [SerializeField] float bounciness;
 
@@ -89,10 +89,10 @@ namespace Rill
         /// <summary>Whether the water is inside.</summary>
         public bool InsideOut { get => insideOut; set => insideOut = value; }
 
-        /// <summary>Share of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
+        /// <summary>Fraction of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
         public float Friction { get => friction; set { friction = value; OnValidate(); } }
 
-        /// <summary>Share of the velocity into the surface that is given back, 0 to 1.</summary>
+        /// <summary>Fraction of the velocity into the surface that is given back, 0 to 1.</summary>
         public float Bounciness { get => bounciness; set { bounciness = value; OnValidate(); } }
 
         /// <summary>Whether the solid counts as water to the density of what touches it.</summary>

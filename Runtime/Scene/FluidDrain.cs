@@ -72,7 +72,7 @@ namespace Rill
         }
 
         /// <summary>What it does in the next step.</summary>
-        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="from">Fraction of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         /// <returns>Whether it does anything.</returns>
         internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, out DrainRegion region)

@@ -71,7 +71,7 @@ namespace Rill
         [Range(0f, 180f)]
         [SerializeField] float spread;
 
-        [Tooltip("Share of this object's own velocity, turning included, that the fluid takes along. 0 to 1. 1: as from a real nozzle. After putting the object somewhere else call Teleport().")]
+        [Tooltip("Fraction of this object's own velocity, turning included, that the fluid takes along. 0 to 1. 1: as from a real nozzle. After putting the object somewhere else call Teleport().")]
         [Range(0f, 1f)]
         [SerializeField] float inheritVelocity = 1f;
 
@@ -183,7 +183,7 @@ namespace Rill
         }
 
         /// <summary>What it does in the next step, which it takes part in.</summary>
-        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="from">Fraction of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         /// <param name="frameTime">Time in which this came from where it was at the last frame's steps, s, above 0.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>

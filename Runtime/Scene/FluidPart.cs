@@ -86,7 +86,7 @@ namespace Rill
         }
 
         /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was after the last; false as for <see cref="TryGetPose"/>.</summary>
-        /// <param name="from">Share of the frame at which the step starts.</param>
+        /// <param name="from">Fraction of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
         {

@@ -293,7 +293,10 @@ namespace Rill
             if (pbf == null)
                 return;
             AskForSurface?.Invoke();
-            TakeSteps(frameTime);
+            if (playback != null)
+                ShowRecording(frameTime);
+            else
+                TakeSteps(frameTime);
             FinishSurface();
         }
 
@@ -325,11 +328,22 @@ namespace Rill
             PrepareInput(duration);
             commands.Clear();
             if (!TryRecordSteps(steps))
+            {
+                AfterSteps?.Invoke(false);
                 return;
-            RecordSurface();        // before statistics, which sort again
+            }
             StepCount += steps;
             FluidTime += steps * (double)FixedStep;
             stepsSinceStatistics += steps;
+            Execute();
+            ReadSources(steps);
+            AfterSteps?.Invoke(true);
+        }
+
+        /// <summary>Records what looks at the state that the steps of this frame leave, executes it all, and asks for what comes back.</summary>
+        void Execute()
+        {
+            RecordSurface();        // before statistics, which sort again
             int queries = RecordQueries();      // before statistics too
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
@@ -339,7 +353,6 @@ namespace Rill
                 pbf.ReleaseStatistics();
             ColliderReactions reactions = TakeReactions();
             Graphics.ExecuteCommandBuffer(commands);
-            ReadSources(steps);
 
             reactions?.Request();
             RequestQueries(queries);
@@ -366,6 +379,7 @@ namespace Rill
                     input.needsDensity |= input.sources != null && input.sources.hasWind;
                     budgeted?.BeginStep(commands);
                     pbf.Step(commands, input);
+                    AfterStep?.Invoke(commands, StepCount + i + 1);
                     budgeted?.EndStep(commands);
                 }
                 return true;

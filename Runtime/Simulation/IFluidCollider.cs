@@ -23,7 +23,7 @@ namespace Rill
         /// <returns>Whether it is a collider.</returns>
         bool TryDescribe(out ColliderMotion motion);
 
-        /// <summary>Takes a new result of a fluid in place of its last.</summary>
+        /// <summary>Takes a new result of a fluid instead of its last.</summary>
         void SetForce(in FluidForce force);
 
         /// <summary>Calls the listeners to what the newest result of a fluid has changed. They may do anything to the scene.</summary>

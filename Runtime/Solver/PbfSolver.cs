@@ -279,6 +279,7 @@ namespace Rill
                 Emitters.Describe(emitters, step, tags),
                 SurfaceParticles.Describe(surface, step),
                 Rill.Queries.Describe(queries, queried, tags),
+                FramePacking.Describe(packing),
                 StatisticsPass.Describe(statistics, step, statisticsInterval),
             };
         }
@@ -302,6 +303,7 @@ namespace Rill
             ReleaseQueries();
             ReleaseSurface();
             ReleaseEdits();
+            ReleasePacking();
             GpuBuffer.Release(ref noTags);
             GpuBuffer.Release(ref constants);
         }

@@ -30,9 +30,11 @@ namespace Rill
         Queries = 1 << 17,
         /// <summary>What scripts fill and remove between steps.</summary>
         ParticleEdits = 1 << 18,
+        /// <summary>What packs frames of a recording, and shows them.</summary>
+        Recording = 1 << 19,
         /// <summary>All that a script can switch on or add to a fluid.</summary>
         OfFluids = All & ~MeshBaking,
-        All = (1 << 19) - 1,
+        All = (1 << 20) - 1,
     }
 
     static class StageSets
@@ -94,6 +96,7 @@ namespace Rill
                 case StageSet.ParticleAccess: return "ParticleAccess";
                 case StageSet.ParticleEdits: return "ParticleEdits";
                 case StageSet.Queries: return "Queries";
+                case StageSet.Recording: return "Recording";
                 default: return null;
             }
         }

@@ -12,11 +12,14 @@ namespace Rill
     {
         long maxParticles;     // as far as is known without asking the GPU
 
+        /// <summary>Particles at most, as far as is known without asking the GPU.</summary>
+        public int MaxAlive => (int)Math.Min(maxParticles, Layout.Capacity);
+
         /// <summary>Prepares a snapshot of the state that the commands executed so far leave; its sections of the component are yet to be set.</summary>
         /// <exception cref="InvalidOperationException">More than can be read back.</exception>
         public SnapshotCapture Capture(SnapshotContents contents)
         {
-            int most = (int)Math.Min(maxParticles, Layout.Capacity);
+            int most = MaxAlive;
             Save(contents, most);
             var capture = new SnapshotCapture(Layout, contents);
             var state = new List<StateBuffer>();
@@ -38,7 +41,7 @@ namespace Rill
         /// <exception cref="InvalidOperationException">More than can be read back.</exception>
         public SnapshotCapture CaptureParticles()
         {
-            int most = (int)Math.Min(maxParticles, Layout.Capacity);
+            int most = MaxAlive;
             var contents = new SnapshotContents();
             contents.Set(SnapshotSection.Solver, new SolverRecord { maxParticles = (uint)most });
             var capture = new SnapshotCapture(Layout, contents);

@@ -8,7 +8,7 @@ namespace Rill
     /// Makes a Terrain solid for the fluid: gives its heights to the <see cref="FluidCollider"/> beside it, again in the
     /// frame in which they were changed.
     /// </summary>
-    /// <remarks>Holes of the terrain are closed, which is said once; trees and details are no colliders. Without the terrain module this component is not there.</remarks>
+    /// <remarks>Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this component is not there.</remarks>
     [AddComponentMenu("Rill/Fluid Terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]

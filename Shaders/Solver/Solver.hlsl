@@ -86,7 +86,7 @@ float3 CoincidentDirection(uint self, uint other)
     return self < other ? direction : -direction;
 }
 
-// Share of the rest density that a half space of fluid behind a plane at distance s adds, and its derivative along the
+// Fraction of the rest density that a half space of fluid behind a plane at distance s adds, and its derivative along the
 // normal (negative: density falls as the particle leaves the wall).
 //   density     poly6 integrated over the half space:  1/2 - 315/256 (x - 4/3 x^3 + 6/5 x^5 - 4/7 x^7 + x^9/9), x = s/h
 //   derivative  the spiky gradient integrated the same way:  -30/h^6 (h t^4/4 - t^5/5), t = h - s

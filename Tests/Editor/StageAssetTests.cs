@@ -20,6 +20,7 @@ namespace Rill.Editor.Tests
         [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
         [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherWithColliders", "GatherTags", "GatherPreviousIndices")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles", "ScanFewTiles")]
+        [TestCase("Recording", "PackFrame", "UnpackFrame")]
         [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]
         [TestCase("Statistics", "Measure", "Reduce")]
         [TestCase("VelocityUpdate", "UpdateVelocity", "UpdateVelocityViscous")]

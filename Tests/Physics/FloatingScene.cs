@@ -29,7 +29,7 @@ namespace Rill.Tests
 
         /// <param name="size">Sides of a box, m; of a ball its diameter.</param>
         /// <param name="layers">Of water.</param>
-        /// <param name="byLayer">A collider of Unity's physics that the fluid takes by layer, in place of a Fluid Collider with a Fluid Buoyancy.</param>
+        /// <param name="byLayer">A collider of Unity's physics that the fluid takes by layer, instead of a Fluid Collider with a Fluid Buoyancy.</param>
         public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26, DeepWater deepWater = DeepWater.On, bool byLayer = false)
         {
             Side = side * Spacing;

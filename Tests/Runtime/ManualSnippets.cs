@@ -249,6 +249,54 @@ namespace Rill.Tests
             return sequence;
         }
 
+        static IEnumerator Record(FluidRecorder recorder, string path)
+        {
+            #region Record a fluid
+            recorder.Fields = RecordingFields.Velocities | RecordingFields.Ids;
+            recorder.Rate = 30f;            // frames a second of fluid time
+            recorder.Record(path);
+            yield return new WaitForSeconds(0.5f);
+            recorder.Stop();
+            while (recorder.IsWriting)      // the last frames are pending
+                yield return null;
+            #endregion
+        }
+
+        static void Play(FluidPlayback playback, string path)
+        {
+            #region Play a recording
+            playback.Open(path);
+            playback.Speed = 0.5f;
+            playback.Play();
+            playback.Time = 0.2;            // seconds since the first frame
+            #endregion
+        }
+
+        [UnityTest]
+        public IEnumerator The_snippets_that_record_and_play_show_the_fluid()
+        {
+            root = MakeFluid();
+            string path = Path.Combine(Path.GetTempPath(), $"rill-snippet-{System.Guid.NewGuid():N}.rillrec");
+            try
+            {
+                FluidRecorder recorder = root.AddComponent<FluidRecorder>();
+                yield return Record(recorder, path);
+                Assert.That((recorder.Problem, recorder.IsWriting), Is.EqualTo(((string)null, false)));
+                Assert.That(recorder.FrameCount, Is.InRange(2, 40));
+                FluidPlayback playback = root.AddComponent<FluidPlayback>();
+                playback.WaitForFrames = true;
+                Play(playback, path);
+                yield return null;
+                yield return null;
+                Assert.That(playback.ShownFrame, Is.GreaterThan(0));
+                playback.Close();
+            }
+            finally
+            {
+                File.Delete(path);
+            }
+        }
+
         [UnityTest]
         public IEnumerator The_snippets_that_save_and_load_bring_the_fluid_back()
         {

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using NUnit.Framework;
 using Rill;
@@ -19,7 +20,7 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam", "Queries" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame", "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam", "Queries" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
@@ -118,9 +119,19 @@ namespace Host.Tests
             }),
             ("a pass of a script", null, s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilled" }),
             ("a pass of a script where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilledAsleep" }),
+            ("a recorder that does not record", null, s => s.gameObject.AddComponent<FluidRecorder>(), new string[0]),
+            ("a playback without a recording", null, s => s.gameObject.AddComponent<FluidPlayback>(), new string[0]),
+            ("a recording", null, Record, new[] { "+1 Recording.compute PackFrame", "+2 Rill.RecordedFrame *" }),
             ("phases for a script", null, s => s.TrackPhases = true, new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *" }),
             ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute ApplyDeltaP" }),
         };
+
+        static void Record(FluidSimulation simulation)
+        {
+            var recorder = simulation.gameObject.AddComponent<FluidRecorder>();
+            recorder.OpenFile = _ => new MemoryStream();
+            recorder.Record("memory");
+        }
 
         static void Nothing(CommandBuffer commands, FluidParticles particles) { }
 
@@ -158,6 +169,8 @@ namespace Host.Tests
             foreach (FluidCollider collider in FluidCollider.Enabled.Except(collidersBefore).ToArray())
                 UnityEngine.Object.DestroyImmediate(collider.gameObject);
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidFoam>());
+            UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidRecorder>());
+            UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidPlayback>());
             simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Speed;
             for (int i = 0; i < 4; i++)
                 PlayerLoop.Frame(FrameTime);        // what was read back arrives

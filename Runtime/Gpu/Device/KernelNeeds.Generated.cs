@@ -307,6 +307,8 @@ namespace Rill
             new KernelNeed("ParticleUpload", "RemoveAll", "RILL_TAGS", 1, 0, 2, 2, 0),
             new KernelNeed("ParticleUpload", "CountRefused", "", 1, 0, 2, 2, 0),
             new KernelNeed("ParticleUpload", "CountRefused", "RILL_TAGS", 1, 0, 2, 2, 0),
+            new KernelNeed("Recording", "PackFrame", "", 128, 0, 6, 1, 0),
+            new KernelNeed("Recording", "UnpackFrame", "UNPACK", 128, 0, 7, 6, 0),
         };
 
         // file, stage; the most of all passes and keywords

@@ -43,7 +43,8 @@ namespace Rill
                 case "ForceFields": return DeviceFeature.ForceFields;
                 case "MeshSdf": return DeviceFeature.Baking;
                 case "ParticleAccess":
-                case "ParticleEdits": return DeviceFeature.ParticleAccess;
+                case "ParticleEdits":
+                case "Recording": return DeviceFeature.ParticleAccess;
                 case "Queries": return DeviceFeature.Queries;
                 case "RestingRegions": return DeviceFeature.Sleep;
                 case "Statistics": return DeviceFeature.Statistics;
@@ -105,6 +106,7 @@ namespace Rill
                 case "SPAWN":
                 case "STORE_DRAWN":
                 case "TAGGED":
+                case "UNPACK":
                 case "VOLUME": return DeviceFeature.None;
                 case "CARRIES":
                 case "WITH_COLLIDERS": return DeviceFeature.Colliders;

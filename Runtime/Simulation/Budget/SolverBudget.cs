@@ -20,8 +20,8 @@ namespace Rill
         [Tooltip("GPU time that the steps of a frame may take, ms. 0.01 to 1000. Drawing and statistics come on top.")]
         [Range(0.01f, 1000f)] public float milliseconds;
 
-        /// <summary>Share of the frame that the steps may take. 0.01 to 1.</summary>
-        [Tooltip("Share of the frame that the steps may take. 0.01 to 1.")]
+        /// <summary>Fraction of the frame that the steps may take. 0.01 to 1.</summary>
+        [Tooltip("Fraction of the frame that the steps may take. 0.01 to 1.")]
         [Range(0.01f, 1f)] public float fraction;
 
         /// <summary>Frames a second that the game aims for, which the fraction is of. 10 to 500.</summary>
@@ -76,7 +76,7 @@ namespace Rill
         {
             problem = null;
             Limit.Clamp("budget milliseconds", ref milliseconds, 0.01f, 1000f, Default.milliseconds, ref problem);
-            Limit.Clamp("budget share", ref fraction, 0.01f, 1f, Default.fraction, ref problem);
+            Limit.Clamp("budget fraction", ref fraction, 0.01f, 1f, Default.fraction, ref problem);
             Limit.Clamp("budget frame rate", ref frameRate, 10f, 500f, Default.frameRate, ref problem);
             Limit.Clamp("budget target error", ref targetError, 0f, 0.1f, Default.targetError, ref problem);
             Limit.Clamp("budget least iterations", ref minIterations, 1, 50, ref problem);

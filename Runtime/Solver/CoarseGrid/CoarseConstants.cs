@@ -51,7 +51,7 @@ namespace Rill
         /// <summary>Length ℓ beyond which the potential is screened, d: shorter lets deep water sink, none lets it drift.</summary>
         const float ScreeningLength = 100f;
 
-        /// <summary>Share of a small negative density error that the projection takes up; without it thin layers hover.</summary>
+        /// <summary>Fraction of a small negative density error that the projection takes up; without it thin layers hover.</summary>
         const float NegativeFraction = 0.3f;
 
         /// <summary>Longest displacements, d: a lower one of the projection would damp splashes.</summary>

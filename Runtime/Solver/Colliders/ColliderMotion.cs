@@ -13,9 +13,9 @@ namespace Rill
         public RigidPose start, end;
         /// <summary>At the frame itself, which the steps may stay behind.</summary>
         public RigidPose seen;
-        /// <summary>Share of the velocity along the surface that what touches loses in 1/60 s.</summary>
+        /// <summary>Fraction of the velocity along the surface that what touches loses in 1/60 s.</summary>
         public float friction;
-        /// <summary>Share of the velocity into the surface that is given back.</summary>
+        /// <summary>Fraction of the velocity into the surface that is given back.</summary>
         public float bounciness;
         public bool insideOut, contributesDensity;
         /// <summary>Whether what the fluid does to it is summed.</summary>

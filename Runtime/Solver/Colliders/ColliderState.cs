@@ -55,7 +55,7 @@ namespace Rill
         public bool Equals(ColliderState other) => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref this, 1)).SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref other, 1)));
 
         /// <param name="motion">Over a frame.</param>
-        /// <param name="from">Share of the frame at which the substep starts.</param>
+        /// <param name="from">Fraction of the frame at which the substep starts.</param>
         /// <param name="to">And ends.</param>
         /// <param name="timeStep">Length of the substep, s.</param>
         /// <param name="accelerationFraction">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>: friction does.</param>

@@ -17,7 +17,7 @@ struct Surfaces
     float4 behind[3];       // xyz gradient of its density, 1/d; w the density; 0: none
 };
 
-// Share of the density behind a plane at distance s, negative beyond it, and its derivative.
+// Fraction of the density behind a plane at distance s, negative beyond it, and its derivative.
 void Beyond(float s, out float fraction, out float slope)
 {
     HalfSpace(abs(s), fraction, slope);

@@ -34,7 +34,7 @@ namespace Rill.Tests.Reference
             }
         }
 
-        /// <summary>Share of the rest density that one wall at distance s adds.</summary>
+        /// <summary>Fraction of the rest density that one wall at distance s adds.</summary>
         public static double PlaneDensity(double s) => At(density, s);
 
         /// <summary>Its spiky gradient along the wall's normal, 1/d: negative.</summary>

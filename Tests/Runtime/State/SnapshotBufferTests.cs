@@ -95,6 +95,7 @@ namespace Rill.Tests
             { "statistics.", "measured, not read by a step" },
             { "surface.", "drawn, not read by a step" },
             { "particleUpload.", "free between uploads" },
+            { "packing.", "a frame that was uploaded" },
         };
 
         static readonly string[] Lists = { "densityConstraint.Lists.first", "densityConstraint.Lists.second", "densityConstraint.Lists.counts" };

@@ -46,6 +46,7 @@ namespace Host.Check
             ("FluidSimulation.MeasureNow", "WaitAllRequests", "for the assertions of Rill.Testing, which nothing of a game calls"),
             ("FluidSimulation.FindFurthestOut", "GetData", "the same"),
             ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of the package calls it but the Flush of probes and detectors"),
+            ("FluidRecorder.OnDisable", "WaitForCompletion", "ends the file of a recorder that is disabled or destroyed while it records, as its documentation says; Stop does not wait"),
             ("Readback.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
             ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };

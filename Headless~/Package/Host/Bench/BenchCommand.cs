@@ -38,7 +38,7 @@ namespace Host.Bench
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), QueriesBench.Create(), SurfaceBench.Create() };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), QueriesBench.Create(), RecordingBench.Create(), SurfaceBench.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));

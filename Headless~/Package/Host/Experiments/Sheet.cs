@@ -17,7 +17,7 @@ namespace Host.Experiments
 
         /// <summary>Twice the mean height over the layers of each column, mean over the particles: 1 for a lattice at rest.</summary>
         public readonly double LocalVolume;
-        /// <summary>Share of the particles that are more than 0.75 d above what the particles of their column would fill.</summary>
+        /// <summary>Fraction of the particles that are more than 0.75 d above what the particles of their column would fill.</summary>
         public readonly double High;
         /// <summary>Standard deviation of the columns' layers.</summary>
         public readonly double Unevenness;

@@ -450,7 +450,7 @@ namespace Rill.Tests
                 i => 1e-3 + 1e-5 * math.length(state.velocities[i].xyz));
         }
 
-        // Share of the projection that a particle of this density takes: spray none, the edge of still water all of it.
+        // Fraction of the projection that a particle of this density takes: spray none, the edge of still water all of it.
         static double Pressed(double density) => Math.Min(Math.Max((density - 0.3) / 0.25, 0.0), 1.0);
 
         // Errors on both sides of all limits, dense in one corner.

@@ -352,7 +352,7 @@ namespace Rill.Tests
             }
         }
 
-        // Share of the stretch beyond round that a quarter of a second takes back.
+        // Fraction of the stretch beyond round that a quarter of a second takes back.
         static float Recovered(float modulus, float relaxationTime = 1000f, bool stretched = true)
         {
             using (var fluid = Ball(modulus, relaxationTime, stretched))

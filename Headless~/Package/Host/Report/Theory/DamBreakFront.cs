@@ -12,7 +12,7 @@ namespace Host.Report
     {
         /// <summary>Of the water, from the wall behind it: a, m.</summary>
         public const double Width = 1;
-        /// <summary>Share of the water that the front is ahead of: single particles that fly ahead are no front.</summary>
+        /// <summary>Fraction of the water that the front is ahead of: single particles that fly ahead are no front.</summary>
         public const double Fraction = 0.995;
         public const double End = 2.8;
 

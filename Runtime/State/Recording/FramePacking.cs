@@ -1,0 +1,105 @@
+using System;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>Packs the particles into frames of a recording and unpacks them, on the GPU. Made when first needed.</summary>
+    sealed class FramePacking : IDisposable
+    {
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Recording");
+
+        readonly ComputeShader shader = StageShader.LoadCompute("Recording");
+        readonly int pack, unpack;
+        GraphicsBuffer upload;
+
+        public FramePacking()
+        {
+            pack = shader.FindKernel("PackFrame");
+            unpack = shader.FindKernel("UnpackFrame");
+        }
+
+        /// <summary>Records the packing of the particles.</summary>
+        /// <param name="tags">Null where the particles have none.</param>
+        /// <param name="frame">uint, <see cref="FrameLayout.PackedHeader"/> words and those of the particles.</param>
+        public void RecordPack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout, GraphicsBuffer frame)
+        {
+            cmd.BeginSample(Marker);
+            Bind(cmd, pack, particles, tags, layout, 1f / layout.StepSize(domainSize));
+            cmd.SetComputeBufferParam(shader, pack, Ids.Frame, frame);
+            particles.DispatchAlive(cmd, shader, pack);
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Uploads a frame, and records that its particles replace those that are there.</summary>
+        /// <param name="stepBack">s, see Recording.compute.</param>
+        public void RecordUnpack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout, RecordedFrame frame, float stepBack)
+        {
+            int words = Math.Max((int)layout.Words(frame.particles), 1);
+            if (upload == null || upload.count < words)
+            {
+                GpuBuffer.Release(ref upload);
+                upload = GpuBuffer.Structured<uint>("Rill.PlayedFrame", words + words / 8);      // fluids grow: not again for each frame
+            }
+            frame.Reserve(words);
+            upload.SetData(frame.words, 0, 0, words);
+            cmd.BeginSample(Marker);
+            Bind(cmd, unpack, particles, tags, layout, layout.StepSize(domainSize));
+            cmd.SetComputeBufferParam(shader, unpack, Ids.Frame, upload);
+            cmd.SetComputeBufferParam(shader, unpack, Ids.AliveArguments, particles.AliveArguments);
+            cmd.SetComputeIntParam(shader, Ids.FrameParticles, frame.particles);
+            cmd.SetComputeIntParam(shader, Ids.FrameNextId, (int)(layout.Has(RecordingFields.Ids) ? frame.nextId : (uint)frame.particles));
+            cmd.SetComputeFloatParam(shader, Ids.StepBack, stepBack);
+            int groups = Math.Max(ParticleBuffers.Groups(frame.particles), 1);
+            cmd.DispatchCompute(shader, unpack, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            cmd.EndSample(Marker);
+        }
+
+        public void Dispose() => GpuBuffer.Release(ref upload);
+
+        /// <param name="stage">The stage, or null where none was made.</param>
+        public static StageDescription Describe(FramePacking stage)
+        {
+            var description = new StageDescription("Recording", stage != null, stage != null ? "frames are recorded or played back, outside the step" : "nothing is recorded or played back");
+            if (stage == null)
+                return description;
+            description.Kernel("Recording", stage.upload != null ? "UnpackFrame" : "PackFrame", 0);
+            description.Buffer("Rill.PlayedFrame", stage.upload);
+            return description;
+        }
+
+        void Bind(CommandBuffer cmd, int kernel, ParticleBuffers particles, GraphicsBuffer tags, in FrameLayout layout, float3 stepScale)
+        {
+            cmd.SetComputeVectorParam(shader, Ids.StepScale, new Vector4(stepScale.x, stepScale.y, stepScale.z, 0f));
+            cmd.SetComputeIntParam(shader, Ids.MaxSteps, (int)layout.MaxSteps);
+            cmd.SetComputeIntParam(shader, Ids.IsWide, layout.IsWide ? 1 : 0);
+            cmd.SetComputeIntParam(shader, Ids.FrameFields, (int)layout.Fields);
+            cmd.SetComputeIntParam(shader, Ids.HasTags, tags != null ? 1 : 0);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
+            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? (kernel == pack ? particles.Ids : particles.SortedIds));     // which is not touched
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
+        }
+
+        static class Ids
+        {
+            public static readonly int Positions = Shader.PropertyToID("_Positions");
+            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
+            public static readonly int ParticleIds = Shader.PropertyToID("_Ids");
+            public static readonly int Counters = Shader.PropertyToID("_Counters");
+            public static readonly int AliveArguments = Shader.PropertyToID("_AliveArguments");
+            public static readonly int Frame = Shader.PropertyToID("_Frame");
+            public static readonly int StepScale = Shader.PropertyToID("_StepScale");
+            public static readonly int MaxSteps = Shader.PropertyToID("_MaxSteps");
+            public static readonly int IsWide = Shader.PropertyToID("_IsWide");
+            public static readonly int FrameFields = Shader.PropertyToID("_FrameFields");
+            public static readonly int HasTags = Shader.PropertyToID("_HasTags");
+            public static readonly int FrameParticles = Shader.PropertyToID("_FrameParticles");
+            public static readonly int FrameNextId = Shader.PropertyToID("_FrameNextId");
+            public static readonly int StepBack = Shader.PropertyToID("_StepBack");
+        }
+    }
+}
