@@ -3,7 +3,8 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Before scripts are loaded again, fluids that are disabled give back what they keep on the GPU: no reference to it would be left.</summary>
+    /// <summary>Before scripts are loaded again, fluids that are disabled give back what they keep on the GPU: no reference to it would be
+    /// left.</summary>
     static class KeptStateReload
     {
         [InitializeOnLoadMethod]

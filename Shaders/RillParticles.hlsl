@@ -38,7 +38,8 @@ float4x4 _RillDomainToWorld;    // from the box's frame in d to world, m
 float4 _RillDomain;             // xyz size of the box, d; w the spacing d, m
 float4 _RillCells;              // xyz cells along each side; w 1 where particles have phases
 float4 _RillInverseCellSize;    // xyz 1/d
-float4 _RillStep;               // x length of a fixed step, s; y that of it which an acceleration acts at once, s; z, w the frame's time after the state, in substeps and s
+// x length of a fixed step, s; y that of it which an acceleration acts at once, s; z, w the frame's time after the state, in substeps and s
+float4 _RillStep;
 
 // Which particle a thread of FluidParticles.Dispatch is for: [numthreads(kRillThreads, 1, 1)], SV_GroupID and SV_GroupIndex. Leave the
 // kernel where it is not below RillCount().

@@ -59,7 +59,8 @@ namespace Rill.Testing
         {
             FluidStatistics now = Measure(fluid);
             if (now.escaped > 0)
-                Fail(fluid, now, Format($"{now.escaped} of {now.particles} particles are outside the box or inside a collider.") + NameFurthest(fluid));
+                Fail(fluid, now, Format($"{now.escaped} of {now.particles} particles are outside the box or inside a collider.")
+                    + NameFurthest(fluid));
         }
 
         /// <summary>
@@ -67,7 +68,8 @@ namespace Rill.Testing
         /// <c>yield return FluidAssert.Settles(fluid, within: 5f);</c>
         /// </summary>
         /// <param name="within">Fluid time that it may take from now on, s; above 0.</param>
-        /// <param name="volume">How far <see cref="FluidStatistics.volumeRatio"/> may be from 1, at least 0; infinite where the water does not fill the floor of its box.</param>
+        /// <param name="volume">How far <see cref="FluidStatistics.volumeRatio"/> may be from 1, at least 0; infinite where the water does
+        /// not fill the floor of its box.</param>
         /// <param name="noise">Jitter below which water is calm, m/s; above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
         /// <exception cref="FluidAssertionException">It is not calm in that time, or is not of its rest volume then.</exception>
@@ -87,7 +89,8 @@ namespace Rill.Testing
         /// <summary>Fails where the fluid's steps take more GPU time than that, as its budget measures it. A modelled time does not count.</summary>
         /// <param name="milliseconds">What the steps of a frame may take, ms, above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time is not above 0.</exception>
-        /// <exception cref="InvalidOperationException">The budget is off, or nothing was measured: this player or device tells no GPU time of parts of a frame.</exception>
+        /// <exception cref="InvalidOperationException">The budget is off, or nothing was measured: this player or device tells no GPU time
+        /// of parts of a frame.</exception>
         /// <exception cref="FluidAssertionException">They take more.</exception>
         public static void CostBelow(FluidSimulation fluid, float milliseconds)
         {
@@ -97,7 +100,9 @@ namespace Rill.Testing
                 throw new ArgumentOutOfRangeException(nameof(milliseconds), milliseconds, "The time has to be above 0 ms.");
             BudgetState state = fluid.BudgetState;
             if (state.source != GpuTimeKind.Measured || !(state.milliseconds > 0f))
-                throw new InvalidOperationException($"The GPU time of FluidSimulation '{fluid.name}' was not measured ({state}). Switch its budget on, let some frames pass, and run this in the Editor or a development player on a device with SystemInfo.supportsGpuRecorder.");
+                throw new InvalidOperationException($"The GPU time of FluidSimulation '{fluid.name}' was not measured ({state}). " +
+                    $"Switch its budget on, let some frames pass, and run this in the Editor or a development player on a device with " +
+                    $"SystemInfo.supportsGpuRecorder.");
             if (state.milliseconds > milliseconds)
                 throw new FluidAssertionException(Format($"FluidSimulation '{fluid.name}': its steps take {state.milliseconds:0.000} ms a frame, more than {milliseconds:0.000} ms ({state.substeps} substeps x {state.iterations} iterations)."));
         }
@@ -116,11 +121,13 @@ namespace Rill.Testing
                     continue;
                 now = Measure(fluid);
                 if (framesWithoutStep > 0)
-                    Fail(fluid, now, "it cannot settle, since time stands still: " + (fluid.Paused ? "it is paused." : Format($"{framesWithoutStep} frames without a step. Look at Time.timeScale.")));
+                    Fail(fluid, now, "it cannot settle, since time stands still: " + (fluid.Paused ? "it is paused."
+                        : Format($"{framesWithoutStep} frames without a step. Look at Time.timeScale.")));
                 if (now.jitter <= noise && Math.Abs(now.volumeRatio - 1f) <= volume)
                     yield break;
             }
-            string size = float.IsInfinity(volume) ? "" : Format($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
+            string size = float.IsInfinity(volume) ? ""
+                : Format($", volume {now.volumeRatio:0.000} of its rest volume, {1f - volume:0.000} to {1f + volume:0.000} asked for");
             Fail(fluid, now, Format($"it has not settled in {within:0.##} s: jitter {now.jitter:0.000} m/s of {noise:0.000}, fastest particle {now.speedMax:0.00} m/s") + size + ".");
         }
 

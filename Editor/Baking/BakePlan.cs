@@ -30,7 +30,8 @@ namespace Rill.Editor
         /// <summary>What of the selection is not baked, and why.</summary>
         public IReadOnlyList<string> Notes { get; }
 
-        /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked again.</summary>
+        /// <summary>Mesh filters on the selected objects and below them, meshes, models with meshes, and distance fields, which are baked
+        /// again.</summary>
         /// <param name="folder">For new assets, as "Assets/Fields".</param>
         /// <param name="analyses">Those that are known; no mesh is analysed here.</param>
         public static BakePlan Of(IEnumerable<Object> selection, string folder, MeshAnalyses analyses)
@@ -101,7 +102,8 @@ namespace Rill.Editor
             {
                 BakeItem item = Items[i];
                 int before = i;
-                if (!item.Bake(settings, (fraction, stage) => progress((before + fraction) / Items.Count, $"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}")))
+                if (!item.Bake(settings, (fraction, stage) => progress((before + fraction) / Items.Count,
+                    $"{item.Mesh.name} ({before + 1} of {Items.Count}): {stage}")))
                     return false;
                 if (item.Field != null && assign != BakeAssign.Nothing)
                     foreach (GameObject shown in item.Objects)

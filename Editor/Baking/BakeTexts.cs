@@ -10,13 +10,16 @@ namespace Rill.Editor
     {
         public static string Of(Vector3Int resolution) => $"{resolution.x} x {resolution.y} x {resolution.z}";
 
-        public static string MebiBytes(long bytes) => (bytes / 1048576.0).ToString(bytes < 10485760 ? "0.0" : "N0", CultureInfo.InvariantCulture) + " MiB";
+        public static string MebiBytes(long bytes)
+            => (bytes / 1048576.0).ToString(bytes < 10485760 ? "0.0" : "N0", CultureInfo.InvariantCulture) + " MiB";
 
         public static string Of(in MeshSdfEstimate estimate) =>
-            $"{Of(estimate.Resolution)} voxels of {Metres(estimate.VoxelSize)}: {MebiBytes(estimate.TotalBytes)} while it bakes, the texture at most {MebiBytes(estimate.TextureBytes)}, twice";
+            $"{Of(estimate.Resolution)} voxels of {Metres(estimate.VoxelSize)}: {MebiBytes(estimate.TotalBytes)} while it bakes, the " +
+            $"texture at most {MebiBytes(estimate.TextureBytes)}, twice";
 
         public static string Of(SdfBake bake) =>
-            $"{Of(bake.Resolution)} voxels of {Metres(bake.VoxelSize)}, {Of(bake.Sign, bake.ShellThickness)}, {(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most {Voxels(bake.StorageError, bake.VoxelSize)}";
+            $"{Of(bake.Resolution)} voxels of {Metres(bake.VoxelSize)}, {Of(bake.Sign, bake.ShellThickness)}, " +
+            $"{(bake.Format == SdfFormat.Half ? 16 : 32)} bits a voxel, storage error at most {Voxels(bake.StorageError, bake.VoxelSize)}";
 
         /// <summary>The head of a report: how large, whether closed, and the counts that are not 0.</summary>
         public static string Of(MeshReport report)
@@ -47,7 +50,8 @@ namespace Rill.Editor
             yield return ("Voxel Size", Metres(field.VoxelSize));
             yield return ("Bounds", $"{Of(field.Bounds.min)} to {Of(field.Bounds.max)} m");
             yield return ("Sign", Of(field.Sign, field.ShellThickness));
-            yield return ("Format", $"{8 * each} bits a voxel, error {(float.IsNaN(field.StorageError) ? "unknown" : "at most " + Voxels(field.StorageError, field.VoxelSize))}");
+            yield return ("Format", $"{8 * each} bits a voxel, error " +
+                $"{(float.IsNaN(field.StorageError) ? "unknown" : "at most " + Voxels(field.StorageError, field.VoxelSize))}");
             yield return ("Memory", $"{MebiBytes(voxels * each)} on the GPU and as much again off it");
             yield return ("Volume Inside", $"{field.Volume.ToString("G4", CultureInfo.InvariantCulture)} m³");
             yield return ("Source Mesh", SourceOf(field));
@@ -58,11 +62,14 @@ namespace Rill.Editor
         static string SourceOf(SignedDistanceField field)
         {
             Mesh mesh = FieldAssets.MeshOf(field, out _);
-            return mesh != null ? $"{mesh.name} in {AssetDatabase.GetAssetPath(mesh)}" : field.SourceMesh == "" ? "unknown" : $"gone (GUID {field.SourceMesh})";
+            return mesh != null ? $"{mesh.name} in {AssetDatabase.GetAssetPath(mesh)}" : field.SourceMesh == "" ? "unknown"
+                : $"gone (GUID {field.SourceMesh})";
         }
 
         static string Of(in MeshSdfSettings settings) =>
-            (settings.voxelSize > 0f ? $"voxels of {Metres(settings.voxelSize)}" : $"{settings.resolution} voxels along the longest axis") + $", {settings.padding} of padding, sign {(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}";
+            (settings.voxelSize > 0f ? $"voxels of {Metres(settings.voxelSize)}" : $"{settings.resolution} voxels along the longest axis")
+            + $", {settings.padding} of padding, sign " +
+            $"{(settings.sign == MeshSdfSign.Automatic ? "automatic" : settings.sign == MeshSdfSign.OpenShell ? "open shell" : "winding number")}";
 
         static string Of(MeshSdfSign sign, float shell) => sign == MeshSdfSign.OpenShell ? $"open shell, {Metres(shell)} thick" : "winding number";
 

@@ -35,7 +35,8 @@ namespace Rill.Editor
         static void OpenOnMesh(MenuCommand command) => Open(new[] { command.context });
 
         [MenuItem("Assets/" + Title, true)]
-        static bool SelectionHasMeshes() => Selection.objects.Any(o => o is Mesh || o is SignedDistanceField || o is GameObject root && root.GetComponentInChildren<MeshFilter>(true) != null);
+        static bool SelectionHasMeshes() => Selection.objects.Any(o => o is Mesh || o is SignedDistanceField || o is GameObject root
+            && root.GetComponentInChildren<MeshFilter>(true) != null);
 
         [MenuItem("Assets/" + Title)]
         static void OpenOnAssets() => Open(Selection.objects);
@@ -162,7 +163,8 @@ namespace Rill.Editor
             if (!item.Analysis.IsDone)
             {
                 (float fraction, string stage) = item.Analysis.Progress;
-                EditorGUI.ProgressBar(EditorGUILayout.GetControlRect(), fraction, item.Analysis.IsRunning ? stage : "Not analysed yet: a bake does so first");
+                EditorGUI.ProgressBar(EditorGUILayout.GetControlRect(), fraction, item.Analysis.IsRunning ? stage
+                    : "Not analysed yet: a bake does so first");
                 return true;
             }
             bool canBake = item.TryEstimate(settings, out MeshSdfEstimate estimate, out string problem);

@@ -77,7 +77,8 @@ namespace Rill.Editor
             if (AssetDatabase.IsValidFolder(folder))
                 return true;
             int slash = folder.LastIndexOf('/');
-            return slash > 0 && TryMakeFolder(folder.Substring(0, slash)) && AssetDatabase.CreateFolder(folder.Substring(0, slash), folder.Substring(slash + 1)) != "";
+            return slash > 0 && TryMakeFolder(folder.Substring(0, slash))
+                && AssetDatabase.CreateFolder(folder.Substring(0, slash), folder.Substring(slash + 1)) != "";
         }
 
         /// <summary>Writes a bake as a new asset.</summary>

@@ -24,7 +24,11 @@ namespace Rill.Editor
             if (!fits)
             {
                 Release();
-                texture = new Texture2D(size.x, size.y, TextureFormat.RGBA32, false) { name = name, hideFlags = HideFlags.HideAndDontSave, wrapMode = TextureWrapMode.Clamp };
+                texture = new Texture2D(size.x, size.y, TextureFormat.RGBA32, false)
+                {
+                    name = name, hideFlags = HideFlags.HideAndDontSave,
+                    wrapMode = TextureWrapMode.Clamp
+                };
                 pixels = new Color32[size.x * size.y];
             }
             paint(pixels);

@@ -51,7 +51,8 @@ namespace Rill.Editor
         }
 
         /// <summary>The file with the distances that belong to what a field says now; "" where they were never replaced.</summary>
-        internal static string FileOf(SignedDistanceField field) => FileOf(AssetDatabase.AssetPathToGUID(AssetDatabase.GetAssetPath(field)), DescriptionOf(field));
+        internal static string FileOf(SignedDistanceField field)
+            => FileOf(AssetDatabase.AssetPathToGUID(AssetDatabase.GetAssetPath(field)), DescriptionOf(field));
 
         static string FileOf(string guid, string description) => SessionState.GetString(Kept + guid + description, "");
 
@@ -90,7 +91,9 @@ namespace Rill.Editor
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
                 field.Empty();
-                Debug.LogError($"Rill: '{field.name}' has its settings of before back, but not its distances: bake it again with them. {e.Message}", field);
+                Debug.LogError(
+                    $"Rill: '{field.name}' has its settings of before back, but not its distances: bake it again with them. {e.Message}",
+                    field);
             }
             FieldAssets.KeepTextureOf(field);
             Watch(field);
@@ -98,7 +101,8 @@ namespace Rill.Editor
 
         // All that the distances follow from, and what was found of them.
         static string DescriptionOf(SignedDistanceField field) =>
-            FormattableString.Invariant($"{field.SourceMesh} {field.SourceMeshId} {field.SourceHash} {field.Bounds.center:R} {field.Bounds.size:R} {field.VoxelSize:R} {field.Sign} {field.ShellThickness:R} {field.StorageError:R} {JsonUtility.ToJson(field.Settings)}");
+            FormattableString.Invariant(
+            $"{field.SourceMesh} {field.SourceMeshId} {field.SourceHash} {field.Bounds.center:R} {field.Bounds.size:R} {field.VoxelSize:R} {field.Sign} {field.ShellThickness:R} {field.StorageError:R} {JsonUtility.ToJson(field.Settings)}");
 
         static bool TryKeep(string guid, string description, Texture3D texture, out string problem)
         {

@@ -4,7 +4,8 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>The analyses of meshes that a window has shown. A mesh is analysed once for as long as it stays the same, one mesh at a time, beside the editor.</summary>
+    /// <summary>The analyses of meshes that a window has shown. A mesh is analysed once for as long as it stays the same, one mesh at a
+    /// time, beside the editor.</summary>
     sealed class MeshAnalyses
     {
         readonly Dictionary<Mesh, MeshAnalysis> known = new Dictionary<Mesh, MeshAnalysis>();

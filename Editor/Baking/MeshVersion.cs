@@ -26,7 +26,8 @@ namespace Rill.Editor
         }
 
         public bool Equals(MeshVersion other) =>
-            (vertices, parts, edits, indices) == (other.vertices, other.parts, other.edits, other.indices) && bounds.Equals(other.bounds) && import.Equals(other.import);
+            (vertices, parts, edits, indices) == (other.vertices, other.parts, other.edits, other.indices) && bounds.Equals(other.bounds)
+            && import.Equals(other.import);
 
         public override bool Equals(object other) => other is MeshVersion version && Equals(version);
 

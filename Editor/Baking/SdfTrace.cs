@@ -30,13 +30,15 @@ namespace Rill.Editor
             if (pixels.Length != size.x * size.y)
                 throw new ArgumentException($"{pixels.Length} pixels are not {size.x} x {size.y}.", nameof(pixels));
             quaternion look = math.mul(quaternion.RotateY(math.radians(yaw)), quaternion.RotateX(math.radians(pitch)));
-            float3 right = math.mul(look, new float3(1f, 0f, 0f)), up = math.mul(look, new float3(0f, 1f, 0f)), along = math.mul(look, new float3(0f, 0f, 1f));
+            float3 right = math.mul(look, new float3(1f, 0f, 0f)), up = math.mul(look, new float3(0f, 1f, 0f)),
+                along = math.mul(look, new float3(0f, 0f, 1f));
             float radius = 0.5f * math.length((float3)volume.Bounds.size), pixel = 2f * radius / math.min(size.x, size.y);
             float3 light = math.mul(look, Light);
             for (int y = 0; y < size.y; y++)
                 for (int x = 0; x < size.x; x++)
                 {
-                    float3 from = (float3)volume.Bounds.center - 2f * radius * along + pixel * ((x + 0.5f - 0.5f * size.x) * right + (y + 0.5f - 0.5f * size.y) * up);
+                    float3 from = (float3)volume.Bounds.center - 2f * radius * along
+                        + pixel * ((x + 0.5f - 0.5f * size.x) * right + (y + 0.5f - 0.5f * size.y) * up);
                     pixels[y * size.x + x] = TryHit(volume, from, along, out float3 hit) ? Shade(volume.Normal(hit), light) : Background;
                 }
         }

@@ -82,7 +82,8 @@ namespace Rill.Editor
         {
             float h = 0.75f * VoxelSize;
             float3 x = new float3(h, 0f, 0f), y = new float3(0f, h, 0f), z = new float3(0f, 0f, h);
-            return math.normalizesafe(new float3(Sample(local + x) - Sample(local - x), Sample(local + y) - Sample(local - y), Sample(local + z) - Sample(local - z)));
+            return math.normalizesafe(new float3(Sample(local + x) - Sample(local - x), Sample(local + y) - Sample(local - y),
+                Sample(local + z) - Sample(local - z)));
         }
     }
 }

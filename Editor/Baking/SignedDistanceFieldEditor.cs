@@ -86,10 +86,12 @@ namespace Rill.Editor
             EditorGUILayout.Space();
             axis = EditorGUILayout.Popup("Slice Across", axis, Axes);
             SdfSlice view = SdfSlice.Across(axis);
-            layers[axis] = EditorGUILayout.IntSlider(new GUIContent("Layer", "Voxels from the lower end."), Mathf.Clamp(layers[axis], 0, volume.Resolution[axis] - 1), 0, volume.Resolution[axis] - 1);
+            layers[axis] = EditorGUILayout.IntSlider(new GUIContent("Layer", "Voxels from the lower end."),
+                Mathf.Clamp(layers[axis], 0, volume.Resolution[axis] - 1), 0, volume.Resolution[axis] - 1);
             int layer = layers[axis];
             float range = Mathf.Max(view.Largest(volume, layer), volume.VoxelSize);
-            InspectorRows.Text(" ", $"{Axes[axis]} = {view.PositionOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
+            InspectorRows.Text(" ",
+                $"{Axes[axis]} = {view.PositionOf(volume, layer):G4} m; blue inside to {-range:G3} m, orange outside to {range:G3} m");
             Vector2Int size = view.SizeOf(volume, SlicePixels);
             Texture2D picture = slice.Of((axis, layer), size, pixels => view.Paint(volume, layer, range, size, pixels));
             EditorGUI.DrawPreviewTexture(GUILayoutUtility.GetAspectRect((float)size.x / size.y, GUILayout.MaxWidth(2 * SlicePixels)), picture);
@@ -117,7 +119,8 @@ namespace Rill.Editor
             var item = new BakeItem(new MeshAnalysis(mesh), AssetDatabase.GetAssetPath(Field), Field);
             try
             {
-                item.Bake(settings, (fraction, stage) => !EditorUtility.DisplayCancelableProgressBar("Bake Signed Distance Field", $"{mesh.name}: {stage}", fraction));
+                item.Bake(settings, (fraction, stage) => !EditorUtility.DisplayCancelableProgressBar("Bake Signed Distance Field",
+                    $"{mesh.name}: {stage}", fraction));
             }
             finally
             {

@@ -36,7 +36,9 @@ namespace Rill.Editor
             string stages = string.Join(", ", missing);
             if (PrefabUtility.IsPartOfImmutablePrefab(prefab))
             {
-                Debug.LogError($"Rill: the prefab {path} uses stages that it does not refer to ({stages}), and its package cannot be written. Put the asset FluidShaders into the Preloaded Assets of the player settings, or copy the prefab into the project.", prefab);
+                Debug.LogError($"Rill: the prefab {path} uses stages that it does not refer to ({stages}), and its package cannot be " +
+                    $"written. Put the asset FluidShaders into the Preloaded Assets of the player settings, or copy the prefab into " +
+                    $"the project.", prefab);
                 return;
             }
             PrefabUtility.SavePrefabAsset(prefab);

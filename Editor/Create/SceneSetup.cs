@@ -108,12 +108,14 @@ namespace Rill.Editor
         }
 
         /// <summary>A ball that the water goes around, in the middle of the fluid that the parent belongs to.</summary>
-        public static GameObject CreateCollider(GameObject parent) => CreateColliderObject(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
+        public static GameObject CreateCollider(GameObject parent)
+            => CreateColliderObject(parent, PrimitiveType.Sphere, "Fluid Collider", 0.3f, null);
 
         /// <summary>A visible collider of the size of a fraction of the fluid's shortest side.</summary>
         /// <param name="shape">Sphere or cube.</param>
         /// <param name="add">Adds what else it needs; its collider is there. Null for nothing.</param>
-        public static GameObject CreateColliderObject(GameObject parent, PrimitiveType shape, string name, float fraction, Action<GameObject, FluidSimulation> add)
+        public static GameObject CreateColliderObject(GameObject parent, PrimitiveType shape, string name, float fraction,
+            Action<GameObject, FluidSimulation> add)
         {
             FluidSimulation fluid = FindFluid(parent);
             GameObject root = null;

@@ -9,7 +9,8 @@ namespace Rill.Editor
     [CanEditMultipleObjects]
     sealed class FluidColliderEditor : RillEditor
     {
-        static readonly GUIContent BakeLabel = new GUIContent("Bake...", "Opens the window that bakes this object's mesh into a field and assigns it.");
+        static readonly GUIContent BakeLabel =
+            new GUIContent("Bake...", "Opens the window that bakes this object's mesh into a field and assigns it.");
 
         const string ShapeTitle = "Shape";
 
@@ -58,7 +59,8 @@ namespace Rill.Editor
         }
 
         // Whether one of them lacks the field of a mesh that it has.
-        bool NeedsBake => targets.Cast<FluidCollider>().Any(collider => collider.Shape == ColliderShape.Mesh && collider.Field == null && collider.GetComponentInChildren<MeshFilter>(true) != null);
+        bool NeedsBake => targets.Cast<FluidCollider>().Any(collider => collider.Shape == ColliderShape.Mesh && collider.Field == null
+            && collider.GetComponentInChildren<MeshFilter>(true) != null);
 
         void OnSceneGUI() => ColliderHandles.Draw((FluidCollider)target);
     }

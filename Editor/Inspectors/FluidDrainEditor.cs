@@ -21,7 +21,8 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
-        internal override void ListLive(List<(string label, string text)> live) => live.Add(("Drained", $"{((FluidDrain)target).Drained:N0} particles"));
+        internal override void ListLive(List<(string label, string text)> live)
+            => live.Add(("Drained", $"{((FluidDrain)target).Drained:N0} particles"));
 
         void OnSceneGUI()
         {

@@ -38,7 +38,8 @@ namespace Rill.Editor
             var emitter = (FluidEmitter)target;
             live.Add(("State", emitter.IsEmitting ? "lets fluid in" : "off"));
             live.Add(("Leaves at", $"{emitter.LeavingVelocity.magnitude:0.##} m/s, its own velocity included"));
-            live.Add(("Emitted", $"{emitter.Emitted:N0} particles, {emitter.EmittedVolume:0.####} m³ of {emitter.DueVolume:0.####} m³ due since its start"));
+            live.Add(("Emitted",
+                $"{emitter.Emitted:N0} particles, {emitter.EmittedVolume:0.####} m³ of {emitter.DueVolume:0.####} m³ due since its start"));
             live.Add(("Waiting for room", $"{emitter.Waiting:N0}, given up {emitter.Blocked:N0}, refused by the capacity {emitter.Refused:N0}"));
         }
 

@@ -36,7 +36,8 @@ namespace Rill.Editor
             live.Add(("Foam", $"{statistics.foam:N0} particles"));
             live.Add(("Bubbles", $"{statistics.bubbles:N0} particles"));
             if (statistics.refused > 0)
-                live.Add(("Refused", $"{statistics.refused:N0} of {statistics.spawned + statistics.refused:N0}: raise the budget or lower the amount"));
+                live.Add(("Refused",
+                    $"{statistics.refused:N0} of {statistics.spawned + statistics.refused:N0}: raise the budget or lower the amount"));
         }
 
         public override bool RequiresConstantRepaint() => UnityEngine.Application.isPlaying;

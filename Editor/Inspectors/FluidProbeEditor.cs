@@ -27,7 +27,8 @@ namespace Rill.Editor
             live.Add(("Sample", $"step {sample.step:N0}, {1000f * sample.age:0} ms old"));
             live.Add(("Density", $"{sample.density:0.00} of rest"));
             live.Add(("Velocity", sample.hasVelocity ? $"{Text(sample.velocity)} m/s, phase {sample.phase}" : "no water here"));
-            live.Add(("Surface", sample.hasSurface ? $"height {sample.height:0.000} m, normal {Text(sample.normal)}" : "none on the line along gravity"));
+            live.Add(("Surface", sample.hasSurface ? $"height {sample.height:0.000} m, normal {Text(sample.normal)}"
+                : "none on the line along gravity"));
             live.Add(("Submerged", $"{100f * sample.submerged:0} %"));
         }
 

@@ -37,7 +37,8 @@ namespace Rill.Editor
                     Recorder.Stop();
                 return;
             }
-            using (new EditorGUI.DisabledScope(!Recorder.isActiveAndEnabled || Recorder.IsWriting || !Recorder.GetComponent<FluidSimulation>().IsRunning))
+            using (new EditorGUI.DisabledScope(!Recorder.isActiveAndEnabled || Recorder.IsWriting
+                || !Recorder.GetComponent<FluidSimulation>().IsRunning))
                 if (GUILayout.Button(new GUIContent("Record", "Records into a new file in the project's persistent data path, which is logged.")))
                     Record();
         }

@@ -10,7 +10,8 @@ namespace Rill.Editor
             new InspectorField("castShadows"),
             new InspectorField("receiveShadows"));
 
-        internal const string UnlitInHighDefinition = "HDRP draws this without the scene's lights and shadows. Choose a light as Sun. This has never been run in HDRP.";
+        internal const string UnlitInHighDefinition =
+            "HDRP draws this without the scene's lights and shadows. Choose a light as Sun. This has never been run in HDRP.";
 
         public override bool RequiresConstantRepaint() => false;
 
@@ -19,7 +20,8 @@ namespace Rill.Editor
 
         private protected override void DrawMessages()
         {
-            string note = PipelineNote(GraphicsSettings.currentRenderPipeline != null ? GraphicsSettings.currentRenderPipeline.GetType().Name : null, HighDefinitionNote);
+            string note = PipelineNote(GraphicsSettings.currentRenderPipeline != null
+                ? GraphicsSettings.currentRenderPipeline.GetType().Name : null, HighDefinitionNote);
             if (note != null)
                 EditorGUILayout.HelpBox(note, MessageType.Info);
         }

@@ -92,7 +92,8 @@ namespace Rill.Editor
                 if (part.Button != null && GUILayout.Button(part.Button))
                     part.Add();
             }
-            foreach ((MessageType type, string text) in BudgetSummary.Messages(Simulation.Budget, Simulation.BudgetState, Simulation.StatisticsInterval))
+            foreach ((MessageType type, string text) in BudgetSummary.Messages(Simulation.Budget, Simulation.BudgetState,
+                Simulation.StatisticsInterval))
                 EditorGUILayout.HelpBox(text, type);
         }
 
@@ -134,7 +135,9 @@ namespace Rill.Editor
             if (Simulation.Material.velocitySmoothing > 0f)
                 InspectorRows.Text("Smoothing acts like", FluidPresets.SmoothingText(Simulation.Material, Simulation.ParticleSpacing));
             if (Simulation.Material.shearModulus > 0f)
-                InspectorRows.Text("Elastic", FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing, Simulation.FixedStep / Simulation.Settings.substeps));
+                InspectorRows.Text("Elastic",
+                    FluidPresets.ElasticityText(Simulation.Material, Simulation.ParticleSpacing,
+                    Simulation.FixedStep / Simulation.Settings.substeps));
             if (current >= 0)
                 EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
         }

@@ -40,7 +40,8 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
-        internal const string LimitsInHighDefinition = "In HDRP neither fog nor shadows act on this surface, and it mirrors the sky alone. This has never been run in HDRP.";
+        internal const string LimitsInHighDefinition =
+            "In HDRP neither fog nor shadows act on this surface, and it mirrors the sky alone. This has never been run in HDRP.";
 
         private protected override string HighDefinitionNote => LimitsInHighDefinition;
 

@@ -29,7 +29,9 @@ namespace Rill.Editor
                 // A child cannot be put below the object of a prefab that is not open.
                 missing.Add(EditorUtility.IsPersistent(fluid)
                     ? new MissingPart("No Fluid Volume or Fluid Emitter fills this fluid. Open the prefab to add one.", null, null)
-                    : new MissingPart("No Fluid Volume or Fluid Emitter fills this fluid: it starts empty and stays so, unless a script adds particles.", "Add Fluid Volume", () => SceneSetup.AddVolume(fluid)));
+                    : new MissingPart(
+                        "No Fluid Volume or Fluid Emitter fills this fluid: it starts empty and stays so, unless a script adds particles.",
+                        "Add Fluid Volume", () => SceneSetup.AddVolume(fluid)));
             return missing;
         }
 

@@ -17,6 +17,7 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
-        internal override void ListLive(List<(string label, string text)> live) => live.Add(("Under water", $"{((FluidBuoyancy)target).SubmergedFraction:P0}"));
+        internal override void ListLive(List<(string label, string text)> live)
+            => live.Add(("Under water", $"{((FluidBuoyancy)target).SubmergedFraction:P0}"));
     }
 }

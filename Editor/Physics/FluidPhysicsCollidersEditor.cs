@@ -26,6 +26,7 @@ namespace Rill.Editor
 
         internal override InspectorSection[] Sections => AllSections;
 
-        internal override void ListLive(List<(string label, string text)> live) => live.Add(("Colliders near the box", ((FluidPhysicsColliders)target).Taken.Count.ToString()));
+        internal override void ListLive(List<(string label, string text)> live)
+            => live.Add(("Colliders near the box", ((FluidPhysicsColliders)target).Taken.Count.ToString()));
     }
 }

@@ -73,7 +73,8 @@ namespace Rill.Editor
             double numerical = NumericalViscosity * Density * spacing * spacing / UsualStep;
             if (Viscosity >= numerical)
                 return text;
-            return $"{text} At this spacing and 60 steps a second the solver itself damps eddies as {numerical:G2} Pa s would, or more. Lower the spacing to see less than that.";
+            return $"{text} At this spacing and 60 steps a second the solver itself damps eddies as {numerical:G2} Pa s would, or " +
+                $"more. Lower the spacing to see less than that.";
         }
 
         string ElasticText(in FluidMaterial material, float spacing)
@@ -81,7 +82,8 @@ namespace Rill.Editor
             if (ShearModulus <= 0f)
                 return "";
             int substeps = (int)Math.Ceiling(Math.Sqrt(DrawnOut * ShearModulus / material.MaxShearModulus(spacing, UsualStep)));
-            return $", shear modulus {ShearModulus:G4} Pa, forgotten in {RelaxationTime:G4} s; at this spacing and 60 steps a second {substeps} substeps keep it up to twice the length";
+            return $", shear modulus {ShearModulus:G4} Pa, forgotten in {RelaxationTime:G4} s; at this spacing and 60 steps a second " +
+                $"{substeps} substeps keep it up to twice the length";
         }
     }
 }

@@ -20,7 +20,8 @@ namespace Rill.Editor
             new FluidPreset("Glycerol", 1260f, 1.41f, "20 °C, pure"),
             new FluidPreset("Honey", 1420f, 10f, "20 °C, typical; 2 to 20 by its water"),
             new FluidPreset("Basaltic lava", 2700f, 100f, "1200 °C, typical; 10 to 1000"),
-            new FluidPreset("Viscoelastic slime", 1000f, 0.001f, "an order of magnitude, by its glue and borax", shearModulus: 300f, relaxationTime: 0.5f),
+            new FluidPreset("Viscoelastic slime", 1000f, 0.001f, "an order of magnitude, by its glue and borax", shearModulus: 300f,
+                relaxationTime: 0.5f),
             new FluidPreset("Pectin gel", 1000f, 0.001f, "as jam is graded by, 150° SAG", shearModulus: 400f, relaxationTime: 1000f),
         };
 
@@ -59,7 +60,8 @@ namespace Rill.Editor
             Undo.SetCurrentGroupName($"Fluid preset {preset.Name}");
         }
 
-        public static string SmoothingText(in FluidMaterial material, float spacing) => $"{material.SmoothingViscosity(spacing):G3} Pa s at this spacing";
+        public static string SmoothingText(in FluidMaterial material, float spacing)
+            => $"{material.SmoothingViscosity(spacing):G3} Pa s at this spacing";
 
         /// <param name="substep">s.</param>
         public static string ElasticityText(in FluidMaterial material, float spacing, float substep)
@@ -69,7 +71,9 @@ namespace Rill.Editor
 
         static bool Same(in FluidMaterial a, in FluidMaterial b)
         {
-            return Near(a.density, b.density) && Near(a.velocitySmoothing, b.velocitySmoothing) && Near(a.dynamicViscosity, b.dynamicViscosity) && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity && a.artificialPressure == b.artificialPressure
+            return Near(a.density, b.density) && Near(a.velocitySmoothing, b.velocitySmoothing)
+                && Near(a.dynamicViscosity, b.dynamicViscosity) && a.wallFriction == b.wallFriction && a.vorticity == b.vorticity
+                && a.artificialPressure == b.artificialPressure
                 && a.artificialPressureDistance == b.artificialPressureDistance && a.allowedTension == b.allowedTension
                 && a.shearModulus == b.shearModulus && a.relaxationTime == b.relaxationTime;
         }

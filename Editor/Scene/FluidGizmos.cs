@@ -39,7 +39,8 @@ namespace Rill.Editor
             switch (emitter.Shape)
             {
                 case EmitterShape.Box:
-                    DrawBox(emitter.transform, emitter.Mode == EmitterMode.Fill ? emitter.Size : Vector3.Scale(emitter.Size, new Vector3(1f, 1f, 0f)), color);
+                    DrawBox(emitter.transform, emitter.Mode == EmitterMode.Fill ? emitter.Size
+                        : Vector3.Scale(emitter.Size, new Vector3(1f, 1f, 0f)), color);
                     break;
                 case EmitterShape.Sphere when emitter.Mode == EmitterMode.Fill:
                     DrawSphere(emitter.transform, emitter.Radius, color);
@@ -54,7 +55,8 @@ namespace Rill.Editor
                     break;
             }
             Vector3 leaves = emitter.LeavingVelocity;       // aside where the emitter moves
-            Gizmos.matrix = Matrix4x4.TRS(emitter.transform.position, leaves == Vector3.zero ? emitter.transform.rotation : Quaternion.LookRotation(leaves, emitter.transform.up), Vector3.one);
+            Gizmos.matrix = Matrix4x4.TRS(emitter.transform.position, leaves == Vector3.zero ? emitter.transform.rotation
+            : Quaternion.LookRotation(leaves, emitter.transform.up), Vector3.one);
             DrawArrow(ArrowTime * leaves.magnitude);
         }
 

@@ -29,12 +29,14 @@ namespace Rill.Editor
         public static void Draw(FluidSimulation simulation, ref FluidSnapshotRequest request)
         {
             using (new EditorGUI.DisabledScope(request != null || !simulation.IsRunning))
-                if (GUILayout.Button(new GUIContent("Save as Start State", "Writes the present state into the asset of Start State, or into a new one in Assets.")))
+                if (GUILayout.Button(new GUIContent("Save as Start State",
+                    "Writes the present state into the asset of Start State, or into a new one in Assets.")))
                     request = simulation.RequestSnapshot();
             if (request == null || !request.IsDone || Event.current.type != EventType.Layout)
                 return;
             if (request.Snapshot != null)
-                Debug.Log($"Rill: the state of '{simulation.name}' is in '{Save(simulation, request.Snapshot)}': {request.Snapshot.ParticleCount:N0} particles. After play, assign it to Start State.", simulation);
+                Debug.Log($"Rill: the state of '{simulation.name}' is in '{Save(simulation, request.Snapshot)}': " +
+                    $"{request.Snapshot.ParticleCount:N0} particles. After play, assign it to Start State.", simulation);
             else
                 Debug.LogError($"Rill: the state of '{simulation.name}' was not saved: {request.Problem}", simulation);
             request = null;

@@ -15,7 +15,8 @@ namespace Rill.Editor
                 yield break;
             yield return ("Budget chose", $"{state.substeps} substeps x {state.iterations} iterations, relaxation {state.relaxation}");
             yield return ("because", state.Why());
-            string spent = state.milliseconds > 0f ? $"{state.milliseconds:0.###} of {state.targetMilliseconds:0.###} ms" : $"{state.targetMilliseconds:0.###} ms to spend";
+            string spent = state.milliseconds > 0f ? $"{state.milliseconds:0.###} of {state.targetMilliseconds:0.###} ms"
+                : $"{state.targetMilliseconds:0.###} ms to spend";
             yield return ("GPU time", $"{spent}, {Of(state.source)}");
             yield return ("Error it costs", float.IsNaN(state.densityError) ? "not measured" : $"mean {state.densityError:P2}");
             if (state.deviceFactor > 0f)
@@ -29,11 +30,13 @@ namespace Rill.Editor
             if (budget.mode == BudgetMode.Off)
                 yield break;
             if (budget.targetError > 0f && statisticsInterval == 0)
-                yield return (MessageType.Warning, "The statistics interval is 0, so the budget never hears of the density error and spends all of its time. Set an interval, or the target error to 0.");
+                yield return (MessageType.Warning, "The statistics interval is 0, so the budget never hears of the density error and " +
+                    "spends all of its time. Set an interval, or the target error to 0.");
             if (state.reason == BudgetReason.MinStable)
                 yield return (MessageType.Warning, $"The budget cannot be held: {state.Why()}. Raise it, or have fewer particles.");
             if (state.reason == BudgetReason.TimeUnknown)
-                yield return (MessageType.Info, "This player tells no GPU time yet. In release players turn on Frame Timing Stats (Project Settings, Player) or set the device factor.");
+                yield return (MessageType.Info, "This player tells no GPU time yet. In release players turn on Frame Timing Stats " +
+                    "(Project Settings, Player) or set the device factor.");
         }
 
         static string Of(GpuTimeKind source)

@@ -37,7 +37,8 @@ namespace Rill.Editor
         }
 
         /// <param name="capacity">Most particles.</param>
-        public static string Text(long bytes, int capacity) => $"{EditorUtility.FormatBytes(bytes)}, {bytes / (double)capacity:0} bytes a particle of capacity";
+        public static string Text(long bytes, int capacity)
+            => $"{EditorUtility.FormatBytes(bytes)}, {bytes / (double)capacity:0} bytes a particle of capacity";
 
         public static long Total(List<Row> rows)
         {

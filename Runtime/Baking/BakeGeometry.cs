@@ -18,7 +18,8 @@ namespace Rill
         /// <summary>voxels around a triangle with exact distances</summary>
         [SharedWithHlsl("MeshSdf", Signed = true)] public const int Band = 2;
 
-        /// <summary>Voxels of the box around a triangle that one group of threads takes at most; the boxes of larger ones are mostly far from them.</summary>
+        /// <summary>Voxels of the box around a triangle that one group of threads takes at most; the boxes of larger ones are mostly far
+        /// from them.</summary>
         const int SmallBox = 4096;
 
         /// <summary>in the bits below a triangle's number: it faces the wrong side</summary>
@@ -98,7 +99,8 @@ namespace Rill
 
         public TriangleMesh Mesh { get; }
 
-        /// <summary>Numbers of the mesh's triangles, along a curve; each above two bits that say whether it is turned and whether it is large.</summary>
+        /// <summary>Numbers of the mesh's triangles, along a curve; each above two bits that say whether it is turned and whether it is
+        /// large.</summary>
         public uint[] Order { get; }
 
         public int TriangleCount => Order.Length;

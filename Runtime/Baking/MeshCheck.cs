@@ -31,7 +31,8 @@ namespace Rill
             int nonFinite = 0;
             foreach (Vector3 vertex in mesh.Vertices)
                 nonFinite += math.all(math.isfinite((float3)vertex)) ? 0 : 1;
-            bool GoOn(float fraction) => progress == null || progress(EdgesFraction + (1f - EdgesFraction) * fraction, "Looking for triangles that cross");
+            bool GoOn(float fraction) => progress == null
+                || progress(EdgesFraction + (1f - EdgesFraction) * fraction, "Looking for triangles that cross");
             SelfIntersections.Count? crossing = SelfIntersections.Find(edges, maxCrossingTests, GoOn);
             return crossing == null ? null : new MeshReport(mesh, edges, nonFinite, crossing.Value);
         }

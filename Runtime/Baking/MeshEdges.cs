@@ -60,7 +60,8 @@ namespace Rill
         public int InconsistentEdges { get; private set; }
         public int TurnedTriangles { get; private set; }
 
-        /// <summary>Whether every edge has two triangles that face the same side, so that the winding number is whole wherever no triangle is.</summary>
+        /// <summary>Whether every edge has two triangles that face the same side, so that the winding number is whole wherever no triangle
+        /// is.</summary>
         public bool IsClosed => BoundaryEdges == 0 && NonManifoldEdges == 0 && InconsistentEdges == 0;
 
         /// <summary>Boundary edges that hang together, counted once; those that touch in a vertex are one.</summary>

@@ -108,7 +108,8 @@ namespace Rill
         /// <summary>Why the mesh cannot be baked, with the remedy; null if it can.</summary>
         public string Problem { get; }
 
-        /// <summary>A sentence for everything found: what, in which number, and what the baker does about it. Empty for a mesh without a fault.</summary>
+        /// <summary>A sentence for everything found: what, in which number, and what the baker does about it. Empty for a mesh without a
+        /// fault.</summary>
         public IReadOnlyList<string> Texts { get; }
 
         internal static MeshSdfSign SignOf(MeshEdges edges)
@@ -126,7 +127,8 @@ namespace Rill
             if (mesh.TriangleCount == 0)
                 return $"'{mesh.Name}' has no triangles: there is nothing to bake.";
             if (triangles.NonFinite > 0)
-                return $"'{mesh.Name}': {Number(triangles.NonFinite)} of {Number(mesh.TriangleCount)} triangles have vertices that are no finite numbers: repair the mesh.";
+                return $"'{mesh.Name}': {Number(triangles.NonFinite)} of {Number(mesh.TriangleCount)} triangles have vertices that are " +
+                    $"no finite numbers: repair the mesh.";
             if (triangles.Count == 0)
                 return $"'{mesh.Name}': none of its {Number(mesh.TriangleCount)} triangles has an area: repair the mesh, or scale it up.";
             return null;
@@ -144,25 +146,32 @@ namespace Rill
             if (NonFiniteVertices > 0 && NonFiniteTriangles == 0)
                 texts.Add($"{Number(NonFiniteVertices)} vertices are no finite numbers, but no triangle uses them: left out.");
             if (DuplicateVertices > 0)
-                texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's place: taken as one to find edges; the distance is not touched.");
+                texts.Add($"{Number(DuplicateVertices)} of {Number(Vertices)} vertices lie exactly at another's place: taken as one to " +
+                    $"find edges; the distance is not touched.");
             if (ZeroAreaTriangles > 0)
                 texts.Add($"{Number(ZeroAreaTriangles)} triangles have no area: left out.");
             if (FlippedTriangles > 0)
-                texts.Add($"{Number(FlippedTriangles)} triangles face the other side than their neighbors, over {Number(InconsistentEdges)} edges: turned over.");
+                texts.Add($"{Number(FlippedTriangles)} triangles face the other side than their neighbors, over " +
+                    $"{Number(InconsistentEdges)} edges: turned over.");
             else if (InconsistentEdges > 0)
-                texts.Add($"{Number(InconsistentEdges)} edges have triangles that face different sides, and turning some over does not help: the sign may be wrong near them.");
+                texts.Add($"{Number(InconsistentEdges)} edges have triangles that face different sides, and turning some over does not " +
+                    $"help: the sign may be wrong near them.");
             if (IsInsideOut)
                 texts.Add("The mesh is inside out: turned over as a whole.");
             if (NonManifoldEdges > 0)
-                texts.Add($"{Number(NonManifoldEdges)} edges have more than two triangles: the winding number copes with them; parts that meet there are not compared.");
+                texts.Add($"{Number(NonManifoldEdges)} edges have more than two triangles: the winding number copes with them; parts " +
+                    $"that meet there are not compared.");
             if (Sign == MeshSdfSign.OpenShell)
                 texts.Add(HoleFraction > 0
-                    ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: baked as an open shell of a thickness. To close the holes instead, set the sign to winding number."
+                    ? $"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: baked as an " +
+                    $"open shell of a thickness. To close the holes instead, set the sign to winding number."
                     : "The mesh has no volume: baked as an open shell of a thickness.");
             else if (BoundaryEdges > 0)
-                texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: closed smoothly. To keep the surface open, set the sign to open shell.");
+                texts.Add($"{Number(Holes)} holes with {Number(BoundaryEdges)} edges, {Percent(HoleFraction)} of the surface: closed " +
+                    $"smoothly. To keep the surface open, set the sign to open shell.");
             if (SelfIntersections > 0)
-                texts.Add($"{Number(SelfIntersections)} pairs of triangles cross each other: inside is what is inside of any part, but the distance there is to the nearest triangle, even one that lies inside.");
+                texts.Add($"{Number(SelfIntersections)} pairs of triangles cross each other: inside is what is inside of any part, but " +
+                    $"the distance there is to the nearest triangle, even one that lies inside.");
             if (SelfIntersectionsChecked < 1f)
                 texts.Add($"The mesh is large: {Percent(SelfIntersectionsChecked)} of it was looked through for triangles that cross each other.");
             return texts;

@@ -33,7 +33,11 @@ namespace Rill
             public int triangles, voxels, bricks, blocks;
 
             /// <summary>A few ten milliseconds on a slow GPU; Windows resets one that takes two seconds.</summary>
-            public static StepSize Default => new StepSize { pairs = 1 << 19, triangles = 1 << 17, voxels = 1 << 22, bricks = 1 << 14, blocks = 1 << 11 };
+            public static StepSize Default => new StepSize
+            {
+                pairs = 1 << 19, triangles = 1 << 17, voxels = 1 << 22, bricks = 1 << 14,
+                blocks = 1 << 11
+            };
         }
 
         readonly StepSize size;
@@ -53,8 +57,10 @@ namespace Rill
 
         /// <summary>Prepares a bake; most of the work is left to <see cref="Step"/>.</summary>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-        /// <exception cref="ArgumentException">The mesh or the settings cannot be baked; the message says which, the limit and the remedy.</exception>
-        /// <exception cref="InvalidOperationException">This device has no compute shaders or no asynchronous readback, or the baker's shaders are missing.</exception>
+        /// <exception cref="ArgumentException">The mesh or the settings cannot be baked; the message says which, the limit and the
+        /// remedy.</exception>
+        /// <exception cref="InvalidOperationException">This device has no compute shaders or no asynchronous readback, or the baker's
+        /// shaders are missing.</exception>
         public MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings) : this(mesh, settings, StepSize.Default) { }
 
         internal MeshSdfBaker(TriangleMesh mesh, in MeshSdfSettings settings, StepSize size)
@@ -63,14 +69,16 @@ namespace Rill
             this.mesh = mesh ?? throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
             this.settings = settings;
             if (!SystemInfo.supportsComputeShaders || !SystemInfo.supportsAsyncGPUReadback)
-                throw new InvalidOperationException("Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
+                throw new InvalidOperationException(
+                    "Rill: this device has no compute shaders or no asynchronous readback: bake on another, and ship the asset.");
             BakedTriangles triangles = Usable(mesh, settings);
             // Which way a triangle faces, and what it hangs together with, is nothing to a shell.
             bool needsEdges = settings.sign != MeshSdfSign.OpenShell;
             MeshEdges edges = null;
             uint[] order = null;
             ulong hash = 0;
-            Chunks.Together(() => edges = needsEdges ? new MeshEdges(triangles) : null, () => order = TriangleOrder.Of(triangles), () => hash = mesh.Hash());
+            Chunks.Together(() => edges = needsEdges ? new MeshEdges(triangles) : null, () => order = TriangleOrder.Of(triangles),
+                () => hash = mesh.Hash());
             sourceHash = hash;
             sign = settings.sign == MeshSdfSign.Automatic ? MeshReport.SignOf(edges) : settings.sign;
             bool isShell = sign == MeshSdfSign.OpenShell;
@@ -159,7 +167,8 @@ namespace Rill
         /// <summary>Bakes all submeshes of a mesh and waits for the result: a tool, not for a frame of a game.</summary>
         /// <param name="progress">Told the fraction that is done and the stage, and asked whether to go on; null for neither.</param>
         /// <returns>Null if it was cancelled.</returns>
-        public static SdfBake Bake(Mesh mesh, in MeshSdfSettings settings, Func<float, string, bool> progress = null) => Bake(TriangleMesh.Of(mesh), settings, progress);
+        public static SdfBake Bake(Mesh mesh, in MeshSdfSettings settings, Func<float, string, bool> progress = null)
+            => Bake(TriangleMesh.Of(mesh), settings, progress);
 
         /// <inheritdoc cref="Bake(Mesh, in MeshSdfSettings, Func{float, string, bool})"/>
         public static SdfBake Bake(TriangleMesh mesh, in MeshSdfSettings settings, Func<float, string, bool> progress = null)
@@ -288,7 +297,8 @@ namespace Rill
         void Finish()
         {
             if (readback.hasError)
-                throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost or has no memory left. Bake again, with fewer voxels if it happens again.");
+                throw new InvalidOperationException($"The distances of '{mesh.Name}' did not arrive from the GPU: the device was lost " +
+                    $"or has no memory left. Bake again, with fewer voxels if it happens again.");
             NativeArray<float> arrived = arriving;
             var distances = new float[arrived.Length];
             Chunks.Run(distances.Length, (chunk, first, end) => NativeArray<float>.Copy(arrived, first, distances, first, end - first));

@@ -28,11 +28,14 @@ namespace Rill
             else if (largest > most)
                 Problem = $"{size} are more than {most} a side: use larger voxels or a lower resolution.";
             else if (bytes > cap)
-                Problem = $"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger voxels or a lower resolution, or raise the cap.";
+                Problem = $"{size} take {Mega(bytes)} MiB, more than the memory cap of {settings.memoryCap} MiB: use larger voxels or " +
+                    $"a lower resolution, or raise the cap.";
             else if (grid.VoxelCount * sizeof(uint) > GpuBuffer.MaxBinding)
-                Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds {Mega(GpuBuffer.MaxBinding)} MiB: use larger voxels or a lower resolution.";
+                Problem = $"{size} need a buffer of {Mega(grid.VoxelCount * sizeof(uint))} MiB, but this device binds " +
+                    $"{Mega(GpuBuffer.MaxBinding)} MiB: use larger voxels or a lower resolution.";
             else if ((long)triangles * MeshSdfPasses.BytesOfTriangle > GpuBuffer.MaxBinding)
-                Problem = $"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} MiB, but this device binds {Mega(GpuBuffer.MaxBinding)} MiB: bake a mesh of fewer triangles.";
+                Problem = $"{triangles:N0} triangles need a buffer of {Mega((long)triangles * MeshSdfPasses.BytesOfTriangle)} MiB, but " +
+                    $"this device binds {Mega(GpuBuffer.MaxBinding)} MiB: bake a mesh of fewer triangles.";
         }
 
         /// <summary>Voxels along each axis.</summary>

@@ -55,7 +55,8 @@ namespace Rill
         static readonly ProfilerMarker ResolveMarker = GpuMarker.Create("Rill.Bake.Resolve");
 
         readonly ComputeShader shader = StageShader.LoadCompute("MeshSdf");
-        readonly int clear, gather, splatDistances, splatNearest, splatLargeDistances, splatLargeNearest, flood, buildLeaves, buildParents, findSides, resolveSolid, resolveShell;
+        readonly int clear, gather, splatDistances, splatNearest, splatLargeDistances, splatLargeNearest, flood, buildLeaves, buildParents,
+            findSides, resolveSolid, resolveShell;
         readonly CommandBuffer cmd = new CommandBuffer { name = "Rill.MeshSdf" };
         readonly SdfGrid grid;
         readonly int triangleCount;
@@ -292,7 +293,8 @@ namespace Rill
         void Run(int kernel, long groups, ProfilerMarker marker)
         {
             cmd.BeginSample(marker);
-            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, ThreadGroups.MaxGroups), (int)((groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups), 1);
+            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, ThreadGroups.MaxGroups),
+                (int)((groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups), 1);
             cmd.EndSample(marker);
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();

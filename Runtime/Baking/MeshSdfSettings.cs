@@ -24,7 +24,8 @@ namespace Rill
         [Tooltip("Voxels around the mesh on every side. 1 to 64.")]
         [Range(1, MaxPadding)] public int padding;
 
-        /// <summary>Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.</summary>
+        /// <summary>Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it
+        /// starts.</summary>
         [Tooltip("Most memory that a bake may take, MiB, on the GPU and off it together. A bake that needs more is refused before it starts.")]
         public int memoryCap;
 

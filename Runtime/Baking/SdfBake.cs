@@ -10,7 +10,8 @@ namespace Rill
         // Where the choice of a format is strict, voxels from the surface; what rounding may cost there and elsewhere, voxels.
         const float StrictDistance = 2f, StrictError = 1e-3f, LooseError = 0.05f;
 
-        internal SdfBake(string name, in SdfGrid grid, float[] distances, in MeshSdfSettings settings, MeshSdfSign sign, int triangles, ulong sourceHash = 0)
+        internal SdfBake(string name, in SdfGrid grid, float[] distances, in MeshSdfSettings settings, MeshSdfSign sign, int triangles,
+            ulong sourceHash = 0)
         {
             Name = name;
             Resolution = new Vector3Int(grid.Resolution.x, grid.Resolution.y, grid.Resolution.z);
@@ -104,7 +105,8 @@ namespace Rill
             return all.x;
         }
 
-        /// <summary>What rounding to the nearest of 16 bits costs, without doing it, which takes ten times as long: halves have 13 binary digits fewer.</summary>
+        /// <summary>What rounding to the nearest of 16 bits costs, without doing it, which takes ten times as long: halves have 13 binary
+        /// digits fewer.</summary>
         internal static float HalfErrorOf(float value)
         {
             const uint least = 0x38800000, infinite = 0x477FF000;      // 2^-14, and 65520, which rounds to more than a half can be

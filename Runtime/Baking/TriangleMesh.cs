@@ -23,10 +23,12 @@ namespace Rill
             Vertices = vertices ?? throw new ArgumentNullException(nameof(vertices));
             Triangles = triangles ?? throw new ArgumentNullException(nameof(triangles));
             if (triangles.Length % 3 != 0)
-                throw new ArgumentException($"'{Name}': {triangles.Length:N0} indices are no whole number of triangles; give three for each.", nameof(triangles));
+                throw new ArgumentException(
+                    $"'{Name}': {triangles.Length:N0} indices are no whole number of triangles; give three for each.", nameof(triangles));
             for (int i = 0; i < triangles.Length; i++)
                 if ((uint)triangles[i] >= (uint)vertices.Length)
-                    throw new ArgumentException($"'{Name}': triangle {i / 3:N0} refers to vertex {triangles[i]:N0} of {vertices.Length:N0}.", nameof(triangles));
+                    throw new ArgumentException(
+                        $"'{Name}': triangle {i / 3:N0} refers to vertex {triangles[i]:N0} of {vertices.Length:N0}.", nameof(triangles));
         }
 
         /// <summary>Name by which messages call the mesh.</summary>
@@ -90,18 +92,21 @@ namespace Rill
 
         /// <summary>All submeshes of a mesh; quads become two triangles each.</summary>
         /// <exception cref="ArgumentNullException">There is no mesh.</exception>
-        /// <exception cref="ArgumentException">The mesh cannot be read by scripts: in the editor, <see cref="Of(string, Mesh.MeshData)"/> takes it all the same.</exception>
+        /// <exception cref="ArgumentException">The mesh cannot be read by scripts: in the editor, <see cref="Of(string, Mesh.MeshData)"/>
+        /// takes it all the same.</exception>
         public static TriangleMesh Of(Mesh mesh)
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh), "There is no mesh to bake: assign one.");
             if (!mesh.isReadable)
-                throw new ArgumentException($"'{mesh.name}' cannot be read at run time: switch Read/Write on in its import settings, or bake it in the editor, which reads every mesh.", nameof(mesh));
+                throw new ArgumentException($"'{mesh.name}' cannot be read at run time: switch Read/Write on in its import settings, " +
+                    $"or bake it in the editor, which reads every mesh.", nameof(mesh));
             using (Mesh.MeshDataArray data = Mesh.AcquireReadOnlyMeshData(mesh))
                 return Of(mesh.name, data[0]);
         }
 
-        /// <summary>All submeshes of a snapshot, as of UnityEditor.MeshUtility.AcquireReadOnlyMeshData; quads become two triangles each. On any thread.</summary>
+        /// <summary>All submeshes of a snapshot, as of UnityEditor.MeshUtility.AcquireReadOnlyMeshData; quads become two triangles each. On
+        /// any thread.</summary>
         /// <param name="name">For messages.</param>
         /// <param name="data">Only read, and not kept.</param>
         public static TriangleMesh Of(string name, Mesh.MeshData data)
@@ -125,7 +130,11 @@ namespace Rill
                         AddQuads(indices, triangles);
                 }
             }
-            return new TriangleMesh(name, Positions(data), triangles.ToArray()) { SubMeshes = data.subMeshCount, SubMeshesWithoutTriangles = withoutTriangles };
+            return new TriangleMesh(name, Positions(data), triangles.ToArray())
+            {
+                SubMeshes = data.subMeshCount,
+                SubMeshesWithoutTriangles = withoutTriangles
+            };
         }
 
         static void AddQuads(NativeArray<int> indices, List<int> triangles)
@@ -183,7 +192,11 @@ namespace Rill
                 parts += meshes[m].SubMeshes;
                 withoutTriangles += meshes[m].SubMeshesWithoutTriangles;
             }
-            return new TriangleMesh(name, vertices.ToArray(), triangles.ToArray()) { SubMeshes = parts, SubMeshesWithoutTriangles = withoutTriangles };
+            return new TriangleMesh(name, vertices.ToArray(), triangles.ToArray())
+            {
+                SubMeshes = parts,
+                SubMeshesWithoutTriangles = withoutTriangles
+            };
         }
     }
 }

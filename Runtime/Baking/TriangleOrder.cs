@@ -36,7 +36,8 @@ namespace Rill
         static int RotateRight(int bits, int by) => (bits >> by % 3 | bits << 3 - by % 3) & 7;
         static int TrailingOnes(int i) => math.tzcnt(~i);
 
-        /// <summary>Indices of the mesh's triangles that take part, by the middles of their boxes along the curve; those in one place as in the mesh.</summary>
+        /// <summary>Indices of the mesh's triangles that take part, by the middles of their boxes along the curve; those in one place as in
+        /// the mesh.</summary>
         public static uint[] Of(BakedTriangles part)
         {
             float scale = ScaleOf(part);

@@ -34,7 +34,8 @@ namespace Rill
             int groups = (int)(((long)buffer.count + Group - 1) / Group);
             cmd.SetComputeIntParam(shader, Ids.Count, buffer.count);
             cmd.SetComputeBufferParam(shader, kernel, property, buffer);
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups),
+                (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
         }
 
         int KernelFor(int stride, out int property)
@@ -44,7 +45,9 @@ namespace Rill
                 case 4: property = Ids.Words; return shader.FindKernel("ClearWords");
                 case 16: property = Ids.Blocks; return shader.FindKernel("ClearBlocks");
                 case 24: property = Ids.Triples; return shader.FindKernel("ClearTriples");
-                default: throw new ArgumentException($"A buffer with elements of {stride} bytes has no kernel that clears it. Add one to Clear.compute; there are those of 4, 16 and 24 bytes.");
+                default:
+                    throw new ArgumentException($"A buffer with elements of {stride} bytes has no kernel that clears it. Add one " +
+                    $"to Clear.compute; there are those of 4, 16 and 24 bytes.");
             }
         }
 

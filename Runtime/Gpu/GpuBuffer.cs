@@ -13,7 +13,8 @@ namespace Rill
         /// <summary>byte of the dispatch arguments in a buffer of <see cref="Arguments"/></summary>
         [SharedWithHlsl("Arguments")] public const uint DispatchArgumentsAt = 16;
 
-        /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte 32; see Arguments.hlsl.</summary>
+        /// <summary>Draw arguments at byte 0, dispatch arguments at <see cref="DispatchArgumentsAt"/>, draw arguments for two eyes at byte
+        /// 32; see Arguments.hlsl.</summary>
         /// <param name="words">At least 12; further arguments from byte 48 on.</param>
         public static GraphicsBuffer Arguments(string name, int words = 12)
         {
@@ -26,7 +27,8 @@ namespace Rill
         {
             int stride = UnsafeUtility.SizeOf<T>();
             if (count < 1 || count * stride > MaxBinding)
-                throw new ArgumentOutOfRangeException(nameof(count), count, $"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {MaxBinding / stride:N0}.");
+                throw new ArgumentOutOfRangeException(nameof(count), count,
+                    $"{name}: {count:N0} elements of {stride} bytes; this device binds 1 to {MaxBinding / stride:N0}.");
             return Named(name, new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, stride));
         }
 

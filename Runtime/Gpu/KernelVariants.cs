@@ -15,12 +15,14 @@ namespace Rill
         }
     }
 
-    /// <summary>The variants of a kernel, by one or two things that it may have to do besides. Recording and describing both ask here, so that each name is spelled once.</summary>
+    /// <summary>The variants of a kernel, by one or two things that it may have to do besides. Recording and describing both ask here, so
+    /// that each name is spelled once.</summary>
     readonly struct KernelVariants
     {
         readonly Kernel[] kernels;
 
-        public KernelVariants(ComputeShader shader, string plain, string first) => kernels = new[] { new Kernel(shader, plain), new Kernel(shader, first) };
+        public KernelVariants(ComputeShader shader, string plain, string first)
+            => kernels = new[] { new Kernel(shader, plain), new Kernel(shader, first) };
 
         public KernelVariants(ComputeShader shader, string plain, string first, string second, string both)
             => kernels = new[] { new Kernel(shader, plain), new Kernel(shader, first), new Kernel(shader, second), new Kernel(shader, both) };

@@ -3,7 +3,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Readbacks whose owners are gone while a request was pending. They go when it comes back, or all at once where none will: as play ends and before scripts are loaded again.</summary>
+    /// <summary>Readbacks whose owners are gone while a request was pending. They go when it comes back, or all at once where none will: as
+    /// play ends and before scripts are loaded again.</summary>
     static class PendingReadbacks
     {
         static List<Readback> items = new List<Readback>();

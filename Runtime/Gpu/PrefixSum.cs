@@ -6,7 +6,8 @@ namespace Rill
 {
     /// <summary>Exclusive prefix sum of unsigned counts on the GPU, recorded into the caller's command buffer.</summary>
     /// <remarks>
-    /// Reduce-then-scan in two dispatches, three above <see cref="FewTiles"/> tiles; any count from 0 to the capacity. Sums wrap at 2^32. The counts are cleared
+    /// Reduce-then-scan in two dispatches, three above <see cref="FewTiles"/> tiles; any count from 0 to the capacity. Sums wrap at 2^32.
+    /// The counts are cleared
     /// as they are read. Owns only its scratch: one uint per <see cref="Tile"/> elements.
     /// </remarks>
     sealed class PrefixSum : IDisposable

@@ -2,7 +2,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Gives a Rigidbody what fluids exert on its collider, at each fixed step: <see cref="Begin"/>, the forces, <see cref="Apply"/>.</summary>
+    /// <summary>Gives a Rigidbody what fluids exert on its collider, at each fixed step: <see cref="Begin"/>, the forces,
+    /// <see cref="Apply"/>.</summary>
     struct FloatingBody
     {
         FloatingResponse response;
@@ -52,7 +53,8 @@ namespace Rill
         /// <param name="field">Of a mesh.</param>
         public static float VolumeOf(in ColliderMotion shape, SignedDistanceField field)
         {
-            return shape.shape == ColliderShape.Mesh ? field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit : ColliderMeasures.Volume(shape);
+            return shape.shape == ColliderShape.Mesh ? field.Volume * shape.fieldUnit * shape.fieldUnit * shape.fieldUnit
+                : ColliderMeasures.Volume(shape);
         }
 
         // Angular acceleration of the body alone, rad/s².

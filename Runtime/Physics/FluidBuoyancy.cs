@@ -19,7 +19,9 @@ namespace Rill
     {
         const float PatienceTime = 5f;          // s without a fluid before that is logged
 
-        [Tooltip("Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it displaces; of turns always. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie on the water need more.")]
+        [Tooltip("Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that " +
+        "it displaces; of turns always. Steadies the late force; rest and draft do not depend on it. 0.25 to 16; flat plates that lie " +
+        "on the water need more.")]
         [Range(0.25f, 16f)]
         [SerializeField] float virtualMass = FloatingResponse.DefaultVirtualMass;
 
@@ -37,13 +39,15 @@ namespace Rill
         bool measuredBefore, problemIsKnown;
         string clamped;         // what the newest validation changed
 
-        /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it displaces, 0.25 to 16.</summary>
+        /// <summary>Mass of water that the body is taken to carry along until the forces have told it, as a fraction of the water that it
+        /// displaces, 0.25 to 16.</summary>
         public float VirtualMass { get => virtualMass; set { virtualMass = value; OnValidate(); } }
 
         /// <summary>Fraction of the critical damping with which heave and turns die out, beside what the water does; 0 to 2.</summary>
         public float Damping { get => damping; set { damping = value; OnValidate(); } }
 
-        /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its centre of mass, and by turning it, to its farthest points.</summary>
+        /// <summary>Largest acceleration that the fluid gives to the body, m/s²: to its centre of mass, and by turning it, to its farthest
+        /// points.</summary>
         public float MaxAcceleration { get => maxAcceleration; set { maxAcceleration = value; OnValidate(); } }
 
         /// <summary>Fraction of the body that was under water in the newest steps that are known, 0 to 1.</summary>
@@ -117,7 +121,8 @@ namespace Rill
         string Problem(in ColliderMotion shape, float volume)
         {
             if (shape.shape == ColliderShape.Plane || shape.shape == ColliderShape.HeightField || shape.insideOut)
-                return "its FluidCollider is a plane, a height field or inside out, which has no volume that floats. Use another shape, or a kinematic body.";
+                return "its FluidCollider is a plane, a height field or inside out, which has no volume that floats. Use another " +
+                    "shape, or a kinematic body.";
             if (!(volume > 0f))
                 return "its FluidCollider has no volume. Give the shape sizes above 0; a mesh needs a field whose texture can be read.";
             return null;
@@ -129,7 +134,8 @@ namespace Rill
             if (waited < PatienceTime || DeviceGate.HasNoGraphics)
                 return;
             waited = float.NegativeInfinity;
-            Debug.LogWarning($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs has it in its box. Place it there, or enable the simulation.", this);
+            Debug.LogWarning($"Rill: FluidBuoyancy '{name}' has met no FluidSimulation in {PatienceTime} s: none that runs has it in " +
+                $"its box. Place it there, or enable the simulation.", this);
         }
 
         void Say(string problem)

@@ -60,7 +60,7 @@ namespace Rill
         public LayerMask FloatingLayers { get => floatingLayers; set => floatingLayers = value; }
 
         /// <summary>Fields of meshes: a Mesh Collider is taken where its mesh has one. The list may be changed at any time.</summary>
-        public List<MeshField> MeshFields => meshFields;
+        public List<MeshField> MeshFields { get => meshFields; set => meshFields = value ?? new List<MeshField>(); }
 
         /// <summary>Fraction of the velocity along the surface that touching water loses in 1/60 s, 0 to 1.</summary>
         public float Friction { get => friction; set { friction = value; OnValidate(); } }
@@ -74,10 +74,12 @@ namespace Rill
         /// <summary>Impulse of one reading from which it is a hit, N s, 0.000001 to 1e9. The next can come below half of it.</summary>
         public float HitImpulse { get => contacts.HitImpulse; set { contacts.HitImpulse = value; OnValidate(); } }
 
-        /// <summary>Water has come to a collider. Told two or three frames late, as all contacts are; forces are read back while somebody listens.</summary>
+        /// <summary>Water has come to a collider. Told two or three frames late, as all contacts are; forces are read back while somebody
+        /// listens.</summary>
         public event Action<FluidContact> Touched { add => contacts.Touched += value; remove => contacts.Touched -= value; }
 
-        /// <summary>The fluid gave a collider an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three frames.</summary>
+        /// <summary>The fluid gave a collider an impulse as large as <see cref="HitImpulse"/> in one reading, which is that of one to three
+        /// frames.</summary>
         public event Action<FluidContact> Hit { add => contacts.Hit += value; remove => contacts.Hit -= value; }
 
         /// <summary>A collider has felt no water for 0.2 s, or has left the fluid's box. Not told where it or the fluid is disabled.</summary>
@@ -136,7 +138,8 @@ namespace Rill
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
-            problems.AddIfAny(colliderLayers == 0 ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
+            problems.AddIfAny(colliderLayers == 0
+                ? "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." : null);
             problems.AddIfAny(tooManyIsKnown ? TooManyProblem : null);
             foreach (IFluidCollider collider in taken)
                 if (collider.IsThere && collider.Describe(out _) is string problem)
@@ -147,7 +150,8 @@ namespace Rill
 
         StageReferences IUsesStages.StageReferences => shaders;
 
-        static string TooManyProblem => $"more than {MaxFound} colliders of its layers are near its box, and the rest is left out. Take objects out of Collider Layers.";
+        static string TooManyProblem
+            => $"more than {MaxFound} colliders of its layers are near its box, and the rest is left out. Take objects out of Collider Layers.";
 
         void OnEnable()
         {
@@ -195,7 +199,8 @@ namespace Rill
         {
             found ??= new Collider[FirstFound];
             int count;
-            while ((count = UnityEngine.Physics.OverlapBoxNonAlloc(center, half, found, rotation, colliderLayers, QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
+            while ((count = UnityEngine.Physics.OverlapBoxNonAlloc(center, half, found, rotation, colliderLayers,
+                QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)
                 Array.Resize(ref found, 2 * count);
             bool tooMany = count == MaxFound;
             if (tooMany && !tooManyIsKnown)

@@ -6,7 +6,8 @@ namespace Rill
     /// <summary>A collider of Unity's physics as one fluid sees it, sized by the rules of the physics.</summary>
     sealed class GatheredCollider : IFluidCollider
     {
-        const string CompoundProblem = "its Rigidbody has several colliders, and by layer the water carries bodies with one. Bake its mesh, and put a Fluid Collider with it and a Fluid Buoyancy on the body.";
+        const string CompoundProblem = "its Rigidbody has several colliders, and by layer the water carries bodies with one. Bake its " +
+            "mesh, and put a Fluid Collider with it and a Fluid Buoyancy on the body.";
 
         readonly FluidPhysicsColliders source;
         ColliderPlace place = ColliderPlace.Origin;
@@ -94,7 +95,11 @@ namespace Rill
 
         public string Describe(out ColliderMotion motion)
         {
-            motion = new ColliderMotion { friction = source.Friction, bounciness = source.Bounciness, contributesDensity = source.ContributesDensity, reacts = MeasuresForce };
+            motion = new ColliderMotion
+            {
+                friction = source.Friction, bounciness = source.Bounciness,
+                contributesDensity = source.ContributesDensity, reacts = MeasuresForce
+            };
             string problem = place.Follow(Collider.transform);
             var pose = new RigidPose(place.position, place.rotation);
             float3 scale = place.scale;
@@ -125,11 +130,13 @@ namespace Rill
                     break;
                 case MeshCollider mesh:
                     Field = source.FieldOf(mesh.sharedMesh);
-                    problem ??= Field == null ? "its mesh has no signed distance field. Bake one and add both to Mesh Fields, or take the object out of Collider Layers."
+                    problem ??= Field == null ? "its mesh has no signed distance field. Bake one and add both to Mesh Fields, or take " +
+                        "the object out of Collider Layers."
                         : place.DescribeField(Field, ref motion, ref pose);
                     break;
                 default:
-                    problem ??= "water takes no collider of this kind. Put a Fluid Terrain on a Terrain, a Fluid Collider on anything else, or take the object out of Collider Layers.";
+                    problem ??= "water takes no collider of this kind. Put a Fluid Terrain on a Terrain, a Fluid Collider on anything " +
+                        "else, or take the object out of Collider Layers.";
                     break;
             }
             motion.start = motion.end = pose;
@@ -145,7 +152,8 @@ namespace Rill
         public void TellContacts(FluidSimulation fluid)
         {
             if (source.ListensToContacts)
-                source.Tell(watch.Follow(force.Force.magnitude * force.Duration, force.Duration, source.HitImpulse), new FluidContact(Collider, force));
+                source.Tell(watch.Follow(force.Force.magnitude * force.Duration, force.Duration, source.HitImpulse),
+                    new FluidContact(Collider, force));
         }
 
         public bool Leave(FluidSimulation fluid)
@@ -177,6 +185,7 @@ namespace Rill
             return axis == 0 ? new quaternion(-0.5f, -0.5f, -0.5f, 0.5f) : axis == 2 ? new quaternion(0.5f, 0.5f, 0.5f, 0.5f) : quaternion.identity;
         }
 
-        static string HasSize(float size) => size > 0f && !float.IsInfinity(size) ? null : "its size or scale is 0 along an axis, or not finite. Set both above 0.";
+        static string HasSize(float size) => size > 0f && !float.IsInfinity(size) ? null
+            : "its size or scale is 0 along an axis, or not finite. Set both above 0.";
     }
 }

@@ -15,15 +15,21 @@ namespace Rill.HighDefinition
                 if (!(GraphicsSettings.currentRenderPipeline is HDRenderPipelineAsset asset))
                     yield break;
                 if (!asset.currentPlatformRenderPipelineSettings.supportCustomPass)
-                    yield return new SetupProblem($"HDRP asset '{asset.name}': Custom Pass is off under Rendering, so that no camera shows fluid surfaces.", "Turn it on", () => LetUseCustomPasses(asset));
+                    yield return new SetupProblem(
+                        $"HDRP asset '{asset.name}': Custom Pass is off under Rendering, so that no camera shows fluid surfaces.",
+                        "Turn it on", () => LetUseCustomPasses(asset));
                 foreach (Camera camera in Camera.allCameras)
                 {
                     if (!camera.TryGetComponent(out HDAdditionalCameraData data) || !data.customRenderingSettings)
                         continue;
                     if (!data.renderingPathCustomFrameSettings.IsEnabled(FrameSettingsField.CustomPass))
-                        yield return new SetupProblem($"Camera '{camera.name}': Custom Pass is off in its Custom Frame Settings, so that it shows no fluid surfaces.", "Turn it on", () => Enable(data, FrameSettingsField.CustomPass));
+                        yield return new SetupProblem(
+                            $"Camera '{camera.name}': Custom Pass is off in its Custom Frame Settings, so that it shows no fluid surfaces.",
+                            "Turn it on", () => Enable(data, FrameSettingsField.CustomPass));
                     if (!data.renderingPathCustomFrameSettings.IsEnabled(FrameSettingsField.Refraction))
-                        yield return new SetupProblem($"Camera '{camera.name}': Refraction is off in its Custom Frame Settings, so that fluid surfaces show black where they refract. Or turn Refraction off on the Fluid Surface.", "Turn it on", () => Enable(data, FrameSettingsField.Refraction));
+                        yield return new SetupProblem($"Camera '{camera.name}': Refraction is off in its Custom Frame Settings, so " +
+                            $"that fluid surfaces show black where they refract. Or turn Refraction off on the Fluid Surface.",
+                            "Turn it on", () => Enable(data, FrameSettingsField.Refraction));
                 }
             }
         }

@@ -8,7 +8,8 @@ namespace Rill.HighDefinition
     /// Fluid surfaces in the High Definition Render Pipeline: as a camera begins, its hidden volume is made ready and the draw that shades
     /// is submitted. Nothing has to be added to a scene.
     /// </summary>
-    /// <remarks>HDRP begins all cameras of a frame before it draws the first: each has a pass of its own. Reflection probes show no surfaces.</remarks>
+    /// <remarks>HDRP begins all cameras of a frame before it draws the first: each has a pass of its own. Reflection probes show no
+    /// surfaces.</remarks>
     static class HighDefinitionSurfaces
     {
         static CameraParts<SurfaceVolume> volumes = new CameraParts<SurfaceVolume>();
@@ -35,7 +36,8 @@ namespace Rill.HighDefinition
 
         static void Begin(ScriptableRenderContext context, Camera camera)
         {
-            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection || !(GraphicsSettings.currentRenderPipeline is HDRenderPipelineAsset))
+            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview || camera.cameraType == CameraType.Reflection
+                || !(GraphicsSettings.currentRenderPipeline is HDRenderPipelineAsset))
                 return;
             HDCamera seen = HDCamera.GetOrCreate(camera);
             if (!seen.frameSettings.IsEnabled(FrameSettingsField.CustomPass))
@@ -82,6 +84,7 @@ namespace Rill.HighDefinition
             return views;
         }
 
-        static FluidViews.Light LightOf(Light light) => new FluidViews.Light(-light.transform.forward, SurfacePass.IlluminanceOf(light, light.color.linear * light.intensity));
+        static FluidViews.Light LightOf(Light light)
+            => new FluidViews.Light(-light.transform.forward, SurfacePass.IlluminanceOf(light, light.color.linear * light.intensity));
     }
 }

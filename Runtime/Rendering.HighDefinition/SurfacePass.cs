@@ -5,7 +5,8 @@ using UnityEngine.Rendering.HighDefinition;
 
 namespace Rill.HighDefinition
 {
-    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque draws and the copy of them that the water refracts; and draws their motion vectors.</summary>
+    /// <summary>Fills the textures of the surfaces that one camera sees, between its opaque draws and the copy of them that the water
+    /// refracts; and draws their motion vectors.</summary>
     [Serializable]
     sealed class SurfacePass : CustomPass
     {
@@ -61,7 +62,8 @@ namespace Rill.HighDefinition
                 FluidSurface.Active[i].RecordMotion(ctx.cmd, views);
         }
 
-        /// <summary>Lux. A light without HDRP's component has the Built-in pipeline's unit, of which HDRP makes π lux (14.0, GpuLightsBuilder.Jobs.cs).</summary>
+        /// <summary>Lux. A light without HDRP's component has the Built-in pipeline's unit, of which HDRP makes π lux (14.0,
+        /// GpuLightsBuilder.Jobs.cs).</summary>
         /// <param name="color">Linear, intensity applied.</param>
         public static Color IlluminanceOf(Light light, Color color) => light.TryGetComponent(out HDAdditionalLightData _) ? color : color * Mathf.PI;
 

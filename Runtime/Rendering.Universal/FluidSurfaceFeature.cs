@@ -13,7 +13,8 @@ namespace Rill.Universal
         /// <summary>Furthest that the pass can be moved: to just after the copy of the opaque scene.</summary>
         public const int MaxStepsBefore = 49;
 
-        [Tooltip("How many steps of RenderPassEvent before the transparent draws, 0 to 49. Passes of the same step run in the order in which they were added.")]
+        [Tooltip("How many steps of RenderPassEvent before the transparent draws, 0 to 49. Passes of the same step run in the order in " +
+            "which they were added.")]
         [Range(0, MaxStepsBefore)]
         [SerializeField] int stepsBefore;
 

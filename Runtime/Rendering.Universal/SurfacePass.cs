@@ -87,7 +87,8 @@ namespace Rill.Universal
                 builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);
                 // It writes textures of its own, which the graph does not know.
                 builder.AllowPassCulling(false);
-                builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) => recorded.pass.Record(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd)));
+                builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) =>
+                    recorded.pass.Record(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd)));
             }
             // URP has drawn its own motion vectors by now.
             TextureHandle motion = frameData.Get<UniversalResourceData>().motionVectorColor;
@@ -102,7 +103,9 @@ namespace Rill.Universal
                 (data.pass, data.motion, data.motionDepth) = (this, motion, motionDepth);
                 builder.UseTexture(motion, AccessFlags.Write);
                 builder.UseTexture(motionDepth, AccessFlags.Write);
-                builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) => recorded.pass.DrawMotion(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd), recorded.motion, recorded.motionDepth));
+                builder.SetRenderFunc((PassData recorded, UnsafeGraphContext context) =>
+                    recorded.pass.DrawMotion(CommandBufferHelpers.GetNativeCommandBuffer(context.cmd), recorded.motion,
+                    recorded.motionDepth));
             }
         }
 
@@ -127,7 +130,8 @@ namespace Rill.Universal
             // URP binds a target only where it differs from the last that it bound itself: the next pass would draw into ours.
             ScriptableRenderer renderer = renderingData.cameraData.renderer;
             RenderTargetIdentifier color = renderer.cameraColorTargetHandle.nameID, depth = renderer.cameraDepthTargetHandle.nameID;
-            cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);
+            cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, CubemapFace.Unknown,
+                RenderTargetIdentifier.AllDepthSlices);
             context.ExecuteCommandBuffer(cmd);
             CommandBufferPool.Release(cmd);
         }

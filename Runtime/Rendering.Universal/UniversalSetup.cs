@@ -21,12 +21,15 @@ namespace Rill.Universal
                     if (data != null && data.renderType == CameraRenderType.Overlay)
                         continue;
                     if (!(UniversalSurfaces.RendererOf(camera, data, asset) is UniversalRenderer))
-                        yield return new SetupProblem($"Camera '{camera.name}' draws with a renderer that is no Universal Renderer (a 2D Renderer has no depth): it shows no fluid surfaces. Choose another renderer in the camera's Rendering section.");
+                        yield return new SetupProblem($"Camera '{camera.name}' draws with a renderer that is no Universal Renderer (a " +
+                            $"2D Renderer has no depth): it shows no fluid surfaces. Choose another renderer in the camera's Rendering section.");
                 }
 #if UNITY_EDITOR
                 foreach (UniversalRendererData renderer in RenderersOf(asset))
                     if (!renderer.shadowTransparentReceive)
-                        yield return new SetupProblem($"Renderer '{renderer.name}': Transparent Receive Shadows is off, so that no shadow falls on fluid surfaces.", "Turn it on", () => LetReceiveShadows(renderer));
+                        yield return new SetupProblem(
+                            $"Renderer '{renderer.name}': Transparent Receive Shadows is off, so that no shadow falls on fluid surfaces.",
+                            "Turn it on", () => LetReceiveShadows(renderer));
 #endif
             }
         }

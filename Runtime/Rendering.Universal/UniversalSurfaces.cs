@@ -36,7 +36,8 @@ namespace Rill.Universal
 
         static void Begin(ScriptableRenderContext context, Camera camera)
         {
-            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview || !(UniversalRenderPipeline.asset is UniversalRenderPipelineAsset asset))
+            if (FluidSurface.Active.Count == 0 || camera.cameraType == CameraType.Preview
+                || !(UniversalRenderPipeline.asset is UniversalRenderPipelineAsset asset))
                 return;
             camera.TryGetComponent(out UniversalAdditionalCameraData data);
             if (data != null && data.renderType == CameraRenderType.Overlay || !(RendererOf(camera, data, asset) is UniversalRenderer renderer))
@@ -71,7 +72,8 @@ namespace Rill.Universal
         static FluidViews ViewsOf(Camera camera, UniversalAdditionalCameraData data, UniversalRenderPipelineAsset asset)
         {
             FluidViews views = FluidViews.Of(camera, data == null || data.allowXRRendering);
-            float scale = UniversalRenderPipeline.IsGameCamera(camera) && Mathf.Abs(1f - asset.renderScale) >= ScaleThreshold ? asset.renderScale : 1f;
+            float scale = UniversalRenderPipeline.IsGameCamera(camera) && Mathf.Abs(1f - asset.renderScale) >= ScaleThreshold
+                ? asset.renderScale : 1f;
             views.width = Mathf.Max((int)(views.width * scale), 1);
             views.height = Mathf.Max((int)(views.height * scale), 1);
             // URP sets it once it draws motion vectors for the camera, and leaves it.

@@ -51,7 +51,8 @@ namespace Rill
         /// <summary>What this renderer costs the scene.</summary>
         internal StageDescription Describe()
         {
-            var description = new StageDescription(GetType().Name, isActiveAndEnabled, isActiveAndEnabled ? $"component on '{name}'" : $"the component on '{name}' is off");
+            var description = new StageDescription(GetType().Name, isActiveAndEnabled, isActiveAndEnabled ? $"component on '{name}'"
+                : $"the component on '{name}' is off");
             if (isActiveAndEnabled)
                 DescribeDraws(description);
             return description;
@@ -76,7 +77,8 @@ namespace Rill
             float across = Simulation.DomainSize.magnitude + 4f * Simulation.ParticleSpacing;
             return new RenderParams(shaderMaterial)
             {
-                worldBounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(Simulation.DomainSize * (0.5f / Simulation.ParticleSpacing)), Vector3.one * across),
+                worldBounds = new Bounds(Simulation.DomainToWorld.MultiplyPoint3x4(Simulation.DomainSize
+                    * (0.5f / Simulation.ParticleSpacing)), Vector3.one * across),
                 matProps = properties,
                 layer = gameObject.layer,
                 shadowCastingMode = castShadows,
@@ -111,7 +113,8 @@ namespace Rill
             if (sun != null)
                 SetSun(properties, -sun.transform.forward, ShaderColor(sun.color) * sun.intensity, true);
             else
-                SetSun(properties, new Vector3(0.3f, 0.9f, -0.3f).normalized, Vector4.one, false);      // where the pipeline's is not read it shines from above
+                // where the pipeline's is not read it shines from above
+                SetSun(properties, new Vector3(0.3f, 0.9f, -0.3f).normalized, Vector4.one, false);
         }
 
         /// <param name="direction">World, unit, towards the light.</param>

@@ -30,7 +30,8 @@ namespace Rill
         [Range(0.1f, 2f)]
         [SerializeField] float radius = 0.6f;
 
-        [Tooltip("What the colour shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the emitter gave, 0 without one.")]
+        [Tooltip("What the colour shows. Density costs a visit to the neighbors if Velocity Smoothing is 0. Phase: the number that the " +
+            "emitter gave, 0 without one.")]
         [SerializeField] Quantity colorBy = Quantity.Speed;
 
         [Tooltip("Speed, m/s, or relative density error at which the last colour is reached.")]
@@ -141,7 +142,8 @@ namespace Rill
             properties.SetBuffer(Ids.Tags, solver.Tags);
         }
 
-        Color PhaseColor(int phase) => phaseColors != null && phaseColors.Length > 0 ? phaseColors[Math.Min(phase, phaseColors.Length - 1)] : slowColor;
+        Color PhaseColor(int phase) => phaseColors != null && phaseColors.Length > 0 ? phaseColors[Math.Min(phase, phaseColors.Length - 1)]
+            : slowColor;
 
         static class Ids
         {

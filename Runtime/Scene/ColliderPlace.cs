@@ -53,7 +53,8 @@ namespace Rill
             motion.voxel = even * field.VoxelSize;
             motion.fieldUnit = even;
             motion.field = field.Texture;
-            return even > 1.001f * math.cmin(scale) ? $"its scale {(Vector3)scale} is not the same along all axes, and distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
+            return even > 1.001f * math.cmin(scale) ? $"its scale {(Vector3)scale} is not the same along all axes, and distances " +
+                $"cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
         }
     }
 }

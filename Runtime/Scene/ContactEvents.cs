@@ -24,13 +24,18 @@ namespace Rill
         internal Action<FluidContact> Touched, Hit, Left;
 
         /// <summary>Nobody listens.</summary>
-        public static ContactEvents Default => new ContactEvents { hitImpulse = 1f, touched = new UnityEvent<FluidContact>(), hit = new UnityEvent<FluidContact>(), left = new UnityEvent<FluidContact>() };
+        public static ContactEvents Default => new ContactEvents
+        {
+            hitImpulse = 1f, touched = new UnityEvent<FluidContact>(),
+            hit = new UnityEvent<FluidContact>(), left = new UnityEvent<FluidContact>()
+        };
 
         /// <summary>N s.</summary>
         public float HitImpulse { get => hitImpulse; set => hitImpulse = value; }
 
         /// <summary>Whether anybody listens. Forces are read back while somebody does.</summary>
-        public bool HasListeners => Touched != null || Hit != null || Left != null || touched.GetPersistentEventCount() + hit.GetPersistentEventCount() + left.GetPersistentEventCount() > 0;
+        public bool HasListeners => Touched != null || Hit != null || Left != null
+            || touched.GetPersistentEventCount() + hit.GetPersistentEventCount() + left.GetPersistentEventCount() > 0;
 
         public void Validate(ref string problem) => Limit.Clamp("hit impulse", ref hitImpulse, 1e-6f, 1e9f, 1f, ref problem);
 

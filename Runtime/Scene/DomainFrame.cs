@@ -37,7 +37,8 @@ namespace Rill
         public RigidPose Pose(Vector3 worldPosition, Quaternion worldRotation) => new RigidPose(Point(worldPosition), Rotation(worldRotation));
 
         /// <summary>A pose of the domain's frame in world space, m.</summary>
-        public RigidPose World(in RigidPose pose) => new RigidPose((float3)(position + toWorld * (pose.position * spacing - half)), toWorld * pose.rotation);
+        public RigidPose World(in RigidPose pose)
+            => new RigidPose((float3)(position + toWorld * (pose.position * spacing - half)), toWorld * pose.rotation);
 
         public PoseInDomain ToDomain(Vector3 worldPosition, Quaternion worldRotation)
         {

@@ -47,7 +47,8 @@ namespace Rill
         /// <param name="spacing">m.</param>
         /// <param name="problem">What is wrong with the shape, and null where nothing is.</param>
         /// <returns>Null where there is a problem.</returns>
-        public static EmitterPositions Of(EmitterShape shape, EmitterMode mode, float3 size, float radius, Mesh mesh, float3 scale, float spacing, out string problem)
+        public static EmitterPositions Of(EmitterShape shape, EmitterMode mode, float3 size, float radius, Mesh mesh, float3 scale,
+            float spacing, out string problem)
         {
             problem = shape == EmitterShape.MeshSurface ? ProblemOf(mesh, scale) : ProblemOf(shape, size, radius, mode);
             if (problem != null)
@@ -60,7 +61,8 @@ namespace Rill
             bool round = shape != EmitterShape.Box;
             float extent = round ? 2f * radius : math.cmax(size);
             float3 across = round ? 2f * radius : size;
-            double positions = mode == EmitterMode.Fill && shape != EmitterShape.Disc ? (double)across.x * across.y * across.z : (double)across.x * across.y;
+            double positions = mode == EmitterMode.Fill && shape != EmitterShape.Disc ? (double)across.x * across.y * across.z
+                : (double)across.x * across.y;
             if (positions > MaxPositions || extent > SolverLayout.MaxSpacingsAcross)
             {
                 problem = $"its shape has room for more than {MaxPositions:N0} particles at once. Shrink it or raise the particle spacing.";
@@ -166,7 +168,8 @@ namespace Rill
                 total += area;
                 if (total > MaxPositions / DartsPerPlace)
                 {
-                    problem = $"the surface of its mesh '{mesh.name}' has room for more than {MaxPositions / DartsPerPlace:N0} particles at once. Scale it down or raise the particle spacing.";
+                    problem = $"the surface of its mesh '{mesh.name}' has room for more than {MaxPositions / DartsPerPlace:N0} " +
+                        $"particles at once. Scale it down or raise the particle spacing.";
                     return null;
                 }
                 float wanted = area * DartsPerPlace;
@@ -181,7 +184,8 @@ namespace Rill
             }
             foreach (int t in darts)
                 Throw(t);
-            problem = positions.Count > 0 ? null : $"the surface of its mesh '{mesh.name}' is too small for a particle. Scale it up or lower the particle spacing.";
+            problem = positions.Count > 0 ? null
+                : $"the surface of its mesh '{mesh.name}' is too small for a particle. Scale it up or lower the particle spacing.";
             return positions.Count > 0 ? new EmitterPositions(positions, normals) { UsesAllPositions = true } : null;
 
             float3 Vertex(int corner) => (float3)vertices[triangles[corner]] * scale;

@@ -44,9 +44,14 @@ namespace Rill
         /// <param name="bodyShape">World space, m; where the body is now.</param>
         /// <param name="bodyVolume">m³.</param>
         /// <param name="stepTime">Of this step and the last, s.</param>
-        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity, float stepTime)
+        public void Begin(in ColliderMotion bodyShape, float bodyVolume, float bodyMass, Vector3 bodyVelocity, Vector3 bodyAngularVelocity,
+            float stepTime)
         {
-            this = new FloatingResponse { level = level, levelIsKnown = levelIsKnown, slip = slip, angularSlip = angularSlip, memory = memory, estimate = estimate };
+            this = new FloatingResponse
+            {
+                level = level, levelIsKnown = levelIsKnown, slip = slip, angularSlip = angularSlip,
+                memory = memory, estimate = estimate
+            };
             shape = bodyShape;
             volume = bodyVolume;
             mass = bodyMass;
@@ -81,7 +86,8 @@ namespace Rill
             float g = gravity.magnitude;
             float fraction = SubmergedFraction(part, displaced, gravity, g);
             Vector3 push = part.Force;
-            Vector3 moment = shape.shape != ColliderShape.Sphere || shape.friction > 0f ? part.Torque : Vector3.zero;      // pressure cannot turn a ball
+            // pressure cannot turn a ball
+            Vector3 moment = shape.shape != ColliderShape.Sphere || shape.friction > 0f ? part.Torque : Vector3.zero;
             if (g > 0f)
             {
                 Vector3 up = gravity / -g;
@@ -106,14 +112,16 @@ namespace Rill
         public Vector3 TorqueAbout(Vector3 center) => torque + Vector3.Cross((Vector3)shape.end.position - center, force);
 
         /// <param name="gravity">By which the body falls, m/s².</param>
-        /// <param name="turn">Angular acceleration of the body alone by <see cref="TorqueAbout"/>, rad/s². Turns are resisted in proportion to the inertia as motion is to the mass.</param>
+        /// <param name="turn">Angular acceleration of the body alone by <see cref="TorqueAbout"/>, rad/s². Turns are resisted in proportion
+        /// to the inertia as motion is to the mass.</param>
         /// <param name="limit">Largest acceleration by the fluid, m/s².</param>
         public void Solve(Vector3 gravity, Vector3 turn, float limit, out Vector3 acceleration, out Vector3 angularAcceleration)
         {
             float mean = memory > 0f ? SlipVelocity.MeanFraction(step, memory) : 0f;
             acceleration = (force + mass * gravity + slowed - resistance * mean * (Vector3)slip.Now) / (mass + resistance * mean * step);
             acceleration = gravity + Limited(acceleration - gravity, limit);
-            angularAcceleration = (mass * turn + turnSlowed - turnResistance * mean * (Vector3)angularSlip.Now) / (mass + turnResistance * mean * step);
+            angularAcceleration = (mass * turn + turnSlowed - turnResistance * mean * (Vector3)angularSlip.Now)
+                / (mass + turnResistance * mean * step);
             angularAcceleration = Limited(angularAcceleration, limit / math.max(shape.Radius, 1e-6f));
         }
 
@@ -126,7 +134,8 @@ namespace Rill
         }
 
         // By the rise and the tilt since, of a ball, or of a prism as high and as large as the body. Returns the fraction under water now.
-        float BringUpToDate(in RelativeMotion since, float weight, Vector3 up, float fraction, out float fractionThen, ref Vector3 push, ref Vector3 moment)
+        float BringUpToDate(in RelativeMotion since, float weight, Vector3 up, float fraction, out float fractionThen, ref Vector3 push,
+            ref Vector3 moment)
         {
             float height = ColliderMeasures.Width(shape, up);
             float then = Vector3.Dot(since.Position, up);

@@ -118,7 +118,8 @@ namespace Rill
             : transform.TransformPoint(shape == ColliderShape.Mesh && field != null ? field.Bounds.center : center);
 
         /// <summary>What all simulations did to the collider in the newest steps that are known, a few frames ago.</summary>
-        /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place, upwards.</param>
+        /// <param name="force">Mean force, N, world space: pressure, impacts and friction. At rest the weight of the water in its place,
+        /// upwards.</param>
         /// <param name="torque">Mean torque about <see cref="WorldCenter"/>, N m.</param>
         /// <returns>False before the first result, or while <see cref="MeasuresForce"/> is off.</returns>
         public bool TryGetForce(out Vector3 force, out Vector3 torque)
@@ -205,7 +206,11 @@ namespace Rill
             string problem = place.Follow(transform);
             RigidPose pose = new RigidPose(place.PointOf(center), place.rotation);
             float3 scale = place.scale;
-            motion = new ColliderMotion { shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut, contributesDensity = contributesDensity, reacts = NeedsForce };
+            motion = new ColliderMotion
+            {
+                shape = shape, friction = friction, bounciness = bounciness, insideOut = insideOut,
+                contributesDensity = contributesDensity, reacts = NeedsForce
+            };
             switch (shape)
             {
                 case ColliderShape.Sphere:
@@ -222,7 +227,8 @@ namespace Rill
                     problem ??= Positive("size", math.cmin(size));
                     break;
                 case ColliderShape.Mesh:
-                    problem ??= field == null ? "it is a mesh without a signed distance field. Bake one from the mesh and assign it." : place.DescribeField(field, ref motion, ref pose);
+                    problem ??= field == null ? "it is a mesh without a signed distance field. Bake one from the mesh and assign it."
+                        : place.DescribeField(field, ref motion, ref pose);
                     break;
                 case ColliderShape.HeightField:
                     problem ??= DescribeHeights(ref motion, ref pose);

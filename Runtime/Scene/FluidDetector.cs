@@ -74,7 +74,8 @@ namespace Rill
         public float EnterFill { get => enterFill; set { enterFill = value; Validate(); } }
         /// <summary>Fill from which the shape counts as filled. Out-of-range values are clamped with a warning.</summary>
         public float FillLevel { get => fillLevel; set { fillLevel = value; Validate(); } }
-        /// <summary>By how much the fill has to fall below the level until the shape counts as emptied. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>By how much the fill has to fall below the level until the shape counts as emptied. Out-of-range values are clamped
+        /// with a warning.</summary>
         public float Hysteresis { get => hysteresis; set { hysteresis = value; Validate(); } }
         /// <summary>Mean speed of the water from which it counts as an impact, m/s. Out-of-range values are clamped with a warning.</summary>
         public float ImpactSpeed { get => impactSpeed; set { impactSpeed = value; Validate(); } }
@@ -223,7 +224,8 @@ namespace Rill
             return problem;
         }
 
-        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems) => problems.AddIfAny(IsEmpty ? SizeProblem : null);
+        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
+            => problems.AddIfAny(IsEmpty ? SizeProblem : null);
 
         static void Raise(UnityEvent happened, bool hasHappened)
         {
@@ -233,7 +235,15 @@ namespace Rill
 
         bool IsEmpty => shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
 
-        string SizeProblem => $"its {(shape == DetectorShape.Box ? $"box of {size.x} x {size.y} x {size.z} m" : $"{(shape == DetectorShape.Sphere ? "sphere" : "capsule")} of radius {radius} m")} has no size, so it measures nothing. Set its size above 0.";
+        string SizeProblem
+        {
+            get
+            {
+                string what = shape == DetectorShape.Box ? $"box of {size.x} x {size.y} x {size.z} m"
+                    : $"{(shape == DetectorShape.Sphere ? "sphere" : "capsule")} of radius {radius} m";
+                return $"its {what} has no size, so it measures nothing. Set its size above 0.";
+            }
+        }
     }
 
     /// <summary>Where a detector was when it asked.</summary>

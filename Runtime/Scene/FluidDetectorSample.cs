@@ -5,7 +5,8 @@ namespace Rill
     /// <summary>What a <see cref="FluidDetector"/> found in its shape at the end of one step. World space, SI units.</summary>
     public struct FluidDetectorSample
     {
-        /// <summary>Whether all below was measured. False before the first result since a restart; a volume of 0 that is valid is an empty shape.</summary>
+        /// <summary>Whether all below was measured. False before the first result since a restart; a volume of 0 that is valid is an empty
+        /// shape.</summary>
         public bool valid;
         /// <summary>Fixed step since the restart after which it was measured.</summary>
         public int step;
@@ -55,7 +56,9 @@ namespace Rill
                     case 5: return v5;
                     case 6: return v6;
                     case 7: return v7;
-                    default: throw new System.ArgumentOutOfRangeException(nameof(phase), phase, $"Phase {phase}: phases are 0 to {Queries.Phases - 1}.");
+                    default:
+                        throw new System.ArgumentOutOfRangeException(nameof(phase), phase,
+                        $"Phase {phase}: phases are 0 to {Queries.Phases - 1}.");
                 }
             }
             set

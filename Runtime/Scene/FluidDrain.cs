@@ -54,7 +54,8 @@ namespace Rill
         /// <summary>Emitter of the same fluid that lets the particles in again; null for none.</summary>
         public FluidEmitter RecycleTo { get => recycleTo; set => recycleTo = value; }
 
-        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago. Begins again when this is disabled.</summary>
+        /// <summary>Particles taken out since the simulation's start, as far as the GPU has told: two or three frames ago. Begins again
+        /// when this is disabled.</summary>
         public int Drained => Simulation != null && Number >= 0 ? Simulation.DrainedCount(Number) : 0;
 
         internal override void OnRestart()
@@ -121,11 +122,14 @@ namespace Rill
 
         bool IsEmpty => !(math.cmin(Half) > 0f);
 
-        string SizeProblem => $"its {(shape == DrainShape.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it takes out nothing. Set its size above 0.";
+        string SizeProblem
+            => $"its {(shape == DrainShape.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has " +
+            $"no size, so it takes out nothing. Set its size above 0.";
 
         bool TargetTakes => recycleTo.isActiveAndEnabled && recycleTo.Simulation == Simulation && recycleTo.Number >= 0;
 
-        string TargetProblem => $"its emitter '{recycleTo.name}' is disabled or belongs to another fluid, so particles are taken out for good. Enable it or choose one of '{Simulation.name}'.";
+        string TargetProblem => $"its emitter '{recycleTo.name}' is disabled or belongs to another fluid, so particles are taken out " +
+            $"for good. Enable it or choose one of '{Simulation.name}'.";
 
         // Whole particles; what is left of one is kept for the next step.
         uint LimitOf(float step, double particleVolume)

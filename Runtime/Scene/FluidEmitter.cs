@@ -34,7 +34,8 @@ namespace Rill
     /// </summary>
     /// <remarks>
     /// A particle due is put where it would have got to by the end of the step, unless the fluid there is at rest density: then it
-    /// waits, as it does where a collider lies there or before it, and after a second's worth of waiting particles the oldest are given up and counted as blocked. What the simulation's
+    /// waits, as it does where a collider lies there or before it, and after a second's worth of waiting particles the oldest are given up
+    /// and counted as blocked. What the simulation's
     /// capacity does not hold is refused and counted. Changes to the vertices of a mesh are seen when the mesh is set again.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Emitter")]
@@ -49,7 +50,8 @@ namespace Rill
         [Tooltip("Where the fluid comes from: a box, sphere or disc around this object, or the surface of a mesh along its normals.")]
         [SerializeField] EmitterShape shape = EmitterShape.Disc;
 
-        [Tooltip("Jet: a closed stream along this object's forward axis, as wide as rate and speed make it. Spray: from the whole cross-section in turn. Fill: into the volume, where there is room.")]
+        [Tooltip("Jet: a closed stream along this object's forward axis, as wide as rate and speed make it. Spray: from the whole " +
+            "cross-section in turn. Fill: into the volume, where there is room.")]
         [SerializeField] EmitterMode mode = EmitterMode.Jet;
 
         [Tooltip("Size of the box, m. A jet leaves through x and y.")]
@@ -71,7 +73,8 @@ namespace Rill
         [Range(0f, 180f)]
         [SerializeField] float spread;
 
-        [Tooltip("Fraction of this object's own velocity, turning included, that the fluid takes along. 0 to 1. 1: as from a real nozzle. After putting the object somewhere else call Teleport().")]
+        [Tooltip("Fraction of this object's own velocity, turning included, that the fluid takes along. 0 to 1. 1: as from a real " +
+            "nozzle. After putting the object somewhere else call Teleport().")]
         [Range(0f, 1f)]
         [SerializeField] float inheritVelocity = 1f;
 
@@ -84,7 +87,8 @@ namespace Rill
         [Tooltip("Fluid time during which it lets fluid in, s. 0: for ever.")]
         [SerializeField] float duration;
 
-        [Tooltip("Number of the colour that the particle renderer may give its particles, 0 to 7. Other than 0 takes 8 bytes a particle of capacity.")]
+        [Tooltip("Number of the colour that the particle renderer may give its particles, 0 to 7. Other than 0 takes 8 bytes a " +
+            "particle of capacity.")]
         [Range(0, 7)]
         [SerializeField] int phase;
 
@@ -138,7 +142,8 @@ namespace Rill
         public bool IsEmitting => isOn && isActiveAndEnabled && clock.Time >= delay && clock.Time < End;
 
         /// <summary>Velocity with which the fluid left the middle of the outlet in the last step, m/s, world space, but for the spread.</summary>
-        internal Vector3 LeavingVelocity => transform.forward * LeavingSpeed + (Simulation != null ? Simulation.DomainToWorld.MultiplyVector(takenAlong) : Vector3.zero);
+        internal Vector3 LeavingVelocity => transform.forward * LeavingSpeed
+            + (Simulation != null ? Simulation.DomainToWorld.MultiplyVector(takenAlong) : Vector3.zero);
 
         /// <summary>Volume that was due since its last start, m³: what it let in and what waits, was refused or was given up.</summary>
         public double DueVolume => clock.Due * ParticleVolume;
@@ -172,7 +177,8 @@ namespace Rill
             takenAlong = float3.zero;
         }
 
-        internal EmitterRecord Save(in DomainFrame frame) => new EmitterRecord { part = SavePart(frame), clock = clock.Record, isOn = isOn ? 1u : 0u, saysLast = saysLast ? 1u : 0u };
+        internal EmitterRecord Save(in DomainFrame frame)
+            => new EmitterRecord { part = SavePart(frame), clock = clock.Record, isOn = isOn ? 1u : 0u, saysLast = saysLast ? 1u : 0u };
 
         internal void Load(in EmitterRecord record, in DomainFrame frame, float samePlace)
         {
@@ -188,7 +194,8 @@ namespace Rill
         /// <param name="frameTime">Time in which this came from where it was at the last frame's steps, s, above 0.</param>
         /// <param name="isTarget">Whether a drain gives it particles.</param>
         /// <returns>Whether it does anything.</returns>
-        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, float frameTime, bool isTarget, out EmitterStep result)
+        internal bool TakeStep(in DomainFrame frame, float spacing, float step, float from, float to, float frameTime, bool isTarget,
+            out EmitterStep result)
         {
             result = default;
             takenAlong = float3.zero;
@@ -297,14 +304,20 @@ namespace Rill
 
         string ShapeProblem => positionsProblem + " It lets nothing in.";
 
-        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at most {MaxRateOf(spacing, step):0.######} m³/s do{(positions.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise its speed or lower the rate.";
+        string RateProblem(float spacing, float step) => $"its rate of {rate} m³/s is more than leaves its shape at rest density: at " +
+            $"most {MaxRateOf(spacing, step):0.######} m³/s do{(positions.FillsVolume ? "" : $" at {speed} m/s")}. Enlarge it, raise " +
+            $"its speed or lower the rate.";
 
         // For so long that what waited first is given up, and every place was tried.
-        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut) >= math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f), searchSteps);
+        bool IsCovered => Simulation != null && Count(EmitterStates.Word.Shut)
+            >= math.max(math.ceil(MaxWait / Simulation.FixedStep - 1e-3f), searchSteps);
 
-        string CoveredProblem => "a collider covers all of its outlet, so that nothing comes out; what is due is given up and counted as blocked. Move it or the collider apart.";
+        string CoveredProblem => "a collider covers all of its outlet, so that nothing comes out; what is due is given up and counted " +
+            "as blocked. Move it or the collider apart.";
 
-        string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give particles a lifetime.";
+        string CapacityProblem => $"it is stopped by the capacity of FluidSimulation '{Simulation.name}': {Simulation.Capacity:N0} " +
+            $"particles are all in use. What does not fit is refused and counted. Raise the capacity, drain the fluid or give " +
+            $"particles a lifetime.";
 
         bool TryGetPositions(float spacing)
         {
@@ -343,7 +356,8 @@ namespace Rill
             public float radius, spacing;
             public Mesh mesh;
 
-            public bool Equals(in PositionsKey other) => shape == other.shape && mode == other.mode && size.Equals(other.size) && scale.Equals(other.scale)
+            public bool Equals(in PositionsKey other) => shape == other.shape && mode == other.mode && size.Equals(other.size)
+                && scale.Equals(other.scale)
                 && radius == other.radius && spacing == other.spacing && ReferenceEquals(mesh, other.mesh);
         }
     }

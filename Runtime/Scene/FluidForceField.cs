@@ -58,7 +58,8 @@ namespace Rill
 
         const float CoreWithoutBounds = 2f;     // d
 
-        [Tooltip("Direction: along the forward axis. Point: towards this object. Vortex: around the forward axis. Wind: drags the surface along the forward axis.")]
+        [Tooltip("Direction: along the forward axis. Point: towards this object. Vortex: around the forward axis. Wind: drags the " +
+        "surface along the forward axis.")]
         [SerializeField] ForceFieldKind kind = ForceFieldKind.Direction;
 
         [Tooltip("Acceleration, m/s². -1000 to 1000. Of a wind: its speed, m/s.")]
@@ -67,7 +68,8 @@ namespace Rill
         [Tooltip("Of a wind: fraction of the difference to its velocity that a particle alone in the air loses in a second, at first. 0 to 1000.")]
         [SerializeField] float drag = 2f;
 
-        [Tooltip("How the strength falls from the centre, t = 0, to the bounds, t = 1. None: it does not. Linear: 1 - t. Inverse Square: (0.1 / t)², and 1 below t = 0.1. Smooth: (1 - t²)². Without bounds none.")]
+        [Tooltip("How the strength falls from the centre, t = 0, to the bounds, t = 1. None: it does not. Linear: 1 - t. Inverse " +
+            "Square: (0.1 / t)², and 1 below t = 0.1. Smooth: (1 - t²)². Without bounds none.")]
         [SerializeField] ForceFieldFalloff falloff = ForceFieldFalloff.None;
 
         [Tooltip("What bounds the field. None: all of the domain, without falloff; a direction then acts as more gravity and costs nothing.")]
@@ -130,13 +132,21 @@ namespace Rill
             return true;
         }
 
-        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems) => problems.AddIfAny(IsEmpty ? SizeProblem : null);
+        private protected override void ListOwnProblems(FluidSimulation fluid, List<string> problems)
+            => problems.AddIfAny(IsEmpty ? SizeProblem : null);
 
         float3 Half => bounds == ForceFieldBounds.Sphere ? Vector3.one * radius : size * 0.5f;
 
         bool IsEmpty => bounds != ForceFieldBounds.None && !(math.cmin(Half) > 0f);
 
-        string SizeProblem => $"its {(bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m")} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.";
+        string SizeProblem
+        {
+            get
+            {
+                string what = bounds == ForceFieldBounds.Sphere ? $"sphere of radius {radius} m" : $"box of {size.x} x {size.y} x {size.z} m";
+                return $"its {what} has no size, so it acts on nothing. Set its size above 0 or its bounds to none.";
+            }
+        }
 
         private protected override StageSet UsedStages => StageSet.ForceFields;
 

@@ -85,7 +85,8 @@ namespace Rill
             return isSomewhere;
         }
 
-        /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was after the last; false as for <see cref="TryGetPose"/>.</summary>
+        /// <summary>How this moves in one of the steps of a frame, in the domain's frame, d: evenly over all of them, from where it was
+        /// after the last; false as for <see cref="TryGetPose"/>.</summary>
         /// <param name="from">Fraction of the frame at which the step starts.</param>
         /// <param name="to">And ends.</param>
         private protected bool TryGetMotion(in DomainFrame frame, float from, float to, out RigidPose start, out RigidPose end)
@@ -125,7 +126,8 @@ namespace Rill
         /// <param name="samePlace">Distance within which it is, d.</param>
         private protected void LoadPart(in PartRecord record, in DomainFrame frame, float samePlace)
         {
-            follows = record.follows != 0 && Limit.IsPose(transform.position, transform.rotation) && record.now.IsAt(frame.Pose(transform.position, transform.rotation), samePlace);
+            follows = record.follows != 0 && Limit.IsPose(transform.position, transform.rotation)
+                && record.now.IsAt(frame.Pose(transform.position, transform.rotation), samePlace);
             lastPose = record.last.Pose;
         }
 
@@ -176,11 +178,15 @@ namespace Rill
             return !isNowhere;
         }
 
-        string PoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until position, rotation and scale of this object and its parents are numbers.";
+        string PoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
+            : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). It does nothing until " +
+            $"position, rotation and scale of this object and its parents are numbers.";
 
-        string NoSimulationProblem => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
+        string NoSimulationProblem
+            => "there is no FluidSimulation on this object or above it, so it acts on none. Put it below one or set its Simulation.";
 
-        string TooManyProblem => $"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it takes, and leaves this one out. Disable another and enable this again.";
+        string TooManyProblem => $"FluidSimulation '{attached.name}' has {attached.MaxLike(this)} of its kind, the most it takes, and " +
+            $"leaves this one out. Disable another and enable this again.";
 
         FluidSimulation Wanted => simulation != null ? simulation : GetComponentInParent<FluidSimulation>(true);
 

@@ -33,7 +33,8 @@ namespace Rill
         }
 
         /// <summary>The newest sample, a few frames old; its age is that of this call.</summary>
-        /// <returns>Whether it is valid: false before the first since the fluid started, while this or the fluid is off, and where the probe was outside the fluid's box.</returns>
+        /// <returns>Whether it is valid: false before the first since the fluid started, while this or the fluid is off, and where the
+        /// probe was outside the fluid's box.</returns>
         public bool TryGetSample(out FluidProbeSample sample)
         {
             sample = default;

@@ -5,7 +5,8 @@ namespace Rill
     /// <summary>What a <see cref="FluidProbe"/> found at the end of one step. World space, SI units.</summary>
     public struct FluidProbeSample
     {
-        /// <summary>Whether all below was measured. False before the first result since a restart, and where the probe was outside the fluid's box.</summary>
+        /// <summary>Whether all below was measured. False before the first result since a restart, and where the probe was outside the
+        /// fluid's box.</summary>
         public bool valid;
         /// <summary>Fixed step since the restart after which it was measured.</summary>
         public int step;
@@ -37,10 +38,12 @@ namespace Rill
         public Vector3 normal;
         /// <summary>Velocity of the water at the surface there relative to the box, m/s.</summary>
         public Vector3 surfaceVelocity;
-        /// <summary>Fraction of a ball around the probe, of its <see cref="FluidProbe.Radius"/>, that lies below the plane of the surface: 0 to 1.</summary>
+        /// <summary>Fraction of a ball around the probe, of its <see cref="FluidProbe.Radius"/>, that lies below the plane of the surface:
+        /// 0 to 1.</summary>
         public float submerged;
 
-        /// <summary>The height that <see cref="heightRate"/> makes of <see cref="height"/> until the frame in which the sample was asked for, m: without the lag, and wrong by what changed its course since.</summary>
+        /// <summary>The height that <see cref="heightRate"/> makes of <see cref="height"/> until the frame in which the sample was asked
+        /// for, m: without the lag, and wrong by what changed its course since.</summary>
         public float ExtrapolatedHeight => height + heightRate * age;
     }
 }

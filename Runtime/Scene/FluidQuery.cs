@@ -3,7 +3,8 @@ namespace Rill
     /// <summary>A part that asks the water after each frame's steps: the answer comes two or three frames later, without waiting.</summary>
     public abstract class FluidQuery : FluidPart
     {
-        /// <summary>Waits for the GPU until the newest step's sample is there. For tests and tools in the Editor: see <see cref="FluidSimulation.FlushQueries"/>.</summary>
+        /// <summary>Waits for the GPU until the newest step's sample is there. For tests and tools in the Editor: see
+        /// <see cref="FluidSimulation.FlushQueries"/>.</summary>
         public void Flush()
         {
             if (Simulation != null)

@@ -4,7 +4,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>A box, sphere or capsule in world space, to <see cref="FluidSimulation.Fill(FluidShape, Vector3, int, float)"/> or to <see cref="FluidSimulation.RemoveInside"/>.</summary>
+    /// <summary>A box, sphere or capsule in world space, to <see cref="FluidSimulation.Fill(FluidShape, Vector3, int, float)"/> or to
+    /// <see cref="FluidSimulation.RemoveInside"/>.</summary>
     public readonly struct FluidShape
     {
         internal readonly RoundedBox box;       // world space, m
@@ -25,7 +26,8 @@ namespace Rill
         public static FluidShape Box(Vector3 center, Vector3 size, Quaternion rotation)
         {
             if (!Limit.IsPose(center, rotation) || !math.all(math.isfinite((float3)size)) || math.cmin((float3)size) < 0f)
-                throw new ArgumentException($"A box around {center} of {size} m, turned by {rotation}, is none: give finite numbers, and sides of 0 or more.");
+                throw new ArgumentException(
+                    $"A box around {center} of {size} m, turned by {rotation}, is none: give finite numbers, and sides of 0 or more.");
             return new FluidShape(new RoundedBox { center = center, half = (float3)size * 0.5f, rotation = rotation });
         }
 
@@ -43,7 +45,8 @@ namespace Rill
         public static FluidShape Capsule(Vector3 start, Vector3 end, float radius)
         {
             if (!math.all(math.isfinite((float3)start)) || !math.all(math.isfinite((float3)end)) || !math.isfinite(radius) || radius < 0f)
-                throw new ArgumentException($"A sphere or capsule from {start} to {end} with radius {radius} m is none: give finite numbers, and a radius of 0 or more.");
+                throw new ArgumentException($"A sphere or capsule from {start} to {end} with radius {radius} m is none: give finite " +
+                    $"numbers, and a radius of 0 or more.");
             Vector3 axis = end - start;
             return new FluidShape(new RoundedBox
             {

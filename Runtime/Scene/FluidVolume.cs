@@ -18,7 +18,8 @@ namespace Rill
         SignedDistanceField,
     }
 
-    /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform scale; a negative one mirrors.</summary>
+    /// <summary>Fluid at the start: on a <see cref="FluidSimulation"/> or below it. Follows position and rotation, and with a field uniform
+    /// scale; a negative one mirrors.</summary>
     [AddComponentMenu("Rill/Fluid Volume")]
     public sealed class FluidVolume : MonoBehaviour, IHasProblems
     {
@@ -63,7 +64,8 @@ namespace Rill
         /// <summary>Positions of the particles on a cubic lattice, each offset a little; the caller disposes the array.</summary>
         /// <param name="spacing">m.</param>
         /// <returns>xyz, world space, m.</returns>
-        /// <exception cref="ArgumentException">Field missing or unreadable, or size, velocity or transform is not finite, or the particles are too many for any simulation.</exception>
+        /// <exception cref="ArgumentException">Field missing or unreadable, or size, velocity or transform is not finite, or the particles
+        /// are too many for any simulation.</exception>
         internal NativeArray<float4> Fill(float spacing, int seed)
         {
             if (ProblemWith(spacing) is string problem)
@@ -88,7 +90,8 @@ namespace Rill
         {
             var positions = new NativeArray<float4>(inside, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
             if (inside > 0)
-                lattice.Fill(marks, new Random(math.hash(new int2(seed, inside)) | 1u), Middle, transform.position, transform.rotation, positions.AsSpan());
+                lattice.Fill(marks, new Random(math.hash(new int2(seed, inside)) | 1u), Middle, transform.position, transform.rotation,
+                    positions.AsSpan());
             return positions;
         }
 
@@ -124,11 +127,13 @@ namespace Rill
         {
             if (FieldProblem is string problem)
                 return problem;
-            if (!math.all(math.isfinite(Extent)) || !math.all(math.isfinite((float3)velocity)) || !math.all(math.isfinite((float3)transform.position)))
+            if (!math.all(math.isfinite(Extent)) || !math.all(math.isfinite((float3)velocity))
+                || !math.all(math.isfinite((float3)transform.position)))
                 return $"{SizeText}, velocity {velocity} or position {transform.position} is not finite. Set them to numbers.";
             float3 across = math.max(Extent / spacing, 0f);
             if (across.x * across.y * across.z > SolverLayout.MaxCapacity)
-                return $"{SizeText} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {spacing} m, the most of one simulation. Shrink it or raise the spacing.";
+                return $"{SizeText} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {spacing} m, the most of one " +
+                    $"simulation. Shrink it or raise the spacing.";
             return null;
         }
 
@@ -146,7 +151,8 @@ namespace Rill
                     return $"its field '{field.name}' has a texture that cannot be read. Bake it again.";
                 float3 scale = math.abs((float3)transform.lossyScale);
                 if (!(math.cmin(scale) > 0f) || math.cmax(scale) - math.cmin(scale) > 1e-3f * math.cmax(scale))
-                    return $"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not survive. Scale it uniformly.";
+                    return $"its scale {transform.lossyScale} is not the same along all axes, or 0, which distances do not survive. " +
+                        $"Scale it uniformly.";
                 return null;
             }
         }
@@ -177,7 +183,8 @@ namespace Rill
                 evenScale = math.abs(scale.x);
             }
 
-            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance) && distance * evenScale <= maxDistance;
+            public bool Contains(float3 place) => field.TrySample((place + middle) / scale, out float distance)
+                && distance * evenScale <= maxDistance;
         }
     }
 }

@@ -20,14 +20,16 @@ namespace Rill
         /// <param name="length">And along z.</param>
         /// <param name="origin">Of the first height, from the object's position, m; also adds to all heights.</param>
         /// <exception cref="ArgumentNullException">No heights.</exception>
-        /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MaxHeights"/> along a side, a side that is no length, or a height that is not finite; the message says which.</exception>
+        /// <exception cref="ArgumentException">Fewer than 2 or more than <see cref="MaxHeights"/> along a side, a side that is no length,
+        /// or a height that is not finite; the message says which.</exception>
         public HeightField(float[,] heights, float width, float length, Vector3 origin = default)
         {
             if (heights == null)
                 throw new ArgumentNullException(nameof(heights));
             int2 counts = new int2(heights.GetLength(1), heights.GetLength(0));
             if (math.any(counts < 2) || math.any(counts > MaxHeights))
-                throw new ArgumentException($"A height field has 2 to {MaxHeights} heights along a side, not {counts.x} x {counts.y}. Take every second, or a part of the ground.", nameof(heights));
+                throw new ArgumentException($"A height field has 2 to {MaxHeights} heights along a side, not {counts.x} x {counts.y}. " +
+                    $"Take every second, or a part of the ground.", nameof(heights));
             CheckSide(width, nameof(width));
             CheckSide(length, nameof(length));
             if (!math.all(math.isfinite((float3)origin)))
@@ -38,7 +40,11 @@ namespace Rill
             Center = (float3)origin + new float3(0.5f * width, middle, 0.5f * length);
             Extents = new float3(0.5f * width, highest - middle, 0.5f * length);
             MinFraction = 1f / math.sqrt(1f + SteepestSquared(heights, spacing));
-            Texture = new Texture3D(counts.x, 1, counts.y, TextureFormat.RFloat, false) { name = "Rill.HeightField", hideFlags = HideFlags.HideAndDontSave };
+            Texture = new Texture3D(counts.x, 1, counts.y, TextureFormat.RFloat, false)
+            {
+                name = "Rill.HeightField",
+                hideFlags = HideFlags.HideAndDontSave
+            };
             NativeArray<float> texels = Texture.GetPixelData<float>(0);
             for (int z = 0; z < counts.y; z++)
                 for (int x = 0; x < counts.x; x++)

@@ -32,7 +32,8 @@ namespace Rill
         /// <summary>Of the serialized content; above <see cref="CurrentVersion"/> in an asset of a newer package.</summary>
         public int Version => version;
 
-        /// <summary>One channel, R16 or R32 float: distances, m. Its texel (x, y, z) is the voxel of that index. Null before the first bake.</summary>
+        /// <summary>One channel, R16 or R32 float: distances, m. Its texel (x, y, z) is the voxel of that index. Null before the first
+        /// bake.</summary>
         public Texture3D Texture => texture;
 
         /// <summary>The volume that the voxels fill, m: the centre of voxel i is at min + (i + 0.5) <see cref="VoxelSize"/>.</summary>
@@ -62,7 +63,8 @@ namespace Rill
         /// <summary><see cref="TriangleMesh.Hash"/> of the mesh as it was baked; 0 where it is unknown.</summary>
         public ulong SourceHash => sourceHash;
 
-        /// <summary>Whether the mesh has changed since it was baked, or is another one. False where the field does not know what it was baked from.</summary>
+        /// <summary>Whether the mesh has changed since it was baked, or is another one. False where the field does not know what it was
+        /// baked from.</summary>
         public bool IsStale(TriangleMesh mesh) => sourceHash != 0 && sourceHash != mesh.Hash();
 
         /// <summary>What it was baked with, for baking it again.</summary>
@@ -80,14 +82,16 @@ namespace Rill
         /// <summary>Replaces the content by that of a bake. The object stays, and the texture too where size and format do.</summary>
         /// <param name="sourceMesh">GUID of the mesh's asset; empty if it has none.</param>
         /// <param name="sourceMeshId">Local file identifier of the mesh in that asset.</param>
-        /// <returns>The texture that was replaced, which the caller destroys and, in the editor, takes out of the asset's file; null if it stayed.</returns>
+        /// <returns>The texture that was replaced, which the caller destroys and, in the editor, takes out of the asset's file; null if it
+        /// stayed.</returns>
         public Texture3D Apply(SdfBake bake, string sourceMesh = "", long sourceMeshId = 0)
         {
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));
 
             string textureName = bake.Name + " Distances";
-            Texture3D replaced = bake.Format == SdfFormat.Half ? Fill(textureName, bake.Resolution, TextureFormat.RHalf, bake.ToHalf()) : Fill(textureName, bake.Resolution, TextureFormat.RFloat, bake.Distances);
+            Texture3D replaced = bake.Format == SdfFormat.Half ? Fill(textureName, bake.Resolution, TextureFormat.RHalf, bake.ToHalf())
+                : Fill(textureName, bake.Resolution, TextureFormat.RFloat, bake.Distances);
             version = CurrentVersion;
             bounds = bake.Bounds;
             voxelSize = bake.VoxelSize;
@@ -132,7 +136,8 @@ namespace Rill
             volumeIsKnown = false;
         }
 
-        /// <summary>Distance at a point, m, trilinear between the voxels' centres. Outside of the bounds: the distance to them, plus the value where they are nearest.</summary>
+        /// <summary>Distance at a point, m, trilinear between the voxels' centres. Outside of the bounds: the distance to them, plus the
+        /// value where they are nearest.</summary>
         /// <param name="local">In the frame of the mesh, m.</param>
         /// <returns>False without a texture that can be read, or for a point that is not finite; the distance is then +infinity.</returns>
         public bool TrySample(float3 local, out float distance)
@@ -150,7 +155,8 @@ namespace Rill
             return isThere;
         }
 
-        /// <summary>What lies inside of the surface, m³: summed over all voxels at the first call after a bake. 0 without a texture that can be read.</summary>
+        /// <summary>What lies inside of the surface, m³: summed over all voxels at the first call after a bake. 0 without a texture that
+        /// can be read.</summary>
         public float Volume
         {
             get

@@ -39,7 +39,8 @@ namespace Rill
             takenRotation = rotation;
             takenStep = step;
             double d = spacing;
-            takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep / VelocityExtrapolation.FractionAtOnce(input);
+            takenImpulse = input.material.density * d * d * d * d * input.settings.substeps / input.timeStep
+                / VelocityExtrapolation.FractionAtOnce(input);
             reactions.RecordTake(commands);
         }
 

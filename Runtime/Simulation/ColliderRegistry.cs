@@ -3,7 +3,8 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The colliders that reach into a fluid's box, in an order that stays while they do, with how they moved since the last steps.</summary>
+    /// <summary>The colliders that reach into a fluid's box, in an order that stays while they do, with how they moved since the last
+    /// steps.</summary>
     sealed partial class ColliderRegistry
     {
         // A collider of the last steps, beside its motion in the set.
@@ -150,7 +151,8 @@ namespace Rill
 
         static bool SameShape(in ColliderMotion a, in ColliderMotion b)
         {
-            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && math.all(a.mirrored == b.mirrored) && a.voxel == b.voxel && a.friction == b.friction
+            return a.shape == b.shape && math.all(a.size == b.size) && a.field == b.field && math.all(a.mirrored == b.mirrored)
+                && a.voxel == b.voxel && a.friction == b.friction
                 && a.bounciness == b.bounciness && a.insideOut == b.insideOut && a.contributesDensity == b.contributesDensity;
         }
     }

@@ -13,7 +13,8 @@ namespace Rill
         /// <summary>Time that the cap dropped since the start, s.</summary>
         public double Dropped { get; private set; }
 
-        /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps has moved.</summary>
+        /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps
+        /// has moved.</summary>
         public double FrameInterval { get; private set; }
 
         /// <summary>Time by which the steps so far stay behind the newest frame, s: less than a step.</summary>
@@ -28,7 +29,11 @@ namespace Rill
         /// <summary>All of it, for a snapshot.</summary>
         public ClockRecord Record
         {
-            get => new ClockRecord { accumulated = accumulated, passing = passing, dropped = Dropped, frameInterval = FrameInterval, lag = Lag, frameLag = FrameLag, lastFrameLag = LastFrameLag };
+            get => new ClockRecord
+            {
+                accumulated = accumulated, passing = passing, dropped = Dropped, frameInterval = FrameInterval,
+                lag = Lag, frameLag = FrameLag, lastFrameLag = LastFrameLag
+            };
             set
             {
                 accumulated = value.accumulated;

@@ -8,21 +8,28 @@ namespace Rill
     [Serializable]
     public struct FluidMaterial
     {
-        /// <summary>Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is elastic.</summary>
+        /// <summary>Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is
+        /// elastic.</summary>
         [Tooltip("Rest density, kg/m³. Matters for energy and for forces on bodies; for the motion of the fluid alone only where it is elastic.")]
         [Min(1e-3f)] public float density;
 
-        /// <summary>XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against noise: it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.</summary>
-        [Tooltip("XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against noise: it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.")]
+        /// <summary>XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against noise:
+        /// it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.</summary>
+        [Tooltip("XSPH: fraction of the velocity difference to the neighbors that is evened out in 1/60 s. 0 (off) to 1. Against " +
+            "noise: it smooths more at a coarser spacing. For thick fluids use Dynamic Viscosity.")]
         [FormerlySerializedAs("viscosity")]
         [Range(0f, 1f)] public float velocitySmoothing;
 
-        /// <summary>Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.</summary>
-        [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.")]
+        /// <summary>Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08,
+        /// glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.</summary>
+        [Tooltip("Dynamic viscosity, Pa s: the same fluid at every spacing and step. 0 (off) to 1e6; water 0.001, olive oil 0.08, " +
+            "glycerol 1.4, honey 10. What Velocity Smoothing and the solver itself damp comes on top.")]
         [Min(0f)] public float dynamicViscosity;
 
-        /// <summary>How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of colliders: Friction.</summary>
-        [Tooltip("How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of colliders: Friction.")]
+        /// <summary>How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of
+        /// colliders: Friction.</summary>
+        [Tooltip("How the domain's walls hold a fluid with a Dynamic Viscosity: 0 slip, 1 no slip. Without one they always slip. Of " +
+            "colliders: Friction.")]
         [Range(0f, 1f)] public float wallFriction;
 
         /// <summary>Vorticity confinement, m/s: acceleration per unit of vorticity that keeps eddies alive. 0 (off) to 10.</summary>
@@ -41,12 +48,16 @@ namespace Rill
         [Tooltip("Negative density error that is still pulled together. 0 (off) to 0.5; more makes strings and clumps.")]
         [Range(0f, 0.5f)] public float allowedTension;
 
-        /// <summary>Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At any value waves get 0.4 of a spacing in a substep at most.</summary>
-        [Tooltip("Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At any value waves get 0.4 of a spacing in a substep at most.")]
+        /// <summary>Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At
+        /// any value waves get 0.4 of a spacing in a substep at most.</summary>
+        [Tooltip("Shear modulus G of an elastic fluid, Pa: its stretch pulls back. 0 (off) to 1e6; slime and gels have 100 to 5000. At " +
+            "any value waves get 0.4 of a spacing in a substep at most.")]
         [Min(0f)] public float shearModulus;
 
-        /// <summary>Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.</summary>
-        [Tooltip("Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has about 1, gels many.")]
+        /// <summary>Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime has
+        /// about 1, gels many.</summary>
+        [Tooltip("Time in which an elastic fluid forgets its stretch, s: stress at rest falls by a factor of e. 0.001 to 1000; slime " +
+            "has about 1, gels many.")]
         [Min(1e-3f)] public float relaxationTime;
 
         /// <summary>Water: 1000 kg/m³, with as much smoothing as keeps it calm.</summary>
@@ -84,13 +95,16 @@ namespace Rill
         /// With a numerical damping q below 1 flow over many spacings sees (2 − q) times that.
         /// </remarks>
         /// <param name="spacing">Particle spacing, m.</param>
-        public float SmoothingViscosity(float spacing) => (float)(0.5 * velocitySmoothing * density * SolverConstants.SmoothingRate * LatticeKernels.Poly6Spread * spacing * spacing);
+        public float SmoothingViscosity(float spacing)
+            => (float)(0.5 * velocitySmoothing * density * SolverConstants.SmoothingRate * LatticeKernels.Poly6Spread * spacing * spacing);
 
-        /// <summary>Shear modulus that the setting acts like at most, Pa: beyond it waves, at √(G/ρ), would outrun what a substep can follow.</summary>
+        /// <summary>Shear modulus that the setting acts like at most, Pa: beyond it waves, at √(G/ρ), would outrun what a substep can
+        /// follow.</summary>
         /// <remarks>That of fluid at rest; one that is stretched, or at a ragged surface, is limited earlier. See Viscoelasticity.compute.</remarks>
         /// <param name="spacing">Particle spacing, m.</param>
         /// <param name="substep">Length of a substep, s.</param>
-        public float MaxShearModulus(float spacing, float substep) => (float)(Viscoelasticity.MaxStiffness * density * spacing * spacing / ((double)substep * substep));
+        public float MaxShearModulus(float spacing, float substep)
+            => (float)(Viscoelasticity.MaxStiffness * density * spacing * spacing / ((double)substep * substep));
 
         /// <summary>Puts every value into its range.</summary>
         /// <param name="problem">What was wrong and what it became; null if nothing was.</param>

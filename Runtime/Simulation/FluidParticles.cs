@@ -56,13 +56,15 @@ namespace Rill
         /// <summary>uint each: a number that stays with the particle and is not given again until the fluid starts again.</summary>
         public GraphicsBuffer Ids => Current.ParticleIds;
 
-        /// <summary>uint each: the phase, 0 to 255, in the highest byte. Null where no emitter gives phases or lifetimes and <see cref="FluidSimulation.TrackPhases"/> is off.</summary>
+        /// <summary>uint each: the phase, 0 to 255, in the highest byte. Null where no emitter gives phases or lifetimes and
+        /// <see cref="FluidSimulation.TrackPhases"/> is off.</summary>
         public GraphicsBuffer Phases => Current.Tags;
 
         /// <summary>uint each: the first is the number of particles alive.</summary>
         public GraphicsBuffer Counts => Current.Counters;
 
-        /// <summary>For Graphics.RenderPrimitivesIndirect, command 0: an instance with <see cref="VerticesPerParticle"/> vertices for each particle alive.</summary>
+        /// <summary>For Graphics.RenderPrimitivesIndirect, command 0: an instance with <see cref="VerticesPerParticle"/> vertices for each
+        /// particle alive.</summary>
         public GraphicsBuffer DrawArguments => Current.DrawArguments;
 
         /// <summary>
@@ -123,7 +125,8 @@ namespace Rill
             Bind(commands, shader, kernel);
             shader.GetKernelThreadGroupSizes(kernel, out uint x, out uint y, out uint z);
             if (x != ThreadsPerGroup || y != 1 || z != 1)
-                throw new ArgumentException($"Kernel {kernel} of '{shader.name}' has groups of {x} x {y} x {z} threads, and particles are dispatched in groups of {ThreadsPerGroup} x 1 x 1: write [numthreads(kRillThreads, 1, 1)].", nameof(kernel));
+                throw new ArgumentException($"Kernel {kernel} of '{shader.name}' has groups of {x} x {y} x {z} threads, and particles " +
+                    $"are dispatched in groups of {ThreadsPerGroup} x 1 x 1: write [numthreads(kRillThreads, 1, 1)].", nameof(kernel));
             Current.DispatchAlive(commands, shader, kernel);
         }
 
@@ -140,7 +143,8 @@ namespace Rill
             from.RecordOrder(commands);
         }
 
-        PbfSolver Current => IsCurrent ? solver : throw new InvalidOperationException("These are the particles of an earlier step, or of a fluid that is off or has started again: their buffers have other roles now. Call TryGetParticles again in every frame.");
+        PbfSolver Current => IsCurrent ? solver : throw new InvalidOperationException("These are the particles of an earlier step, or " +
+            "of a fluid that is off or has started again: their buffers have other roles now. Call TryGetParticles again in every frame.");
 
         Frame FrameOf(PbfSolver from)
         {

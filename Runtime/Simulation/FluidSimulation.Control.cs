@@ -60,9 +60,11 @@ namespace Rill
 
         /// <summary>
         /// Removes all particles and their foam at once. The fluid's time, its statistics and its emitters go on; what is removed counts as
-        /// drained. <see cref="Restart"/> also sets time and statistics to 0 and fills the volumes. Does nothing in a player without a graphics device.
+        /// drained. <see cref="Restart"/> also sets time and statistics to 0 and fills the volumes. Does nothing in a player without a
+        /// graphics device.
         /// </summary>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
+        /// in a pass of <see cref="BeforeStep"/>.</exception>
         public void Clear()
         {
             if (IsReadyTo("clearing it"))
@@ -71,10 +73,12 @@ namespace Rill
 
         /// <summary>
         /// Removes the particles whose centre is inside a shape at once. They count as drained, and free their part of the capacity with the
-        /// next fixed step. Does nothing in a player without a graphics device, and where the stage ParticleEdits is not in the build, which is logged.
+        /// next fixed step. Does nothing in a player without a graphics device, and where the stage ParticleEdits is not in the build,
+        /// which is logged.
         /// </summary>
         /// <param name="shape">World space.</param>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
+        /// in a pass of <see cref="BeforeStep"/>.</exception>
         public void RemoveInside(FluidShape shape)
         {
             if (!IsReadyTo("removing particles") || !HasStages(StageSet.ParticleEdits))
@@ -101,7 +105,8 @@ namespace Rill
         /// </remarks>
         /// <param name="position">Of this object, world space, m.</param>
         /// <exception cref="ArgumentException">The position is not finite.</exception>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
+        /// in a pass of <see cref="BeforeStep"/>.</exception>
         public void Recenter(Vector3 position)
         {
             if (!math.all(math.isfinite((float3)position)))
@@ -128,7 +133,8 @@ namespace Rill
         /// <param name="velocity">World space, m/s.</param>
         /// <param name="phase">Number of the look of all of them, 0 to 7. Other than 0 takes 8 bytes a particle of capacity.</param>
         /// <param name="lifetime">Fluid time after which they are removed, s; 0 for never. Other than 0 takes 8 bytes a particle of capacity.</param>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
+        /// in a pass of <see cref="BeforeStep"/>.</exception>
         /// <exception cref="ArgumentException">The velocity is not finite, or the shape holds more particles than any simulation.</exception>
         /// <exception cref="ArgumentOutOfRangeException">Phase or lifetime is out of range.</exception>
         public void Fill(FluidShape shape, Vector3 velocity = default, int phase = 0, float lifetime = 0f)
@@ -142,12 +148,14 @@ namespace Rill
                 FillWhereFree(positions, velocity, phase, lifetime, "a shape");
         }
 
-        /// <summary>Fills a volume at once, wherever it is in the scene, as far as there is room: as <see cref="Fill(FluidShape, Vector3, int, float)"/>, with the volume's velocity.</summary>
+        /// <summary>Fills a volume at once, wherever it is in the scene, as far as there is room: as
+        /// <see cref="Fill(FluidShape, Vector3, int, float)"/>, with the volume's velocity.</summary>
         /// <param name="volume">On any object; it need not be enabled.</param>
         /// <param name="phase">Number of the look of all of them, 0 to 7.</param>
         /// <param name="lifetime">Fluid time after which they are removed, s; 0 for never.</param>
         /// <exception cref="ArgumentNullException">There is none.</exception>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
+        /// in a pass of <see cref="BeforeStep"/>.</exception>
         /// <exception cref="ArgumentException">The volume cannot be filled; the message says why.</exception>
         /// <exception cref="ArgumentOutOfRangeException">Phase or lifetime is out of range.</exception>
         public void Fill(FluidVolume volume, int phase = 0, float lifetime = 0f)
@@ -169,7 +177,9 @@ namespace Rill
             if (inside == 0)
             {
                 if (!saidOutside)
-                    Debug.LogWarning($"Rill: FluidSimulation '{name}' filled nothing of {what}: none of its {positions.Length:N0} particles lies in the box of {domainSize} m around {transform.position}. Move it into the box, or make it larger than the particle spacing of {particleSpacing} m.", this);
+                    Debug.LogWarning($"Rill: FluidSimulation '{name}' filled nothing of {what}: none of its {positions.Length:N0} " +
+                        $"particles lies in the box of {domainSize} m around {transform.position}. Move it into the box, or make it " +
+                        $"larger than the particle spacing of {particleSpacing} m.", this);
                 saidOutside = true;
                 return;
             }
@@ -185,7 +195,9 @@ namespace Rill
         {
             float3 across = math.floor(2f * box.Extent / particleSpacing + 1e-3f);
             if (across.x * across.y * across.z > SolverLayout.MaxCapacity)
-                throw new ArgumentException($"The shape of {(Vector3)(2f * box.Extent)} m holds more than {SolverLayout.MaxCapacity:N0} particles of spacing {particleSpacing} m, the most of one simulation. Shrink it or raise the spacing.");
+                throw new ArgumentException($"The shape of {(Vector3)(2f * box.Extent)} m holds more than " +
+                    $"{SolverLayout.MaxCapacity:N0} particles of spacing {particleSpacing} m, the most of one simulation. Shrink it or " +
+                    $"raise the spacing.");
             var lattice = new VolumeLattice((int3)across, particleSpacing);
             RoundedBox whole = box;      // in which the centre of a particle lies whose sphere is inside
             float margin = 0.5f * particleSpacing, tolerance = 1e-3f * particleSpacing;      // rounding would leave a sphere a particle short
@@ -197,7 +209,8 @@ namespace Rill
                 int inside = lattice.Mark(whole, to.AsSpan());
                 var positions = new NativeArray<float4>(inside, Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
                 if (inside > 0)
-                    lattice.Fill(to.AsSpan(), new Random(math.hash(new int2(seed, inside)) | 1u), float3.zero, box.center, box.rotation, positions.AsSpan());
+                    lattice.Fill(to.AsSpan(), new Random(math.hash(new int2(seed, inside)) | 1u), float3.zero, box.center, box.rotation,
+                        positions.AsSpan());
                 return positions;
             }
         }
@@ -238,7 +251,8 @@ namespace Rill
         bool IsReadyTo(string act)
         {
             if (isRecordingPasses)
-                throw new InvalidOperationException($"FluidSimulation '{name}' is recording a step in this pass of BeforeStep, which is no time for {act}: do it in Update.");
+                throw new InvalidOperationException(
+                    $"FluidSimulation '{name}' is recording a step in this pass of BeforeStep, which is no time for {act}: do it in Update.");
             if (pbf == null && HasNoGraphics)
                 return false;
             if (pbf != null && layoutChanged)
@@ -260,6 +274,7 @@ namespace Rill
             Debug.LogWarning($"Rill: FluidSimulation '{name}' {RefusedProblem}", this);
         }
 
-        string RefusedProblem => $"refused {pbf.RefusedOfScripts:N0} particles that scripts added: its capacity of {capacity:N0} is full. Raise the capacity, remove particles first or add fewer.";
+        string RefusedProblem => $"refused {pbf.RefusedOfScripts:N0} particles that scripts added: its capacity of {capacity:N0} is " +
+            $"full. Raise the capacity, remove particles first or add fewer.";
     }
 }

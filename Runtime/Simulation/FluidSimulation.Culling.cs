@@ -6,7 +6,8 @@ namespace Rill
     // How fast time passes while no camera sees the fluid.
     public sealed partial class FluidSimulation
     {
-        [Tooltip("What the fluid does while no enabled camera sees its box within the Culling Distance. Always Simulate: it goes on. Slow: its time passes at the Culled Rate. Pause: its time stands still.")]
+        [Tooltip("What the fluid does while no enabled camera sees its box within the Culling Distance. Always Simulate: it goes on. " +
+            "Slow: its time passes at the Culled Rate. Pause: its time stands still.")]
         [SerializeField] FluidCullingMode cullingMode = FluidCullingMode.AlwaysSimulate;
 
         [Tooltip("Distance from a camera to the box beyond which the camera does not count, m. 0: however far it is.")]
@@ -30,13 +31,16 @@ namespace Rill
         /// </remarks>
         public FluidCullingMode CullingMode { get => cullingMode; set => cullingMode = value; }
 
-        /// <summary>Distance from a camera to the box beyond which the camera does not count, m; 0 for however far. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Distance from a camera to the box beyond which the camera does not count, m; 0 for however far. Out-of-range values are
+        /// clamped with a warning.</summary>
         public float CullingDistance { get => cullingDistance; set { cullingDistance = value; OnValidate(); } }
 
-        /// <summary>Fraction of the time, and so of the steps, that passes while a fluid is slowed, 0.01 to 1. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Fraction of the time, and so of the steps, that passes while a fluid is slowed, 0.01 to 1. Out-of-range values are
+        /// clamped with a warning.</summary>
         public float CulledRate { get => culledRate; set { culledRate = value; OnValidate(); } }
 
-        /// <summary>Whether no camera saw the box in the last frame, so that the fluid was slowed or paused. False with <see cref="FluidCullingMode.AlwaysSimulate"/>.</summary>
+        /// <summary>Whether no camera saw the box in the last frame, so that the fluid was slowed or paused. False with
+        /// <see cref="FluidCullingMode.AlwaysSimulate"/>.</summary>
         public bool IsCulled { get; private set; }
 
         void ValidateCulling(ref string problem)
@@ -91,7 +95,8 @@ namespace Rill
             {
                 GetPose(out Vector3 place, out Quaternion rotation);
                 Vector3 half = domainSize * 0.5f + Vector3.one * (CullingMargin * particleSpacing);
-                Vector3 x = rotation * new Vector3(half.x, 0f, 0f), y = rotation * new Vector3(0f, half.y, 0f), z = rotation * new Vector3(0f, 0f, half.z);
+                Vector3 x = rotation * new Vector3(half.x, 0f, 0f), y = rotation * new Vector3(0f, half.y, 0f),
+                    z = rotation * new Vector3(0f, 0f, half.z);
                 return new Bounds(place, 2f * new Vector3(
                     Mathf.Abs(x.x) + Mathf.Abs(y.x) + Mathf.Abs(z.x),
                     Mathf.Abs(x.y) + Mathf.Abs(y.y) + Mathf.Abs(z.y),

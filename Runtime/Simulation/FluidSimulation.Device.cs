@@ -48,7 +48,8 @@ namespace Rill
             return asset != null ? asset.Compute : null;
         }
 
-        /// <summary>Takes out of the coming step what the device is too small for. Allocates nothing while the scene wants the same features.</summary>
+        /// <summary>Takes out of the coming step what the device is too small for. Allocates nothing while the scene wants the same
+        /// features.</summary>
         void LimitToDevice()
         {
             wanted |= FeaturesWanted();

@@ -5,7 +5,8 @@ namespace Rill
     // What a disabled fluid keeps.
     public sealed partial class FluidSimulation
     {
-        [Tooltip("On: a disabled fluid keeps its water, and the memory for it, and goes on from there when it is enabled again. Off: it gives its memory back and begins again.")]
+        [Tooltip("On: a disabled fluid keeps its water, and the memory for it, and goes on from there when it is enabled again. Off: " +
+            "it gives its memory back and begins again.")]
         [SerializeField] bool keepStateOnDisable = true;
 
         PbfSolver kept;     // of the disabled fluid
@@ -15,7 +16,8 @@ namespace Rill
         /// by default, since what is pooled or culled by being disabled should not lose its water. Off: it gives its memory back and begins
         /// again. Turning it off while the fluid is disabled gives the memory back at once.
         /// </summary>
-        /// <remarks>A fluid that is destroyed gives all back. A budget measures again. One whose box, spacing, capacity or neighbor lists changed meanwhile begins again.</remarks>
+        /// <remarks>A fluid that is destroyed gives all back. A budget measures again. One whose box, spacing, capacity or neighbor lists
+        /// changed meanwhile begins again.</remarks>
         public bool KeepStateOnDisable
         {
             get => keepStateOnDisable;
@@ -30,7 +32,8 @@ namespace Rill
         /// <summary>Whether the fluid is disabled and keeps its water.</summary>
         public bool HasKeptState => kept != null;
 
-        /// <summary>Gives back what a disabled fluid keeps; it begins again when it is enabled. Before scripts are loaded again, and when it is destroyed.</summary>
+        /// <summary>Gives back what a disabled fluid keeps; it begins again when it is enabled. Before scripts are loaded again, and when
+        /// it is destroyed.</summary>
         internal void ReleaseKept()
         {
             if (kept == null)

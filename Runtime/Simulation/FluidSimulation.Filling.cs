@@ -14,7 +14,8 @@ namespace Rill
             foreach (FluidVolume volume in GetComponentsInChildren<FluidVolume>())
                 filled += Fill(volume);
             if (filled > capacity)
-                Debug.LogWarning($"Rill: FluidSimulation '{name}' refused {filled - capacity:N0} of {filled:N0} particles of its volumes: the capacity is {capacity:N0}. Raise it, shrink the volumes or raise the particle spacing.", this);
+                Debug.LogWarning($"Rill: FluidSimulation '{name}' refused {filled - capacity:N0} of {filled:N0} particles of its " +
+                    $"volumes: the capacity is {capacity:N0}. Raise it, shrink the volumes or raise the particle spacing.", this);
         }
 
         // Returns the particles that it gave to the solver.
@@ -26,7 +27,8 @@ namespace Rill
                 positions = volume.Fill(particleSpacing, seed);
                 int inside = KeepInside(positions.AsSpan(), out float3 low, out float3 high);
                 if (inside < positions.Length)
-                    Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume '{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
+                    Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume " +
+                        $"'{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
                 if (inside > 0)
                     Add(positions.GetSubArray(0, inside), volume.Velocity, low, high);
                 return inside;

@@ -14,11 +14,13 @@ namespace Rill
         internal FluidStatistics MeasureNow()
         {
             if (pbf == null)
-                throw new InvalidOperationException($"FluidSimulation '{name}' does not run, so there is nothing to measure: {failure ?? "it is disabled. Enable it first."}");
+                throw new InvalidOperationException($"FluidSimulation '{name}' does not run, so there is nothing to measure: " +
+                    $"{failure ?? "it is disabled. Enable it first."}");
             if (StepCount == 0)
                 throw new InvalidOperationException($"FluidSimulation '{name}' has taken no step yet. Let a frame pass first.");
             if (IsRefused(DeviceFeature.Statistics) || !HasStages(StageSet.Statistics))
-                throw new InvalidOperationException($"FluidSimulation '{name}' cannot be measured: its statistics are not in this build or not for this device. Set Shaders In Build to All Features.");
+                throw new InvalidOperationException($"FluidSimulation '{name}' cannot be measured: its statistics are not in this " +
+                    $"build or not for this device. Set Shaders In Build to All Features.");
             AsyncGPUReadback.WaitAllRequests();     // one that is pending is of an older state
             commands.Clear();
             pbf.RecordStatistics(commands, input);
@@ -30,7 +32,8 @@ namespace Rill
             return statistics;
         }
 
-        /// <summary>Particles that are furthest beyond the walls or inside colliders, as the newest measurement found them, the furthest first. Waits for the GPU.</summary>
+        /// <summary>Particles that are furthest beyond the walls or inside colliders, as the newest measurement found them, the furthest
+        /// first. Waits for the GPU.</summary>
         /// <returns>Id, position in the box's frame, m, and how far it is out, m.</returns>
         internal List<(uint id, float3 position, float outside)> FindFurthestOut(int most)
         {

@@ -59,10 +59,12 @@ namespace Rill
             return pbf != null;
         }
 
-        /// <summary>Asks for a copy of the particles on the CPU, as the last step left them. It never waits: the copy comes two or three frames later.</summary>
+        /// <summary>Asks for a copy of the particles on the CPU, as the last step left them. It never waits: the copy comes two or three
+        /// frames later.</summary>
         /// <param name="readback">Gets the copy. Use it again for every request.</param>
         /// <param name="fields">What to bring of each particle: the fewer, the less memory and traffic.</param>
-        /// <returns>Whether the request is pending. False while the one before is, in a player without a graphics device, and where the stage ParticleAccess is not in the build, which is logged.</returns>
+        /// <returns>Whether the request is pending. False while the one before is, in a player without a graphics device, and where the
+        /// stage ParticleAccess is not in the build, which is logged.</returns>
         /// <exception cref="ArgumentNullException">No readback.</exception>
         /// <exception cref="ArgumentOutOfRangeException">No field, or a copy of all fields is more than the device can bind.</exception>
         /// <exception cref="ObjectDisposedException">The readback was disposed of.</exception>
@@ -122,7 +124,8 @@ namespace Rill
         void ThrowInPass()
         {
             if (isRecordingPasses)
-                throw new InvalidOperationException($"FluidSimulation '{name}' cannot start again in a pass of BeforeStep, whose step is being recorded: call Restart or Restore in Update.");
+                throw new InvalidOperationException($"FluidSimulation '{name}' cannot start again in a pass of BeforeStep, whose step " +
+                    $"is being recorded: call Restart or Restore in Update.");
         }
     }
 }

@@ -28,11 +28,17 @@ namespace Rill
                 problems.Add(refusal);
         }
 
-        string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation to numbers and enable it again.";
+        string NoPoseProblem => Limit.IsPose(transform.position, transform.rotation) ? null
+            : $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). Set position and rotation " +
+            $"to numbers and enable it again.";
 
-        string LostPoseProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to numbers that multiply to a place.";
+        string LostPoseProblem => $"its transform is not finite (position {transform.position}, rotation {transform.rotation}). The " +
+            $"fluid goes on where it last was, at {lastPlace}. Set position, rotation and scale of this object and its parents to " +
+            $"numbers that multiply to a place.";
 
-        string TooManyProblem => $"takes {ColliderSet.Most} colliders at a time; {colliders.LeftOutCount} more are in its box and left out, '{(colliders.FirstLeftOut.IsThere ? colliders.FirstLeftOut.Name : "")}' first. Merge meshes into one field, or disable colliders that the fluid does not reach.";
+        string TooManyProblem => $"takes {ColliderSet.Most} colliders at a time; {colliders.LeftOutCount} more are in its box and left " +
+            $"out, '{(colliders.FirstLeftOut.IsThere ? colliders.FirstLeftOut.Name : "")}' first. Merge meshes into one field, or " +
+            $"disable colliders that the fluid does not reach.";
 
         string LayoutProblem
         {

@@ -5,7 +5,8 @@ namespace Rill
     // Settings that a script may change at any time.
     public sealed partial class FluidSimulation
     {
-        /// <summary>Inner size of the box, m, each side at least two particle spacings. A running fluid starts again with another in its next frame.</summary>
+        /// <summary>Inner size of the box, m, each side at least two particle spacings. A running fluid starts again with another in its
+        /// next frame.</summary>
         public Vector3 DomainSize { get => domainSize; set => ConfigureIfOther(value, particleSpacing, capacity); }
 
         /// <summary>Distance between particles at rest, m, above 0. A running fluid starts again with another in its next frame.</summary>
@@ -14,7 +15,8 @@ namespace Rill
         /// <summary>Most particles, 1 to 16,777,216. A running fluid starts again with another in its next frame.</summary>
         public int Capacity { get => capacity; set => ConfigureIfOther(domainSize, particleSpacing, value); }
 
-        /// <summary>Fixed steps in a second of fluid time, 10 to 1000. Acts from the next step on. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Fixed steps in a second of fluid time, 10 to 1000. Acts from the next step on. Out-of-range values are clamped with a
+        /// warning.</summary>
         public float StepRate { get => stepRate; set { stepRate = value; OnValidate(); } }
 
         /// <summary>Steps that one frame takes at most, 1 to 16. Acts in the next frame. Out-of-range values are clamped with a warning.</summary>

@@ -93,7 +93,8 @@ namespace Rill
             foreach (FluidDrain drain in drains)
             {
                 sources.keepsDrains |= drain != null;
-                if (drain == null || !HasStages(StageSet.Drains) || !drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
+                if (drain == null || !HasStages(StageSet.Drains)
+                    || !drain.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, out DrainRegion region))
                     continue;
                 sources.Add(region);
                 if (region.emitter != DrainRegion.NoEmitter)
@@ -102,11 +103,14 @@ namespace Rill
             foreach (FluidEmitter emitter in emitters)
             {
                 sources.keepsEmitters |= emitter != null;
-                if (emitter != null && HasStages(StageSet.Emitters) && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.FrameInterval, (targets >> emitter.Number & 1) != 0, out EmitterStep step))
+                if (emitter != null && HasStages(StageSet.Emitters)
+                    && emitter.TakeStep(frame, particleSpacing, FixedStep, input.frameFrom, input.frameTo, (float)clock.FrameInterval,
+                    (targets >> emitter.Number & 1) != 0, out EmitterStep step))
                     sources.Add(step);
             }
             foreach (FluidForceField field in fields)
-                if (field != null && !field.IsUniform && HasStages(StageSet.ForceFields) && field.TakeStep(frame, particleSpacing, out FieldRegion region))
+                if (field != null && !field.IsUniform && HasStages(StageSet.ForceFields)
+                    && field.TakeStep(frame, particleSpacing, out FieldRegion region))
                     sources.Add(region);
             sources.needsLifetimes = sources.needsLifetimes && HasStages(StageSet.Drains);
             return sources;
@@ -138,7 +142,8 @@ namespace Rill
             }
         }
 
-        /// <summary>After the steps of a frame were executed: asks for the numbers of emitters and drains, and tells what the last ones say.</summary>
+        /// <summary>After the steps of a frame were executed: asks for the numbers of emitters and drains, and tells what the last ones
+        /// say.</summary>
         void ReadSources(int steps)
         {
             if (partCount == 0)

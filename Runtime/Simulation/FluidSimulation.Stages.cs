@@ -5,7 +5,8 @@ namespace Rill
     // Which stages a build with this fluid contains, and what is left out where one is missing.
     public sealed partial class FluidSimulation : IUsesStages
     {
-        [Tooltip("Shaders that a build with this fluid contains. Used By Settings: those that the settings stored here need. All Features: also those that a script may switch on or add.")]
+        [Tooltip("Shaders that a build with this fluid contains. Used By Settings: those that the settings stored here need. All " +
+            "Features: also those that a script may switch on or add.")]
         [SerializeField] ShadersInBuild shadersInBuild = ShadersInBuild.UsedBySettings;
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();

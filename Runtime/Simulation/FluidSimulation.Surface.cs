@@ -39,7 +39,8 @@ namespace Rill
             catch (ArgumentException problem)
             {
                 tooLarge = pbf;
-                Debug.LogError($"Rill: FluidSimulation '{name}' goes on without the water's surface: {problem.Message} Lower the capacity, or draw it with a ParticleRenderer.", this);
+                Debug.LogError($"Rill: FluidSimulation '{name}' goes on without the water's surface: {problem.Message} Lower the " +
+                    $"capacity, or draw it with a ParticleRenderer.", this);
                 return false;
             }
         }

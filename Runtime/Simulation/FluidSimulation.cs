@@ -21,7 +21,8 @@ namespace Rill
     [DefaultExecutionOrder(ExecutionOrder)]
     public sealed partial class FluidSimulation : MonoBehaviour, IHasProblems
     {
-        /// <summary>When it steps, in LateUpdate: what scripts of a lower order and animations move in a frame acts on the fluid in that frame.</summary>
+        /// <summary>When it steps, in LateUpdate: what scripts of a lower order and animations move in a frame acts on the fluid in that
+        /// frame.</summary>
         public const int ExecutionOrder = 1000;
 
         const float DefaultStepRate = 60f;
@@ -79,7 +80,8 @@ namespace Rill
         /// <summary>Fluid time since the last restart, s.</summary>
         public double FluidTime { get; private set; }
 
-        /// <summary>Fluid time of the current frame since the last restart, s: at which the fluid is drawn. Up to a fixed step more than <see cref="FluidTime"/>.</summary>
+        /// <summary>Fluid time of the current frame since the last restart, s: at which the fluid is drawn. Up to a fixed step more than
+        /// <see cref="FluidTime"/>.</summary>
         public double FrameTime => FluidTime + clock.Lag;
 
         /// <summary>Length of a fixed step, s.</summary>
@@ -112,14 +114,16 @@ namespace Rill
             get
             {
                 GetPose(out Vector3 position, out Quaternion rotation);
-                return Matrix4x4.TRS(position, rotation, Vector3.one) * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity, Vector3.one * particleSpacing);
+                return Matrix4x4.TRS(position, rotation, Vector3.one) * Matrix4x4.TRS(domainSize * -0.5f, Quaternion.identity,
+                    Vector3.one * particleSpacing);
             }
         }
 
         internal PbfSolver Solver => pbf;
         internal StepInput Input => input;
 
-        /// <summary>The fluid's time of the current frame since the newest state, x, and that of the frame before, z, in substeps; y and w the same in s.</summary>
+        /// <summary>The fluid's time of the current frame since the newest state, x, and that of the frame before, z, in substeps; y and w
+        /// the same in s.</summary>
         internal Vector4 FrameLag
         {
             get
@@ -346,7 +350,8 @@ namespace Rill
             RecordSurface();        // before statistics, which sort again
             int queries = RecordQueries();      // before statistics too
 
-            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
+            bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending
+            && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
             if (measures)
                 pbf.RecordStatistics(commands, input);
             else if (statisticsInterval <= 0)
@@ -426,7 +431,8 @@ namespace Rill
             CheckViscosity();
         }
 
-        // How far gravity and the strongest field carry a particle in a step, d. Gravity alone of what the box feels: a jerk of the box is one step's, and its cost would come as a hitch.
+        // How far gravity and the strongest field carry a particle in a step, d. Gravity alone of what the box feels: a jerk of the box is
+        // one step's, and its cost would come as a hitch.
         float GravityStep => (gravity.magnitude + StrongestField) * FixedStep * FixedStep / particleSpacing;
 
         void ValidateSettings()
@@ -447,7 +453,8 @@ namespace Rill
 
         bool Matches(SolverLayout layout)
         {
-            return math.all(layout.DomainSize == (float3)domainSize / particleSpacing) && layout.Spacing == particleSpacing && layout.Capacity == capacity
+            return math.all(layout.DomainSize == (float3)domainSize / particleSpacing) && layout.Spacing == particleSpacing
+                && layout.Capacity == capacity
                 && layout.AskedNeighborCapacity == solver.neighborCapacity && layout.ListRadius == (float)LatticeKernels.Support * solver.listMargin;
         }
 

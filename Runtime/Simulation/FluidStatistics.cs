@@ -107,7 +107,8 @@ namespace Rill
         /// <summary>Potential energy with respect to the domain's lowest corner, J.</summary>
         public float potentialEnergy;
 
-        /// <summary>Most that the last pass for the dynamic viscosity changed a velocity by, m/s; 0 without. Up to the viscosity that the passes solve, less than this is left.</summary>
+        /// <summary>Most that the last pass for the dynamic viscosity changed a velocity by, m/s; 0 without. Up to the viscosity that the
+        /// passes solve, less than this is left.</summary>
         public float viscosityChange;
 
         /// <summary>Relaxation ω of the last step.</summary>

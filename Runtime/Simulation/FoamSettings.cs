@@ -3,31 +3,42 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>How much foam a fluid makes and how long it lasts. The same values mean the same at any particle spacing and any size of a scene.</summary>
+    /// <summary>How much foam a fluid makes and how long it lasts. The same values mean the same at any particle spacing and any size of a
+    /// scene.</summary>
     [Serializable]
     public struct FoamSettings
     {
         /// <summary>Most foam particles of one fluid.</summary>
         public const int MaxBudget = 1 << 22;
 
-        /// <summary>Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with the foam that is alive, see Budget.</summary>
-        [Tooltip("Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with the foam that is alive, see Budget.")]
+        /// <summary>Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with the foam
+        /// that is alive, see Budget.</summary>
+        [Tooltip("Foam particles, as a multiple of what breaking water makes by default. 0 (none new) to 10. Costs grow with the foam " +
+            "that is alive, see Budget.")]
         [Range(0f, 10f)] public float amount;
 
-        /// <summary>Most foam particles at a time, 1 to 4,194,304. Each takes 64 bytes of GPU memory; what does not fit is refused and counted, and none that is there is taken away.</summary>
-        [Tooltip("Most foam particles at a time, 1 to 4,194,304. Each takes 64 bytes of GPU memory; what does not fit is refused and counted, and none that is there is taken away.")]
+        /// <summary>Most foam particles at a time, 1 to 4,194,304. Each takes 64 bytes of GPU memory; what does not fit is refused and
+        /// counted, and none that is there is taken away.</summary>
+        [Tooltip("Most foam particles at a time, 1 to 4,194,304. Each takes 64 bytes of GPU memory; what does not fit is refused and " +
+            "counted, and none that is there is taken away.")]
         public int budget;
 
-        /// <summary>Longest time that foam floats, s: each particle gets a half of it to all of it. 0.1 to 200. In the air and under water it ages a quarter as fast.</summary>
-        [Tooltip("Longest time that foam floats, s: each particle gets a half of it to all of it. 0.1 to 200. In the air and under water it ages a quarter as fast.")]
+        /// <summary>Longest time that foam floats, s: each particle gets a half of it to all of it. 0.1 to 200. In the air and under water
+        /// it ages a quarter as fast.</summary>
+        [Tooltip("Longest time that foam floats, s: each particle gets a half of it to all of it. 0.1 to 200. In the air and under " +
+            "water it ages a quarter as fast.")]
         [Range(0.1f, 200f)] public float lifetime;
 
-        /// <summary>Speed of the scene, m/s, in which limits are measured: foam needs water that is faster than a quarter of it. 0: that of a wave as deep as the water, √(g H), with H as far as the fluid that was put in reaches along gravity. 0 to 1000.</summary>
-        [Tooltip("Speed of the scene, m/s, in which limits are measured: foam needs water that is faster than a quarter of it. 0: that of a wave as deep as the water, √(g H), with H as far as the fluid that was put in reaches along gravity. 0 to 1000.")]
+        /// <summary>Speed of the scene, m/s, in which limits are measured: foam needs water that is faster than a quarter of it. 0: that of
+        /// a wave as deep as the water, √(g H), with H as far as the fluid that was put in reaches along gravity. 0 to 1000.</summary>
+        [Tooltip("Speed of the scene, m/s, in which limits are measured: foam needs water that is faster than a quarter of it. 0: that " +
+            "of a wave as deep as the water, √(g H), with H as far as the fluid that was put in reaches along gravity. 0 to 1000.")]
         [Min(0f)] public float referenceSpeed;
 
-        /// <summary>Depth of the scene, m, in which amounts are measured: half of it makes sixteen times the particles at twice the pace. 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.</summary>
-        [Tooltip("Depth of the scene, m, in which amounts are measured: half of it makes sixteen times the particles at twice the pace. 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.")]
+        /// <summary>Depth of the scene, m, in which amounts are measured: half of it makes sixteen times the particles at twice the pace.
+        /// 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.</summary>
+        [Tooltip("Depth of the scene, m, in which amounts are measured: half of it makes sixteen times the particles at twice the " +
+            "pace. 0: as far as the fluid that was put in reaches along gravity. 0 to 10,000.")]
         [Min(0f)] public float referenceDepth;
 
         /// <summary>What there is. Without spray what leaves the water is gone, without bubbles what sinks is.</summary>

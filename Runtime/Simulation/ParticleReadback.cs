@@ -62,11 +62,13 @@ namespace Rill
         /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for this.</exception>
         public NativeArray<uint> Phases => View(ParticleFields.Phases, layout.PhasesAt, 1);
 
-        /// <summary>Copies the particles into arrays of the caller, the same particle to the same index; arrays that are not created are left out.</summary>
+        /// <summary>Copies the particles into arrays of the caller, the same particle to the same index; arrays that are not created are
+        /// left out.</summary>
         /// <returns>The number of particles.</returns>
         /// <exception cref="InvalidOperationException">There is no data, or the request did not ask for what an array is for.</exception>
         /// <exception cref="ArgumentException">An array is too short; nothing was copied.</exception>
-        public int CopyTo(NativeArray<float3> positions, NativeArray<float3> velocities = default, NativeArray<uint> ids = default, NativeArray<uint> phases = default)
+        public int CopyTo(NativeArray<float3> positions, NativeArray<float3> velocities = default, NativeArray<uint> ids = default,
+            NativeArray<uint> phases = default)
         {
             NeedData();
             CheckLength(positions, nameof(positions));
@@ -165,13 +167,15 @@ namespace Rill
         void NeedData()
         {
             if (!HasData)
-                throw new InvalidOperationException(isWaiting ? "The particles have not come back yet: ask HasData first." : $"There are no particles to read, the last request ended as {outcome}: ask HasData first.");
+                throw new InvalidOperationException(isWaiting ? "The particles have not come back yet: ask HasData first."
+                    : $"There are no particles to read, the last request ended as {outcome}: ask HasData first.");
         }
 
         void CheckLength<T>(NativeArray<T> array, string name) where T : struct
         {
             if (array.IsCreated && array.Length < count)
-                throw new ArgumentException($"'{name}' holds {array.Length:N0} elements, and {count:N0} particles came back: make it as long as FluidSimulation.Capacity, {capacity:N0} here.", name);
+                throw new ArgumentException($"'{name}' holds {array.Length:N0} elements, and {count:N0} particles came back: make it " +
+                    $"as long as FluidSimulation.Capacity, {capacity:N0} here.", name);
         }
     }
 }

@@ -10,51 +10,72 @@ namespace Rill
         /// <summary>Where over-relaxation ends in theory.</summary>
         const float RelaxationLimit = 2f;
 
-        /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see Documentation~/solver.md.</summary>
+        /// <summary>Less than that lets the coarse grid press particles together faster than the passes part them; see
+        /// Documentation~/solver.md.</summary>
         const float MinDeepRelaxation = 0.3f;
 
         internal const int MaxSubsteps = 16;
 
-        /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the coarse grid.</summary>
+        /// <summary>Of |g| Δt² in a substep, d: beyond it the passes no longer make up for what gravity presses together, nor does the
+        /// coarse grid.</summary>
         const float MaxGravityStep = 0.6f;
 
-        /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills too.</summary>
+        /// <summary>What is left of it once more substeps are taken: as far as the coarse grid does with cells that shallow water fills
+        /// too.</summary>
         const float EasyGravityStep = 0.3f;
 
-        /// <summary>Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.</summary>
-        [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.")]
+        /// <summary>Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of
+        /// particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.</summary>
+        [Tooltip("Whether the pressure of deep water is also solved for on a coarse grid. Without it water more than a few layers of " +
+            "particles deep is compressed, and from about ten it collapses. Automatic is on above four layers.")]
         public DeepWater deepWater;
 
         /// <summary>Jacobi iterations of the density constraint a substep. 1 to 50.</summary>
         [Tooltip("Jacobi iterations of the density constraint a substep. 1 to 50.")]
         [Range(1, 50)] public int iterations;
 
-        /// <summary>Relaxation ω: the fraction of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.</summary>
-        [Tooltip("Relaxation ω: the fraction of each correction that is applied. 0 to 2; no more is used than stays stable with these iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8 the fluid gets noisier.")]
+        /// <summary>Relaxation ω: the fraction of each correction that is applied. 0 to 2; no more is used than stays stable with these
+        /// iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. Above 0.8
+        /// the fluid gets noisier.</summary>
+        [Tooltip("Relaxation ω: the fraction of each correction that is applied. 0 to 2; no more is used than stays stable with these " +
+            "iterations (0.3 with 1, or 0.8 in deep water, 1 with 2, 1.2 from 3, 1.3 from 8), and in deep water no less than 0.3. " +
+            "Above 0.8 the fluid gets noisier.")]
         [Range(0f, RelaxationLimit)] public float relaxation;
 
-        /// <summary>Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity would carry a particle more than 0.6 spacings in one.</summary>
-        [Tooltip("Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity would carry a particle more than 0.6 spacings in one.")]
+        /// <summary>Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy more.
+        /// Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where gravity
+        /// would carry a particle more than 0.6 spacings in one.</summary>
+        [Tooltip("Substeps of a fixed step. 1 to 16. One costs as much as four to eight iterations; for the density error those buy " +
+            "more. Impacts and turning water keep more energy with more substeps, and narrow vessels hold better. More are taken where " +
+            "gravity would carry a particle more than 0.6 spacings in one.")]
         [Range(1, MaxSubsteps)] public int substeps;
 
         /// <summary>Constraint force mixing ε, as a fraction of the constraint's denominator at rest. 1e-6 to 1; larger is softer.</summary>
         [Tooltip("Constraint force mixing ε, as a fraction of the constraint's denominator at rest. 1e-6 to 1; larger is softer.")]
         [Range(1e-6f, 1f)] public float softness;
 
-        /// <summary>Radius of the neighbor list in support radii. 1 to 1.5; above 1 the list stays valid while particles move within a step.</summary>
+        /// <summary>Radius of the neighbor list in support radii. 1 to 1.5; above 1 the list stays valid while particles move within a
+        /// step.</summary>
         [Tooltip("Radius of the neighbor list in support radii. 1 to 1.5; above 1 the list stays valid while particles move within a step.")]
         [Range(1f, 1.5f)] public float listMargin;
 
-        /// <summary>Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 64 in hard impacts; what does not fit is reported.</summary>
+        /// <summary>Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 64 in hard impacts; what does not fit is
+        /// reported.</summary>
         [Tooltip("Neighbors that a particle's list holds. 16 to 256. About 30 at rest, over 64 in hard impacts; what does not fit is reported.")]
         [Range(16, 256)] public int neighborCapacity;
 
-        /// <summary>Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.</summary>
-        [Tooltip("Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.")]
+        /// <summary>Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something
+        /// nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.</summary>
+        [Tooltip("Mean speed, m/s, below which a region of the water that has been so slow for half a second sleeps until something " +
+            "nearby moves. 0 (off) to 1. Sleeping water costs next to nothing, and flow that is slower stops.")]
         [Range(0f, 1f)] public float sleepSpeed;
 
-        /// <summary>Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, so water takes longer to come to rest. Fluids with a shear modulus always have 1.</summary>
-        [Tooltip("Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps motion for longer, at the same number of substeps, so water takes longer to come to rest. Fluids with a shear modulus always have 1.")]
+        /// <summary>Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps
+        /// motion for longer, at the same number of substeps, so water takes longer to come to rest. Fluids with a shear modulus always
+        /// have 1.</summary>
+        [Tooltip("Numerical damping of waves and turning water, as a fraction of that of a first-order time step. 0 to 1. Less keeps " +
+            "motion for longer, at the same number of substeps, so water takes longer to come to rest. Fluids with a shear modulus " +
+            "always have 1.")]
         [Range(0f, 1f)] public float numericalDamping;
 
         /// <summary>The settings of a new fluid.</summary>

@@ -34,7 +34,8 @@ namespace Rill
         Recycling,
         /// <summary>took part in the last step: the first of those alive</summary>
         Moved,
-        /// <summary>of the viscosity's last solve, float bits: of what neighbors brake a particle by, half the largest eigenvalue of the sum in ImplicitViscosity.compute</summary>
+        /// <summary>of the viscosity's last solve, float bits: of what neighbors brake a particle by, half the largest eigenvalue of the
+        /// sum in ImplicitViscosity.compute</summary>
         ViscosityBound,
         /// <summary>of the same, float bits: largest change of a velocity in its last pass, d/s</summary>
         ViscosityChange,

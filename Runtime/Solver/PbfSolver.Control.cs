@@ -50,7 +50,8 @@ namespace Rill
             markedAfter = stepIndex + 1;
         }
 
-        /// <summary>Moves all particles in the domain's frame, at once, and removes those that then lie outside. Foam, and what the coarse grid knows, begin again.</summary>
+        /// <summary>Moves all particles in the domain's frame, at once, and removes those that then lie outside. Foam, and what the coarse
+        /// grid knows, begin again.</summary>
         /// <param name="by">d.</param>
         public void Shift(float3 by)
         {

@@ -42,7 +42,8 @@ namespace Rill
         /// <summary>Records a kernel in groups of <see cref="ParticleBuffers.Group"/> threads for the particles alive.</summary>
         public void DispatchAlive(CommandBuffer cmd, ComputeShader shader, int kernel) => particles.DispatchAlive(cmd, shader, kernel);
 
-        /// <summary>Records the listing of the particles by cell, at their current positions; it holds until a step or until some are added.</summary>
+        /// <summary>Records the listing of the particles by cell, at their current positions; it holds until a step or until some are
+        /// added.</summary>
         public void RecordOrder(CommandBuffer cmd)
         {
             // After a step its constants are there; of these, the listing reads the layout alone.
@@ -59,7 +60,8 @@ namespace Rill
         }
 
         /// <summary>Records a copy of the particles in world space, see <see cref="ParticleAccess"/>.</summary>
-        public void RecordCopy(CommandBuffer cmd, Matrix4x4 domainToWorld, in ParticleCopyLayout layout, GraphicsBuffer copy) => Access.RecordCopy(cmd, particles, TagsToBind, tags != null, domainToWorld, layout, copy);
+        public void RecordCopy(CommandBuffer cmd, Matrix4x4 domainToWorld, in ParticleCopyLayout layout, GraphicsBuffer copy)
+            => Access.RecordCopy(cmd, particles, TagsToBind, tags != null, domainToWorld, layout, copy);
 
         void RecordKills(in StepContext step)
         {

@@ -14,7 +14,8 @@ namespace Rill
         /// <summary>Makes what answers, where there is none yet.</summary>
         public Queries MakeQueries() => queries ??= new Queries();
 
-        /// <summary>Records the answers of the state that the last step left; not after <see cref="RecordStatistics"/> of that state, which sorts again.</summary>
+        /// <summary>Records the answers of the state that the last step left; not after <see cref="RecordStatistics"/> of that state, which
+        /// sorts again.</summary>
         /// <param name="slot">A <see cref="Queries.FreeSlot"/>.</param>
         public void RecordQueries(CommandBuffer cmd, QueryInput input, int slot)
         {

@@ -34,7 +34,8 @@ namespace Rill
         StatisticsPass statistics;
 
         GraphicsBuffer constants;
-        readonly SolverConstants[] constantsUpload = new SolverConstants[1];        // copied as it is recorded, as Unity's own ConstantBuffer relies on
+        // copied as it is recorded, as Unity's own ConstantBuffer relies on
+        readonly SolverConstants[] constantsUpload = new SolverConstants[1];
         uint stepIndex;
         int lastSubsteps;       // of the last step
         bool hasLists;          // of the last substep
@@ -230,7 +231,8 @@ namespace Rill
         }
 
         /// <summary>Whether a step with this input solves for the pressure of deep water on the coarse grid.</summary>
-        public bool IsDeep(in StepInput input) => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), coarseCorrection != null);
+        public bool IsDeep(in StepInput input)
+            => CoarseCorrection.IsNeeded(input.settings.deepWater, WaterDepth(input.gravity), coarseCorrection != null);
 
         /// <summary>Starts the readback of what was measured last; at most one is pending.</summary>
         public void RequestStatistics() => statistics.Request();
@@ -324,7 +326,8 @@ namespace Rill
         }
 
         /// <param name="hasSteps">False leaves out what the last step would have left.</param>
-        StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true) => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
+        StepContext Context(CommandBuffer cmd, in StepInput input, bool hasSteps = true)
+            => new StepContext(cmd, constants, particles, neighborSearch, densityConstraint.Lists, Layout, input,
             hasSteps ? coarseCorrection : null, hasSteps ? restingRegions : null, colliders, velocityExtrapolation);
 
         // For what looks at the particles as the last step left them, or edits them: there is no input.
@@ -339,7 +342,8 @@ namespace Rill
                 return;
             }
             float substep = input.SubstepTime;
-            float cellSize = CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep, coarseCorrection?.Grid.WantedSize ?? 0f);
+            float cellSize = CoarseGrid.CellSizeFor(Layout.DomainSize, math.length(input.gravity) / Layout.Spacing * substep * substep,
+                coarseCorrection?.Grid.WantedSize ?? 0f);
             if (coarseCorrection != null && coarseCorrection.Grid.WantedSize != cellSize)
                 ReleaseCoarse();
             coarseCorrection ??= new CoarseCorrection(Layout, cellSize, limits);

@@ -74,7 +74,8 @@ namespace Rill
         /// <summary>Rate, 1/s, at which the velocity smoothing is quoted.</summary>
         public const float SmoothingRate = 60f;
 
-        /// <summary>XSPH's c of a substep. All of it acts at once: what it takes is noise within a neighborhood, of which the mean that is extrapolated has none.</summary>
+        /// <summary>XSPH's c of a substep. All of it acts at once: what it takes is noise within a neighborhood, of which the mean that is
+        /// extrapolated has none.</summary>
         public static float Smoothing(in StepInput input)
         {
             float dt = input.SubstepTime;
@@ -87,7 +88,8 @@ namespace Rill
             float dt = input.SubstepTime;
             FluidMaterial material = input.material;
             float atOnce = VelocityExtrapolation.FractionAtOnce(input);
-            double pressureAt = LatticeKernels.Support * LatticeKernels.Support * (1.0 - (double)material.artificialPressureDistance * material.artificialPressureDistance);
+            double pressureAt = LatticeKernels.Support * LatticeKernels.Support
+                * (1.0 - (double)material.artificialPressureDistance * material.artificialPressureDistance);
             return new SolverConstants
             {
                 domainSize = layout.DomainSize,

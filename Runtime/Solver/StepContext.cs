@@ -3,7 +3,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the stages of a step share: where they record, the particles and their lists, and the stages that others read. One is made for each step.</summary>
+    /// <summary>What the stages of a step share: where they record, the particles and their lists, and the stages that others read. One is
+    /// made for each step.</summary>
     readonly struct StepContext
     {
         /// <summary>Null where stages are described and nothing is recorded.</summary>
@@ -27,7 +28,8 @@ namespace Rill
         /// <summary>Null where velocities are those of a first-order step.</summary>
         public readonly VelocityExtrapolation Extrapolation;
 
-        public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search, NeighborLists lists, SolverLayout layout, in StepInput input,
+        public StepContext(CommandBuffer commands, GraphicsBuffer constants, ParticleBuffers particles, NeighborSearch search,
+            NeighborLists lists, SolverLayout layout, in StepInput input,
             CoarseCorrection coarse = null, RestingRegions resting = null, Colliders colliders = null, VelocityExtrapolation extrapolation = null)
         {
             Commands = commands;
@@ -47,9 +49,11 @@ namespace Rill
         public int Substeps => Input.settings.substeps;
 
         /// <summary>Records the step's constants as what a shader reads.</summary>
-        public void BindConstants(ComputeShader shader) => Commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, Constants, 0, Constants.stride);
+        public void BindConstants(ComputeShader shader)
+            => Commands.SetComputeConstantBufferParam(shader, SolverIds.Constants, Constants, 0, Constants.stride);
 
         /// <summary>Records those of the coarse grid, which has to be there.</summary>
-        public void BindCoarseConstants(ComputeShader shader) => Commands.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Coarse.Constants, 0, Coarse.Constants.stride);
+        public void BindCoarseConstants(ComputeShader shader)
+            => Commands.SetComputeConstantBufferParam(shader, CoarseIds.Constants, Coarse.Constants, 0, Coarse.Constants.stride);
     }
 }

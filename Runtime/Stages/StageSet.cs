@@ -48,7 +48,9 @@ namespace Rill
                 case StageSet.Core: return CoreAt(index);
                 // A collider can reach into deep water at any time, and brings only the stage that does not depend on the depth.
                 case StageSet.DeepWater: return index == 0 ? "CoarseGrid" : index == 1 ? "CoarseSolver" : index == 2 ? "CoarseColliders" : null;
-                case StageSet.Surface: return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceParticles" : index == 3 ? "SurfaceThickness" : index == 4 ? "SurfaceShadow" : index == 5 ? "SurfaceMotion" : null;
+                case StageSet.Surface:
+                    return index == 0 ? "FluidSurface" : index == 1 ? "SurfaceViews" : index == 2 ? "SurfaceParticles"
+                    : index == 3 ? "SurfaceThickness" : index == 4 ? "SurfaceShadow" : index == 5 ? "SurfaceMotion" : null;
                 case StageSet.Foam: return index == 0 ? "Foam" : index == 1 ? "FoamSources" : index == 2 ? "SurfaceFoam" : null;
                 default: return index == 0 ? Only(group) : null;
             }

@@ -53,7 +53,8 @@ namespace Rill
             return Set.Count == records.Length;
         }
 
-        bool TryFind(in ColliderRecord record, in DomainFrame frame, float tolerance, List<IFluidCollider> own, out IFluidCollider found, out ColliderMotion motion)
+        bool TryFind(in ColliderRecord record, in DomainFrame frame, float tolerance, List<IFluidCollider> own, out IFluidCollider found,
+            out ColliderMotion motion)
         {
             foreach (FluidCollider collider in FluidCollider.Enabled)
                 if (IsOf(record, frame, tolerance, found = collider, out motion))
@@ -72,7 +73,8 @@ namespace Rill
             if (IndexOf(entries, Set.Count, collider) >= 0 || collider.Describe(out motion) != null)
                 return false;
             ToDomain(ref motion, frame);
-            return (int)motion.shape == record.shape && math.distance(motion.size, record.size) <= tolerance && record.now.IsAt(motion.end, tolerance);
+            return (int)motion.shape == record.shape && math.distance(motion.size, record.size) <= tolerance
+                && record.now.IsAt(motion.end, tolerance);
         }
     }
 }

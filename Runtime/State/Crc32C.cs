@@ -4,7 +4,8 @@ using System.Buffers.Binary;
 namespace Rill
 {
     /// <summary>The CRC-32C checksum (Castagnoli's polynomial, as of iSCSI, RFC 3720): finds every change of up to 32 bits in a row.</summary>
-    /// <remarks>Eight bytes at a time by eight tables, as Kounavis and Berry, "Novel Table Lookup-Based Algorithms for High-Performance CRC Generation", 2008.</remarks>
+    /// <remarks>Eight bytes at a time by eight tables, as Kounavis and Berry, "Novel Table Lookup-Based Algorithms for High-Performance CRC
+    /// Generation", 2008.</remarks>
     static class Crc32C
     {
         const uint Polynomial = 0x82F63B78u;        // reflected
@@ -22,8 +23,10 @@ namespace Rill
             for (; bytes.Length >= Slice; bytes = bytes.Slice(Slice))
             {
                 ulong eight = BinaryPrimitives.ReadUInt64LittleEndian(bytes) ^ crc;
-                crc = tables[7 * Bytes + (byte)eight] ^ tables[6 * Bytes + (byte)(eight >> 8)] ^ tables[5 * Bytes + (byte)(eight >> 16)] ^ tables[4 * Bytes + (byte)(eight >> 24)]
-                    ^ tables[3 * Bytes + (byte)(eight >> 32)] ^ tables[2 * Bytes + (byte)(eight >> 40)] ^ tables[Bytes + (byte)(eight >> 48)] ^ tables[(byte)(eight >> 56)];
+                crc = tables[7 * Bytes + (byte)eight] ^ tables[6 * Bytes + (byte)(eight >> 8)] ^ tables[5 * Bytes
+                    + (byte)(eight >> 16)] ^ tables[4 * Bytes + (byte)(eight >> 24)]
+                    ^ tables[3 * Bytes + (byte)(eight >> 32)] ^ tables[2 * Bytes + (byte)(eight >> 40)] ^ tables[Bytes
+                        + (byte)(eight >> 48)] ^ tables[(byte)(eight >> 56)];
             }
             foreach (byte value in bytes)
                 crc = tables[(byte)crc ^ value] ^ crc >> 8;

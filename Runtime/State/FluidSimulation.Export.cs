@@ -18,12 +18,14 @@ namespace Rill
             var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
             float spacing = particleSpacing, density = material.density;
             double time = FluidTime;
-            pbf.CaptureParticles().Request((contents, problem) => done(contents != null ? FrameOf(contents, frame, rotation, spacing, density, time) : null, problem));
+            pbf.CaptureParticles().Request((contents, problem) => done(contents != null
+                ? FrameOf(contents, frame, rotation, spacing, density, time) : null, problem));
         }
 
         static ParticleFrame FrameOf(SnapshotContents contents, in DomainFrame frame, Quaternion rotation, float spacing, float density, double time)
         {
-            ReadOnlySpan<float4> from = contents.Values<float4>(SnapshotSection.Positions), moving = contents.Values<float4>(SnapshotSection.Velocities);
+            ReadOnlySpan<float4> from = contents.Values<float4>(SnapshotSection.Positions),
+                moving = contents.Values<float4>(SnapshotSection.Velocities);
             ReadOnlySpan<uint> tags = contents.Values<uint>(SnapshotSection.Tags);
             int count = from.Length;
             var positions = new float3[count];

@@ -18,8 +18,10 @@ namespace Rill
         /// <summary>Snapshot that a restart begins with instead of the volumes; null for the volumes.</summary>
         public FluidSnapshotAsset StartState { get => startState; set => startState = value; }
 
-        /// <summary>Asks for a snapshot of the present state. It comes two or three frames later; nothing waits for it, and the fluid may go on meanwhile.</summary>
-        /// <remarks>Takes managed memory for all of the state: about 60 bytes a particle, more for fluids with a viscosity, elasticity or phases.</remarks>
+        /// <summary>Asks for a snapshot of the present state. It comes two or three frames later; nothing waits for it, and the fluid may
+        /// go on meanwhile.</summary>
+        /// <remarks>Takes managed memory for all of the state: about 60 bytes a particle, more for fluids with a viscosity, elasticity or
+        /// phases.</remarks>
         /// <exception cref="InvalidOperationException">The simulation is not running, or has more particles than one readback takes.</exception>
         public FluidSnapshotRequest RequestSnapshot()
         {
@@ -44,7 +46,8 @@ namespace Rill
         /// <param name="snapshot">Of a fluid with the same box and particle spacing, and of no more particles than this capacity.</param>
         /// <exception cref="ArgumentNullException">There is none.</exception>
         /// <exception cref="ArgumentException">It does not fit this fluid; the message says why. The fluid stays as it was.</exception>
-        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called in a pass of <see cref="BeforeStep"/>.</exception>
+        /// <exception cref="InvalidOperationException">The simulation is not running, though there is a graphics device, or this is called
+        /// in a pass of <see cref="BeforeStep"/>.</exception>
         public void Restore(FluidSnapshot snapshot)
         {
             if (snapshot == null)

@@ -38,7 +38,8 @@ namespace Rill
             writer.Text("ply\nformat binary_little_endian 1.0\n");
             writer.Text($"comment Rill, fluid time {Number(frame.Time)} s; positions in m, velocities in m/s, densities in kg/m3\n");
             writer.Text($"element vertex {Number(frame.Count)}\n");
-            writer.Text("property float x\nproperty float y\nproperty float z\nproperty float vx\nproperty float vy\nproperty float vz\nproperty float density\nproperty uchar phase\nproperty uint id\nend_header\n");
+            writer.Text("property float x\nproperty float y\nproperty float z\nproperty float vx\nproperty float vy\nproperty float " +
+                "vz\nproperty float density\nproperty uchar phase\nproperty uint id\nend_header\n");
             for (int i = 0; i < frame.Count; i++)
             {
                 writer.Add(frame.Positions[i]);

@@ -15,7 +15,8 @@ namespace Rill
         /// <summary>Particles at most, as far as is known without asking the GPU.</summary>
         public int MaxAlive => (int)Math.Min(maxParticles, Layout.Capacity);
 
-        /// <summary>Prepares a snapshot of the state that the commands executed so far leave; its sections of the component are yet to be set.</summary>
+        /// <summary>Prepares a snapshot of the state that the commands executed so far leave; its sections of the component are yet to be
+        /// set.</summary>
         /// <exception cref="InvalidOperationException">More than can be read back.</exception>
         public SnapshotCapture Capture(SnapshotContents contents)
         {
@@ -59,11 +60,14 @@ namespace Rill
         {
             SolverRecord record = contents.Get<SolverRecord>(SnapshotSection.Solver);
             if (record.spacing != Layout.Spacing)
-                return $"it is of a fluid with a particle spacing of {record.spacing} m, but this one has {Layout.Spacing} m. Set the Particle Spacing to {record.spacing}.";
+                return $"it is of a fluid with a particle spacing of {record.spacing} m, but this one has {Layout.Spacing} m. Set the " +
+                    $"Particle Spacing to {record.spacing}.";
             if (math.any(record.domainSize != Layout.DomainSize))
-                return $"it is of a box of {Text(record.domainSize * record.spacing)} m, but this one is {Text(Layout.DomainSize * Layout.Spacing)} m. Set the Domain Size to that of the snapshot.";
+                return $"it is of a box of {Text(record.domainSize * record.spacing)} m, but this one is " +
+                    $"{Text(Layout.DomainSize * Layout.Spacing)} m. Set the Domain Size to that of the snapshot.";
             if (record.particles > Layout.Capacity)
-                return $"it has {record.particles:N0} particles, more than the capacity of {Layout.Capacity:N0}. Raise the Capacity to at least {record.particles:N0}.";
+                return $"it has {record.particles:N0} particles, more than the capacity of {Layout.Capacity:N0}. Raise the Capacity to " +
+                    $"at least {record.particles:N0}.";
             if (contents.Has(SnapshotSection.Rest) && !RestingRegions.Fits(Layout, contents))
                 return "its resting regions are not those of its own box, so it is damaged. Use another.";
             if (contents.Has(SnapshotSection.Coarse) && !CoarseFits(contents))
@@ -85,7 +89,8 @@ namespace Rill
                 Upload(buffer.Buffer, contents.Bytes(buffer.Section));
             hasLists = contents.Has(SnapshotSection.NeighborCounts) && implicitViscosity != null;
             if (hasLists)
-                densityConstraint.Lists.Upload(Layout, contents.Values<uint>(SnapshotSection.Neighbors), contents.Values<uint>(SnapshotSection.NeighborCounts));
+                densityConstraint.Lists.Upload(Layout, contents.Values<uint>(SnapshotSection.Neighbors),
+                    contents.Values<uint>(SnapshotSection.NeighborCounts));
             using (var cmd = new CommandBuffer { name = "Rill.Restore" })
             {
                 particleUpload.RecordArguments(cmd, particles, Layout.Capacity);
@@ -196,7 +201,8 @@ namespace Rill
             if (size != CoarseGrid.CellSizeFor(Layout.DomainSize, 0f, 0f) && size != CoarseGrid.CellSizeFor(Layout.DomainSize, float.MaxValue, 0f))
                 return false;
             long bytes = sizeof(float) * (long)new CoarseGrid(Layout.DomainSize, size).Total;
-            foreach (SnapshotSection section in new[] { SnapshotSection.CoarseSurface, SnapshotSection.CoarseErrors, SnapshotSection.FlowPotential, SnapshotSection.ErrorPotential })
+            foreach (SnapshotSection section in new[] { SnapshotSection.CoarseSurface, SnapshotSection.CoarseErrors,
+                SnapshotSection.FlowPotential, SnapshotSection.ErrorPotential })
                 if (contents.Bytes(section).Length != bytes)
                     return false;
             return true;

@@ -7,7 +7,8 @@ using UnityEngine.Rendering;
 namespace Rill
 {
     /// <summary>A snapshot that comes from the GPU: asks for each buffer as the commands executed so far leave it, and waits for nothing.</summary>
-    /// <remarks>A buffer that its owner releases meanwhile is released when all have come: whether Unity brings back one that is gone it does not say.</remarks>
+    /// <remarks>A buffer that its owner releases meanwhile is released when all have come: whether Unity brings back one that is gone it
+    /// does not say.</remarks>
     sealed class SnapshotCapture
     {
         static List<SnapshotCapture> pending = new List<SnapshotCapture>();
@@ -56,7 +57,8 @@ namespace Rill
 
         /// <summary>Adds neighbor lists as they lie on the GPU, the second buffer after the first.</summary>
         /// <param name="entries">Of a buffer, from its start.</param>
-        public void AddLists(GraphicsBuffer buffer, long entries) => Add(new StateBuffer(SnapshotSection.Neighbors, buffer, StateExtent.Moved), entries * sizeof(uint), true);
+        public void AddLists(GraphicsBuffer buffer, long entries)
+            => Add(new StateBuffer(SnapshotSection.Neighbors, buffer, StateExtent.Moved), entries * sizeof(uint), true);
 
         /// <summary>Asks for all of them.</summary>
         /// <param name="onDone">Gets the contents, or null and what went wrong.</param>
@@ -104,7 +106,8 @@ namespace Rill
         void Add(in StateBuffer state, long bytes, bool isList)
         {
             if (bytes > int.MaxValue)
-                throw new InvalidOperationException($"A snapshot of {layout.Capacity:N0} particles reads {bytes:N0} bytes of one buffer, more than the {int.MaxValue:N0} of a request. Lower the capacity.");
+                throw new InvalidOperationException($"A snapshot of {layout.Capacity:N0} particles reads {bytes:N0} bytes of one " +
+                    $"buffer, more than the {int.MaxValue:N0} of a request. Lower the capacity.");
             parts.Add(new Part { state = state, bytes = (int)bytes, isList = isList });
         }
 
@@ -168,7 +171,8 @@ namespace Rill
             changed[(int)ParticleCounter.Moved] = record.moved;
             contents.SetValues<uint>(SnapshotSection.Counters, changed);
             if (lists.Count > 0)
-                contents.SetValues<uint>(SnapshotSection.Neighbors, NeighborLists.Pack(layout, Join(lists), contents.Values<uint>(SnapshotSection.NeighborCounts)));
+                contents.SetValues<uint>(SnapshotSection.Neighbors,
+                    NeighborLists.Pack(layout, Join(lists), contents.Values<uint>(SnapshotSection.NeighborCounts)));
             return null;
         }
 

@@ -22,9 +22,13 @@ namespace Rill
 
         static void CheckSolver(in SolverRecord solver)
         {
-            Require(solver.spacing > 0f && IsFinite(solver.spacing) && math.all(solver.domainSize > 0f) && IsFinite(solver.domainSize), "their particle spacing or box is no size");
-            Require(solver.particles <= SolverLayout.MaxCapacity && solver.moved <= solver.particles && solver.maxParticles >= solver.particles, $"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be");
-            Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0), $"{solver.lastSubsteps} substeps cannot be");
+            Require(solver.spacing > 0f && IsFinite(solver.spacing) && math.all(solver.domainSize > 0f) && IsFinite(solver.domainSize),
+                "their particle spacing or box is no size");
+            Require(solver.particles <= SolverLayout.MaxCapacity && solver.moved <= solver.particles
+                && solver.maxParticles >= solver.particles,
+                $"{solver.particles:N0} particles, {solver.moved:N0} of which moved, cannot be");
+            Require(solver.lastSubsteps >= 0 && solver.lastSubsteps <= MaxSubsteps && (solver.lastSubsteps > 0 || solver.moved == 0),
+                $"{solver.lastSubsteps} substeps cannot be");
             Require(IsFinite(solver.minAdded) && IsFinite(solver.maxAdded), "where particles were added is not finite");
             Require(solver.hasNew <= 1 && solver.hasLifetimes <= 1, "a flag is neither 0 nor 1");
         }
@@ -33,7 +37,8 @@ namespace Rill
         {
             Length(contents, SnapshotSection.Counters, sizeof(uint) * ParticleBuffers.CounterCount);
             ReadOnlySpan<uint> counters = contents.Values<uint>(SnapshotSection.Counters);
-            Require(counters[(int)ParticleCounter.Alive] == solver.particles && counters[(int)ParticleCounter.Moved] == solver.moved && counters[(int)ParticleCounter.Sorted] <= SolverLayout.MaxCapacity, "their counts contradict each other");
+            Require(counters[(int)ParticleCounter.Alive] == solver.particles && counters[(int)ParticleCounter.Moved] == solver.moved
+                && counters[(int)ParticleCounter.Sorted] <= SolverLayout.MaxCapacity, "their counts contradict each other");
             Length(contents, SnapshotSection.Positions, 16L * solver.particles);
             Length(contents, SnapshotSection.Velocities, 16L * solver.particles);
             Length(contents, SnapshotSection.Ids, 4L * solver.particles);
@@ -74,7 +79,8 @@ namespace Rill
             if (contents.Has(SnapshotSection.Coarse))
             {
                 Require(IsFinite(Single<CoarseRecord>(contents, SnapshotSection.Coarse).wantedSize), "the size of coarse cells is not finite");
-                foreach (SnapshotSection section in new[] { SnapshotSection.CoarseErrors, SnapshotSection.FlowPotential, SnapshotSection.ErrorPotential })
+                foreach (SnapshotSection section in new[] { SnapshotSection.CoarseErrors, SnapshotSection.FlowPotential,
+                    SnapshotSection.ErrorPotential })
                     foreach (float value in contents.Values<float>(section))
                         if (!IsFinite(value))
                             throw SnapshotFormat.Damaged($"section {section} is not finite");
@@ -82,7 +88,8 @@ namespace Rill
             if (contents.Has(SnapshotSection.Extrapolation))
             {
                 ExtrapolationRecord extrapolation = Single<ExtrapolationRecord>(contents, SnapshotSection.Extrapolation);
-                Require(extrapolation.lastTimeStep >= 0f && IsFinite(extrapolation.lastTimeStep) && IsFinite(extrapolation.lastWeight), "the last time step is not finite");
+                Require(extrapolation.lastTimeStep >= 0f && IsFinite(extrapolation.lastTimeStep) && IsFinite(extrapolation.lastWeight),
+                    "the last time step is not finite");
                 Length(contents, SnapshotSection.Means, 16L * solver.moved);
             }
             if (contents.Has(SnapshotSection.Conformation))
@@ -100,15 +107,19 @@ namespace Rill
             {
                 TimeRecord time = Single<TimeRecord>(contents, SnapshotSection.Time);
                 ClockRecord clock = time.clock;
-                Require(time.stepCount >= 0 && IsTime(time.fluidTime) && IsTime(time.lastFrameTime) && IsTime(clock.accumulated) && IsTime(clock.passing) && IsTime(clock.dropped)
-                    && IsTime(clock.frameInterval) && IsTime(clock.lag) && IsTime(clock.frameLag) && IsTime(clock.lastFrameLag), "a time is negative or not finite");
-                Require(time.box.IsFinite && IsFinite(time.lastPosition) && IsFinite(time.lastVelocity) && time.lastDuration >= 0f && IsFinite(time.lastDuration), "the pose of the box is not finite");
+                Require(time.stepCount >= 0 && IsTime(time.fluidTime) && IsTime(time.lastFrameTime) && IsTime(clock.accumulated)
+                    && IsTime(clock.passing) && IsTime(clock.dropped)
+                    && IsTime(clock.frameInterval) && IsTime(clock.lag) && IsTime(clock.frameLag) && IsTime(clock.lastFrameLag),
+                        "a time is negative or not finite");
+                Require(time.box.IsFinite && IsFinite(time.lastPosition) && IsFinite(time.lastVelocity) && time.lastDuration >= 0f
+                    && IsFinite(time.lastDuration), "the pose of the box is not finite");
             }
             foreach (EmitterRecord emitter in Several<EmitterRecord>(contents, SnapshotSection.Emitters, StepSources.MaxEmitters))
             {
                 CheckPart(emitter.part, StepSources.MaxEmitters);
                 double whole = emitter.clock.volume / ((double)spacing * spacing * spacing);
-                Require(IsTime(emitter.clock.volume) && IsTime(emitter.clock.time) && emitter.clock.due >= 0 && emitter.clock.due <= whole + 1.0, "what an emitter let in is negative, not finite or more than was due");
+                Require(IsTime(emitter.clock.volume) && IsTime(emitter.clock.time) && emitter.clock.due >= 0
+                    && emitter.clock.due <= whole + 1.0, "what an emitter let in is negative, not finite or more than was due");
             }
             foreach (DrainRecord drain in Several<DrainRecord>(contents, SnapshotSection.Drains, StepSources.MaxDrains))
             {
@@ -116,7 +127,8 @@ namespace Rill
                 Require(IsTime(drain.budget), "what a drain may take is negative or not finite");
             }
             foreach (ColliderRecord collider in Several<ColliderRecord>(contents, SnapshotSection.Colliders, ColliderSet.Most))
-                Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite, "the pose of a collider is not finite");
+                Require(IsFinite(collider.size) && collider.now.IsFinite && collider.end.IsFinite && collider.seen.IsFinite,
+                    "the pose of a collider is not finite");
         }
 
         static void CheckPart(in PartRecord part, int most)

@@ -38,19 +38,23 @@ namespace Rill
         /// <summary>The values of a section; none where there is no such section.</summary>
         public ReadOnlySpan<T> Values<T>(SnapshotSection section) where T : struct => MemoryMarshal.Cast<byte, T>(Bytes(section));
 
-        public void SetValues<T>(SnapshotSection section, ReadOnlySpan<T> values) where T : struct => Set(section, MemoryMarshal.AsBytes(values).ToArray());
+        public void SetValues<T>(SnapshotSection section, ReadOnlySpan<T> values) where T : struct
+            => Set(section, MemoryMarshal.AsBytes(values).ToArray());
 
-        /// <summary>The same fluid at the start of its time: counts begin again with the particles that are there, and nothing is known of emitters, drains and colliders.</summary>
+        /// <summary>The same fluid at the start of its time: counts begin again with the particles that are there, and nothing is known of
+        /// emitters, drains and colliders.</summary>
         public SnapshotContents Fluid()
         {
             var fluid = new SnapshotContents();
             foreach (KeyValuePair<SnapshotSection, byte[]> section in sections)
                 fluid.Set(section.Key, section.Value);
-            foreach (SnapshotSection section in new[] { SnapshotSection.Time, SnapshotSection.EmitterStates, SnapshotSection.DrainStates, SnapshotSection.Emitters, SnapshotSection.Drains, SnapshotSection.Colliders })
+            foreach (SnapshotSection section in new[] { SnapshotSection.Time, SnapshotSection.EmitterStates, SnapshotSection.DrainStates,
+                SnapshotSection.Emitters, SnapshotSection.Drains, SnapshotSection.Colliders })
                 fluid.sections.Remove(section);
 
             uint[] counters = Values<uint>(SnapshotSection.Counters).ToArray();
-            foreach (ParticleCounter counter in new[] { ParticleCounter.Refused, ParticleCounter.NonFinite, ParticleCounter.Emitted, ParticleCounter.Drained, ParticleCounter.Blocked, ParticleCounter.Waiting, ParticleCounter.Recycling })
+            foreach (ParticleCounter counter in new[] { ParticleCounter.Refused, ParticleCounter.NonFinite, ParticleCounter.Emitted,
+                ParticleCounter.Drained, ParticleCounter.Blocked, ParticleCounter.Waiting, ParticleCounter.Recycling })
                 counters[(int)counter] = 0;
             counters[(int)ParticleCounter.Added] = counters[(int)ParticleCounter.Alive];
             fluid.SetValues<uint>(SnapshotSection.Counters, counters);

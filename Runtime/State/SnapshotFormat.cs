@@ -25,7 +25,8 @@ namespace Rill
             foreach (KeyValuePair<SnapshotSection, byte[]> section in contents.Sections)
                 total += section.Value.Length;
             if (total > int.MaxValue)
-                throw new InvalidOperationException($"The snapshot takes {total:N0} bytes, more than the {int.MaxValue:N0} that an array holds. Take it of fewer particles.");
+                throw new InvalidOperationException(
+                    $"The snapshot takes {total:N0} bytes, more than the {int.MaxValue:N0} that an array holds. Take it of fewer particles.");
 
             var bytes = new byte[total];
             Magic.CopyTo(bytes, 0);
@@ -55,22 +56,26 @@ namespace Rill
                 throw Truncated(bytes.Length, HeaderBytes + ChecksumBytes);
             uint version = BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(8));
             if (version > FluidSnapshot.CurrentVersion)
-                throw new InvalidDataException(What + $"they have version {version}, but this package reads up to {FluidSnapshot.CurrentVersion}. Update the package.");
+                throw new InvalidDataException(What
+                    + $"they have version {version}, but this package reads up to {FluidSnapshot.CurrentVersion}. Update the package.");
             ulong total = BinaryPrimitives.ReadUInt64LittleEndian(bytes.Slice(16));
             if (total > (ulong)bytes.Length)
                 throw Truncated(bytes.Length, total);
             if (total < (ulong)bytes.Length)
-                throw new InvalidDataException(What + $"there are {bytes.Length:N0} of them, but they say {total:N0}. Give no more than FluidSnapshot.ToBytes made.");
+                throw new InvalidDataException(What
+                    + $"there are {bytes.Length:N0} of them, but they say {total:N0}. Give no more than FluidSnapshot.ToBytes made.");
             int end = bytes.Length - ChecksumBytes;
             if (Crc32C.Of(bytes.Slice(0, end)) != BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(end)))
-                throw new InvalidDataException(What + "their checksum is another, so they were changed since they were written. Read the file again, or use an older one.");
+                throw new InvalidDataException(What
+                    + "their checksum is another, so they were changed since they were written. Read the file again, or use an older one.");
             if (version == 0)
                 throw Damaged("their version is 0");
             return ReadSections(bytes.Slice(0, end));
         }
 
         /// <summary>Sections that a right checksum does not make right.</summary>
-        public static InvalidDataException Damaged(string how) => new InvalidDataException(What + how + ". They were not written by FluidSnapshot.ToBytes; use others.");
+        public static InvalidDataException Damaged(string how)
+            => new InvalidDataException(What + how + ". They were not written by FluidSnapshot.ToBytes; use others.");
 
         static SnapshotContents ReadSections(ReadOnlySpan<byte> bytes)
         {
@@ -96,6 +101,7 @@ namespace Rill
             return contents;
         }
 
-        static InvalidDataException Truncated(int there, ulong wanted) => new InvalidDataException(What + $"there are {there:N0} of {wanted:N0}. Read all of the file.");
+        static InvalidDataException Truncated(int there, ulong wanted)
+            => new InvalidDataException(What + $"there are {there:N0} of {wanted:N0}. Read all of the file.");
     }
 }

@@ -1,6 +1,7 @@
 namespace Rill
 {
-    /// <summary>Parts of a snapshot. The numbers stand in files: new ones go to the end, and none changes its meaning without a new version.</summary>
+    /// <summary>Parts of a snapshot. The numbers stand in files: new ones go to the end, and none changes its meaning without a new
+    /// version.</summary>
     enum SnapshotSection : uint
     {
         /// <summary>A <see cref="SolverRecord"/>.</summary>

@@ -12,7 +12,8 @@ namespace Rill
         Moved,
     }
 
-    /// <summary>A buffer that the next step depends on, and where it stands in a snapshot. All others a step makes again before it reads them.</summary>
+    /// <summary>A buffer that the next step depends on, and where it stands in a snapshot. All others a step makes again before it reads
+    /// them.</summary>
     readonly struct StateBuffer
     {
         public readonly SnapshotSection Section;
@@ -27,6 +28,7 @@ namespace Rill
         }
 
         /// <summary>Its elements that are state.</summary>
-        public long Elements(uint particles, uint moved) => Extent == StateExtent.All ? Buffer.count : Extent == StateExtent.Moved ? moved : particles;
+        public long Elements(uint particles, uint moved) => Extent == StateExtent.All ? Buffer.count : Extent == StateExtent.Moved ? moved
+            : particles;
     }
 }

@@ -8,16 +8,19 @@ namespace Rill
     /// Makes a Terrain solid for the fluid: gives its heights to the <see cref="FluidCollider"/> beside it, again in the
     /// frame in which they were changed.
     /// </summary>
-    /// <remarks>Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this component is not there.</remarks>
+    /// <remarks>Holes of the terrain are closed, which is logged once; trees and details are no colliders. Without the terrain module this
+    /// component is not there.</remarks>
     [AddComponentMenu("Rill/Fluid Terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
     public sealed class FluidTerrain : MonoBehaviour, IHasProblems
     {
-        [Tooltip("Part of the terrain that the fluid can reach, as fractions of its sides from 0 to 1. A smaller part is exact in large terrains and costs less memory.")]
+        [Tooltip("Part of the terrain that the fluid can reach, as fractions of its sides from 0 to 1. A smaller part is exact in " +
+            "large terrains and costs less memory.")]
         [SerializeField] Rect part = new Rect(0f, 0f, 1f, 1f);
 
-        const string HolesProblem = "its Terrain has holes, which are closed to water. Lower the ground there, or leave the terrain out and put Fluid Colliders where it is.";
+        const string HolesProblem = "its Terrain has holes, which are closed to water. Lower the ground there, or leave the terrain " +
+            "out and put Fluid Colliders where it is.";
 
         FluidCollider collider;
         Terrain terrain;
@@ -27,7 +30,8 @@ namespace Rill
         RectInt taken;      // of the terrain's heights
         bool isStale, holesAreKnown;
 
-        /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call <see cref="Refresh"/>.</summary>
+        /// <summary>Part of the terrain that the fluid can reach, as fractions of its sides along x and z, 0 to 1. After a change call
+        /// <see cref="Refresh"/>.</summary>
         public Rect Part { get => part; set { part = value; OnValidate(); } }
 
         /// <summary>Clamps what is out of range.</summary>
@@ -44,7 +48,8 @@ namespace Rill
             return false;
         }
 
-        /// <summary>Takes the terrain's heights again: after a change of <see cref="Part"/> or of the terrain's size. Edits of heights are noticed without it.</summary>
+        /// <summary>Takes the terrain's heights again: after a change of <see cref="Part"/> or of the terrain's size. Edits of heights are
+        /// noticed without it.</summary>
         public void Refresh()
         {
             Release();
@@ -61,7 +66,8 @@ namespace Rill
             int countX = Mathf.CeilToInt(part.xMax * last) - x + 1, countZ = Mathf.CeilToInt(part.yMax * last) - z + 1;
             if (Mathf.Max(countX, countZ) > HeightField.MaxHeights)
             {
-                Refuse($"it has {countX} x {countZ} heights, and {HeightField.MaxHeights} along a side can be taken. Set Part to where the fluid gets, or lower the terrain's heightmap resolution.");
+                Refuse($"it has {countX} x {countZ} heights, and {HeightField.MaxHeights} along a side can be taken. Set Part to where " +
+                    $"the fluid gets, or lower the terrain's heightmap resolution.");
                 return;
             }
             taken = new RectInt(x, z, countX, countZ);
@@ -73,7 +79,8 @@ namespace Rill
                     fractions[i, k] *= size.y;
             try
             {
-                heights = new HeightField(fractions, (countX - 1) * spacing.x, (countZ - 1) * spacing.z, new Vector3(x * spacing.x, 0f, z * spacing.z));
+                heights = new HeightField(fractions, (countX - 1) * spacing.x, (countZ - 1) * spacing.z,
+                    new Vector3(x * spacing.x, 0f, z * spacing.z));
             }
             catch (ArgumentException e)
             {

@@ -50,7 +50,8 @@ Shader "Rill Samples/Particle Glints"
                 float3 right = unity_MatrixV[0].xyz;
                 float3 up = unity_MatrixV[1].xyz;
                 float3 toEye = normalize(_WorldSpaceCameraPos - RillDrawnPosition(i));
-                float3 world = RillDrawnPosition(i) + (right * glint.corner.x + up * glint.corner.y) * (_Radius * RillSpacing()) + toEye * RillSpacing();
+                float3 world = RillDrawnPosition(i) + (right * glint.corner.x + up * glint.corner.y) * (_Radius * RillSpacing())
+                    + toEye * RillSpacing();
                 bool isDrawn = i < RillCount() && RillPhase(i) == (uint)_Phase;
                 glint.clip = isDrawn ? mul(unity_MatrixVP, float4(world, 1.0)) : float4(2.0, 2.0, 2.0, 1.0);
                 return glint;

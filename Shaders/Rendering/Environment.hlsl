@@ -50,7 +50,8 @@ float3 Environment(float3 direction, float roughness)
 #if defined(RILL_OWN_REFLECTION)
     return _ReflectionStrength * RILL_EXPOSURE * _ReflectionCube.SampleLevel(sampler_ReflectionCube, direction, level).rgb;
 #elif defined(RILL_UNIVERSAL)
-    return _ReflectionStrength * DecodeProbe(_GlossyEnvironmentCubeMap.SampleLevel(sampler_GlossyEnvironmentCubeMap, direction, level), _GlossyEnvironmentCubeMap_HDR);
+    return _ReflectionStrength * DecodeProbe(_GlossyEnvironmentCubeMap.SampleLevel(sampler_GlossyEnvironmentCubeMap, direction, level),
+        _GlossyEnvironmentCubeMap_HDR);
 #elif defined(RILL_BUILT_IN)
     return _ReflectionStrength * DecodeProbe(unity_SpecCube0.SampleLevel(samplerunity_SpecCube0, direction, level), unity_SpecCube0_HDR);
 #else

@@ -10,7 +10,8 @@ StructuredBuffer<FoamParticle> _FoamParticles;
 float4x4 _DomainToWorld;        // from the domain's frame in d to world, metres
 float4 _FrameLag;               // y time of this frame since the newest state, s
 float4 _DrawnDomainSize;        // xyz, d
-float4 _FoamLook;               // x largest radius, m; y how much nearer to the eye it is drawn, so that what carries it does not cover it, m; z opacity
+// x largest radius, m; y how much nearer to the eye it is drawn, so that what carries it does not cover it, m; z opacity
+float4 _FoamLook;
 float4 _FoamColor;              // linear
 float4 _AmbientColor;           // linear
 

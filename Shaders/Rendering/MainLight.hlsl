@@ -104,7 +104,8 @@ float LightShadow(float3 world, float4 clip)
     float lit = 0.0;
     for (int y = 0; y < 5; y++)
         for (int x = 0; x < 5; x++)
-            lit += IsLit(texel + int2(x, y), last, at.z) * (x == 0 ? 1.0 - part.x : x == 4 ? part.x : 1.0) * (y == 0 ? 1.0 - part.y : y == 4 ? part.y : 1.0);
+            lit += IsLit(texel + int2(x, y), last, at.z) * (x == 0 ? 1.0 - part.x : x == 4 ? part.x : 1.0) * (y == 0 ? 1.0 - part.y : y == 4
+                ? part.y : 1.0);
     lit /= 16.0;
     float4 data = ShadowValue(kShadowData), fade = ShadowValue(kShadowFade);
     float away = fade.w > 0.5 ? distance(world, fade.xyz) : z;
@@ -124,7 +125,8 @@ float LightShadow(float3 world, float4 clip)
 {
     float3 at = mul(unity_WorldToShadow[0], float4(world, 1.0)).xyz;
     float lit = lerp(_LightShadowData.x, 1.0, _ShadowMapTexture.SampleCmpLevelZero(sampler_ShadowMapTexture, at.xy, at.z));
-    float away = unity_ShadowFadeCenterAndType.w > 0.5 ? distance(world, unity_ShadowFadeCenterAndType.xyz) : dot(RILL_EYE - world, RILL_VIEW_MATRIX[2].xyz);
+    float away = unity_ShadowFadeCenterAndType.w > 0.5 ? distance(world, unity_ShadowFadeCenterAndType.xyz)
+        : dot(RILL_EYE - world, RILL_VIEW_MATRIX[2].xyz);
     return saturate(lit + saturate(away * _LightShadowData.z + _LightShadowData.w));
 }
 #else

@@ -159,7 +159,11 @@ Shader "Rill/Particles"
     SubShader
     {
         PackageRequirements { "com.unity.render-pipelines.universal" : "14.0" }
-        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" "UniversalMaterialType" = "Unlit" "AlwaysRenderMotionVectors" = "true" }
+        Tags
+        {
+            "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry"
+            "UniversalMaterialType" = "Unlit" "AlwaysRenderMotionVectors" = "true"
+        }
         HLSLINCLUDE
         #define RILL_UNIVERSAL
         ENDHLSL

@@ -58,7 +58,8 @@ float4 _Scattering;         // rgb colour, linear; w 1/m
 float _HasPhases;           // 1 where each phase has a look of its own, the next two; else 0: a keyword would double the variants
 float4 _PhaseAbsorption[kMaxPhases]; // as above
 float4 _PhaseScattering[kMaxPhases];
-float4 _SurfaceOptics;      // x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
+// x index of refraction, y reflectance at normal incidence, z roughness; w how far above itself it looks for a shadow, since it casts one, m
+float4 _SurfaceOptics;
 
 struct SurfacePoint
 {
@@ -254,7 +255,8 @@ float4 SurfaceFragment(SurfaceVaryings input, out float depth : SV_Depth) : SV_T
     float3 lightColor = light.color * MainLightShadow(light, p.world + light.direction * _SurfaceOptics.w, clip);
     float3 around = Environment(p.normal, 1.0);
     float reflectance = Fresnel(facing, p.roughness);
-    float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye, light.direction, p.roughness);
+    float3 mirrored = Environment(reflect(p.ray, p.normal), p.roughness) * reflectance + lightColor * Highlight(p.normal, toEye,
+        light.direction, p.roughness);
 
     float path = medium.thickness;
 #ifdef RILL_REFRACTION

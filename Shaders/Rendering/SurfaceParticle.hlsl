@@ -101,7 +101,8 @@ float4 UnpackRotation(uint packed)
     float3 kept = (float3(bits) - 511.0) * (kRotationRange / 511.0);
     float left = sqrt(max(1.0 - dot(kept, kept), 0.0));
     uint largest = packed >> 30;
-    return largest == 0 ? float4(left, kept) : largest == 1 ? float4(kept.x, left, kept.yz) : largest == 2 ? float4(kept.xy, left, kept.z) : float4(kept, left);
+    return largest == 0 ? float4(left, kept) : largest == 1 ? float4(kept.x, left, kept.yz) : largest == 2 ? float4(kept.xy, left, kept.z)
+        : float4(kept, left);
 }
 
 // rows: unit vectors along the semi-axes, perpendicular, right-handed.

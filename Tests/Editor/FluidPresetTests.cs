@@ -72,7 +72,8 @@ namespace Rill.Editor.Tests
             {
                 FluidMaterial viscous = Named(name).Material, inviscid = viscous;
                 inviscid.dynamicViscosity = 0f;
-                return System.Math.Log(eddy.Left(eddy.Lattice, inviscid, spacing, TimeStep, 2) / eddy.Left(eddy.Lattice, viscous, spacing, TimeStep, 2));
+                return System.Math.Log(eddy.Left(eddy.Lattice, inviscid, spacing, TimeStep, 2) / eddy.Left(eddy.Lattice, viscous, spacing,
+                    TimeStep, 2));
             }
         }
 
@@ -93,7 +94,8 @@ namespace Rill.Editor.Tests
                 Assert.That(material.MaxShearModulus(0.01f, 1f / 60f / substeps), Is.GreaterThanOrEqualTo(3f * preset.ShearModulus));
                 Assert.That(preset.Describe(1f), Does.Contain(" 1 substeps"));
             }
-            Assert.That(FluidPresets.All.Where(preset => preset.ShearModulus == 0f).Select(preset => preset.Material.shearModulus), Is.All.EqualTo(0f));
+            Assert.That(FluidPresets.All.Where(preset => preset.ShearModulus == 0f).Select(preset => preset.Material.shearModulus),
+                Is.All.EqualTo(0f));
         }
 
         [Test]

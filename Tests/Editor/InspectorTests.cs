@@ -14,7 +14,8 @@ namespace Rill.Editor.Tests
     {
         static readonly Type[] Components =
         {
-            typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidProbe), typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider),
+            typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidProbe),
+                typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider),
             typeof(ParticleRenderer), typeof(DomainRenderer), typeof(FluidFoam), typeof(FluidRecorder), typeof(FluidPlayback),
         };
 
@@ -102,13 +103,15 @@ namespace Rill.Editor.Tests
             var field = scene.Add<FluidForceField>();
             Set(field, "kind", (int)kind);
             RillEditor editor = Inspect(field);
-            Assert.That(editor.Sections.SelectMany(section => section.Fields).Single(f => f.Path == "strength").Unit(editor.serializedObject), Is.EqualTo(unit));
+            Assert.That(editor.Sections.SelectMany(section => section.Fields).Single(f => f.Path == "strength")
+                .Unit(editor.serializedObject), Is.EqualTo(unit));
         }
 
         [Test]
         public void What_HDRP_leaves_out_is_said_where_it_would_be_missed()
         {
-            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset", FluidSurfaceEditor.LimitsInHighDefinition), Does.Contain("neither fog nor shadows"));
+            Assert.That(FluidRendererEditor.PipelineNote("HDRenderPipelineAsset", FluidSurfaceEditor.LimitsInHighDefinition),
+                Does.Contain("neither fog nor shadows"));
             Assert.That(FluidRendererEditor.PipelineNote("UniversalRenderPipelineAsset", FluidRendererEditor.UnlitInHighDefinition), Is.Null);
             Assert.That(FluidRendererEditor.PipelineNote(null, FluidRendererEditor.UnlitInHighDefinition), Is.Null);
         }
@@ -151,11 +154,13 @@ namespace Rill.Editor.Tests
         static IEnumerable<string> Fields(Type type, string prefix)
         {
             for (Type t = type; t != null && t != typeof(MonoBehaviour) && t != typeof(ValueType); t = t.BaseType)
-                foreach (FieldInfo field in t.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                foreach (FieldInfo field in t.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic
+                    | BindingFlags.DeclaredOnly))
                 {
                     if (!field.IsPublic && !field.IsDefined(typeof(SerializeField)) || field.IsDefined(typeof(HideInInspector)))
                         continue;
-                    bool isOurs = field.FieldType.IsValueType && !field.FieldType.IsEnum && field.FieldType.Assembly == typeof(FluidSimulation).Assembly;
+                    bool isOurs = field.FieldType.IsValueType && !field.FieldType.IsEnum
+                        && field.FieldType.Assembly == typeof(FluidSimulation).Assembly;
                     if (!isOurs)
                         yield return prefix + field.Name;
                     else

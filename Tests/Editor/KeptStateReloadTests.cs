@@ -10,7 +10,8 @@ namespace Rill.Editor.Tests
         [Test]
         public void Disabled_fluids_give_back_what_they_keep_and_running_ones_go_on()
         {
-            using (SourceScene disabled = new SourceScene(Vector3.one, 0.1f, 1000).Fill(0.2f).Step(), running = new SourceScene(Vector3.one, 0.1f, 1000).Fill(0.2f).Step())
+            using (SourceScene disabled = new SourceScene(Vector3.one, 0.1f, 1000).Fill(0.2f).Step(),
+                running = new SourceScene(Vector3.one, 0.1f, 1000).Fill(0.2f).Step())
             {
                 GraphicsBuffer positions = disabled.Fluid.Solver.Positions;
                 disabled.Fluid.gameObject.SetActive(false);

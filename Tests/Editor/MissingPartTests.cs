@@ -54,7 +54,8 @@ namespace Rill.Editor.Tests
         [Test]
         public void An_emitter_fills_a_fluid_from_below_it_or_by_reference()
         {
-            FluidSimulation below = scene.Add<FluidSimulation>("Below"), referred = scene.Add<FluidSimulation>("Referred"), neither = scene.Add<FluidSimulation>("Neither");
+            FluidSimulation below = scene.Add<FluidSimulation>("Below"), referred = scene.Add<FluidSimulation>("Referred"),
+                neither = scene.Add<FluidSimulation>("Neither");
             var child = new GameObject("Tap");
             child.transform.SetParent(below.transform, false);
             child.AddComponent<FluidEmitter>();

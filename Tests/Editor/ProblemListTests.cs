@@ -22,7 +22,9 @@ namespace Rill.Editor.Tests
         public void What_is_whole_has_no_problem()
         {
             var fluid = scene.Add<FluidSimulation>();
-            foreach (Component whole in new Component[] { fluid, Below<FluidEmitter>(fluid), Below<FluidDrain>(fluid), Below<FluidForceField>(fluid), Below<FluidProbe>(fluid), Below<FluidDetector>(fluid), Below<FluidVolume>(fluid), Below<FluidCollider>(fluid) })
+            foreach (Component whole in new Component[] { fluid, Below<FluidEmitter>(fluid), Below<FluidDrain>(fluid),
+                Below<FluidForceField>(fluid), Below<FluidProbe>(fluid), Below<FluidDetector>(fluid), Below<FluidVolume>(fluid),
+                Below<FluidCollider>(fluid) })
                 Assert.That(ProblemList.Of(new Object[] { whole }), Is.Empty, whole.GetType().Name);
         }
 

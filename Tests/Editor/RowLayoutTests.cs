@@ -19,12 +19,14 @@ namespace Rill.Editor.Tests
 
         static readonly Type[] Components =
         {
-            typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidProbe), typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider),
+            typeof(FluidSimulation), typeof(FluidEmitter), typeof(FluidDrain), typeof(FluidForceField), typeof(FluidProbe),
+                typeof(FluidDetector), typeof(FluidVolume), typeof(FluidCollider),
             typeof(ParticleRenderer), typeof(DomainRenderer),
         };
 
         [Test]
-        public void Every_field_of_a_component_has_room_for_its_label_its_value_and_its_unit([ValueSource(nameof(Components))] Type component, [ValueSource(nameof(ViewWidths))] float view)
+        public void Every_field_of_a_component_has_room_for_its_label_its_value_and_its_unit(
+            [ValueSource(nameof(Components))] Type component, [ValueSource(nameof(ViewWidths))] float view)
         {
             using (var scene = new EditorScene())
             {
@@ -84,13 +86,20 @@ namespace Rill.Editor.Tests
         {
             var statistics = new FluidStatistics
             {
-                time = 12345.6f, step = 987654, droppedTime = 12.5f, particles = 1000000, added = 1000000, emitted = 123456, drained = 234567, nonFinite = 12345, refused = 45678, blocked = 12345,
-                waiting = 23456, recycling = 34567, densityError = 0.01234f, densityError999 = 0.1234f, densityErrorMax = 12.34f, volumeRatio = 0.999f, speed = 12.34f, speedMax = 123.4f, jitter = 0.123f,
+                time = 12345.6f, step = 987654, droppedTime = 12.5f, particles = 1000000, added = 1000000, emitted = 123456,
+                drained = 234567, nonFinite = 12345, refused = 45678, blocked = 12345,
+                waiting = 23456, recycling = 34567, densityError = 0.01234f, densityError999 = 0.1234f, densityErrorMax = 12.34f,
+                volumeRatio = 0.999f, speed = 12.34f, speedMax = 123.4f, jitter = 0.123f,
                 neighborsMean = 31.4f, neighborOverflow = 12345, substeps = 10, relaxation = 0.35f, relaxationClamped = true,
             };
             foreach ((string label, string text) row in StatisticsSummary.Rows(statistics, 1000000))
                 yield return row;
-            var budget = new BudgetState { reason = BudgetReason.MinStable, substeps = 4, iterations = 12, relaxation = 0.35f, milliseconds = 12.345f, targetMilliseconds = 2.5f, source = GpuTimeKind.Modelled, densityError = 0.0123f, deviceFactor = 1.25f };
+            var budget = new BudgetState
+            {
+                reason = BudgetReason.MinStable, substeps = 4, iterations = 12, relaxation = 0.35f,
+                milliseconds = 12.345f, targetMilliseconds = 2.5f, source = GpuTimeKind.Modelled, densityError = 0.0123f,
+                deviceFactor = 1.25f
+            };
             foreach ((string label, string text) row in BudgetSummary.Rows(budget))
                 yield return row;
         }
@@ -111,13 +120,15 @@ namespace Rill.Editor.Tests
                 Assert.That(name.Overlaps(words), Is.False, label);
             }
             if (view == 300f)
-                Assert.That(Rows().Count(row => TextRowLayout.Of(view - Margins, Indent, LabelColumn, row.label, row.text, Texts).Height > LetterMeasure.Line), Is.GreaterThan(5), "rows that are longer than a line");
+                Assert.That(Rows().Count(row => TextRowLayout.Of(view - Margins, Indent, LabelColumn, row.label, row.text, Texts).Height
+                    > LetterMeasure.Line), Is.GreaterThan(5), "rows that are longer than a line");
         }
 
         [Test]
         public void A_text_stands_below_a_label_that_leaves_it_no_room()
         {
-            TextRowLayout layout = TextRowLayout.Of(264f, Indent, LabelColumn, "A label of thirty letters, say", "and a text that is longer than that", Texts);
+            TextRowLayout layout = TextRowLayout.Of(264f, Indent, LabelColumn, "A label of thirty letters, say",
+                "and a text that is longer than that", Texts);
             var row = new Rect(0f, 0f, 264f, layout.Height);
             Assert.That(layout.IsStacked);
             Assert.That(layout.TextIn(row).yMin, Is.EqualTo(layout.LabelIn(row).yMax));

@@ -9,7 +9,8 @@ namespace Rill.Editor.Tests
     /// <summary>What GameObject > Rill makes.</summary>
     public class SceneSetupTests
     {
-        static readonly Func<GameObject, GameObject>[] Parts = { SceneSetup.CreateVolume, SceneSetup.CreateEmitter, SceneSetup.CreateDrain, SceneSetup.CreateForceField, SceneSetup.CreateProbe, SceneSetup.CreateDetector };
+        static readonly Func<GameObject, GameObject>[] Parts = { SceneSetup.CreateVolume, SceneSetup.CreateEmitter, SceneSetup.CreateDrain,
+            SceneSetup.CreateForceField, SceneSetup.CreateProbe, SceneSetup.CreateDetector };
 
         EditorScene scene;
 

@@ -11,14 +11,18 @@ namespace Rill.Editor.Tests
     {
         [TestCase("Clear", "ClearWords", "ClearBlocks", "ClearTriples")]
         [TestCase("CoarseGrid", "BinFlow", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors")]
-        [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel", "SolveCoarseLevels")]
-        [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "ApplyDeltaP", "ApplyDeltaPWithPressure", "ApplyDeltaPDeep", "ApplyDeltaPDeepWithPressure")]
+        [TestCase("CoarseSolver", "Smooth", "CorrectAndSmooth", "RestrictGrid", "SmoothLevel", "CorrectAndSmoothLevel", "RestrictLevel",
+            "SolveCoarseLevels")]
+        [TestCase("DensityConstraint", "BuildList", "BuildListDeep", "SolveLambda", "ApplyDeltaP", "ApplyDeltaPWithPressure",
+            "ApplyDeltaPDeep", "ApplyDeltaPDeepWithPressure")]
         [TestCase("ParticleUpload", "Append", "CommitAppend", "Clear")]
         [TestCase("Foam", "AverageCells", "Move", "Compact", "Spawn", "Commit")]
         [TestCase("FoamSources", "FindPotentials", "CountSpawned")]
         [TestCase("ImplicitViscosity", "ApplyProjection", "FindCoefficients", "FindResidual", "FirstPass", "NextPass")]
-        [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood", "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
-        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders", "CountCellsAtRest", "ScatterOrder", "Gather", "GatherWithColliders", "GatherTags", "GatherPreviousIndices")]
+        [TestCase("MeshSdf", "Clear", "Gather", "SplatDistances", "SplatNearest", "SplatLargeDistances", "SplatLargeNearest", "Flood",
+            "BuildLeaves", "BuildParents", "FindSides", "ResolveSolid", "ResolveShell")]
+        [TestCase("NeighborSearch", "CountCells", "CountCellsDeep", "CountCellsWithColliders", "CountCellsDeepWithColliders",
+            "CountCellsAtRest", "ScatterOrder", "Gather", "GatherWithColliders", "GatherTags", "GatherPreviousIndices")]
         [TestCase("PrefixSum", "SumTiles", "ScanTileSums", "ScanTiles", "ScanFewTiles")]
         [TestCase("Recording", "PackFrame", "UnpackFrame")]
         [TestCase("RestingRegions", "MeasureMotion", "CountQuiet", "Spread")]
@@ -52,7 +56,8 @@ namespace Rill.Editor.Tests
             {
                 var fluid = scene.Add<FluidSimulation>();
                 Change(fluid, "statisticsInterval", property => property.intValue = 0);
-                Assert.That(Stored(fluid), Has.Member("ParticleUpload").And.Member("CoarseGrid").And.No.Member("Statistics").And.No.Member("VorticityConfinement"));
+                Assert.That(Stored(fluid), Has.Member("ParticleUpload").And.Member("CoarseGrid").And.No.Member("Statistics").And.No.Member(
+                    "VorticityConfinement"));
                 Change(fluid, "material.vorticity", property => property.floatValue = 1f);
                 Assert.That(Stored(fluid), Has.Member("VorticityConfinement"));
                 Change(fluid, "shadersInBuild", property => property.intValue = (int)ShadersInBuild.AllFeatures);

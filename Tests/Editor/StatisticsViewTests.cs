@@ -13,12 +13,18 @@ namespace Rill.Editor.Tests
         [Test]
         public void Counts_of_particles_that_came_went_and_were_left_out_are_told()
         {
-            var statistics = new FluidStatistics { particles = 900, added = 500, emitted = 450, drained = 40, nonFinite = 10, refused = 7, blocked = 6, waiting = 5, densityError = 0.0123f, neighborOverflow = 3, maxNeighbors = 80 };
+            var statistics = new FluidStatistics
+            {
+                particles = 900, added = 500, emitted = 450, drained = 40, nonFinite = 10, refused = 7,
+                blocked = 6, waiting = 5, densityError = 0.0123f, neighborOverflow = 3, maxNeighbors = 80
+            };
             string all = string.Join("\n", StatisticsSummary.Rows(statistics, 1000).Select(row => $"{row.label}: {row.text}"));
-            foreach (string text in new[] { "900 of ", "added 500", "emitted 450", "drained 40", "not finite 10", "refused 7", "no room 6", "waiting 5", $"mean {0.0123f:P2}", "over the list 3" })
+            foreach (string text in new[] { "900 of ", "added 500", "emitted 450", "drained 40", "not finite 10", "refused 7", "no room 6",
+                "waiting 5", $"mean {0.0123f:P2}", "over the list 3" })
                 Assert.That(all, Does.Contain(text));
             string warnings = string.Join("\n", StatisticsSummary.Warnings(statistics));
-            Assert.That(warnings, Does.Contain("Raise the neighbor capacity").And.Contain("Raise the capacity").And.Contain("Look at what added them"));
+            Assert.That(warnings, Does.Contain("Raise the neighbor capacity").And.Contain("Raise the capacity").And.Contain(
+                "Look at what added them"));
             Assert.That(StatisticsSummary.Warnings(new FluidStatistics { particles = 10 }), Is.Empty);
         }
 
@@ -38,7 +44,8 @@ namespace Rill.Editor.Tests
                 var readings = new float[StageTimes.Stages.Length];
                 times.Add(readings);
                 Assert.That(times.Rows, Is.Empty, "a frame of which nothing is known");
-                int sort = Array.FindIndex(StageTimes.Stages, s => s.marker == "Rill.Sort"), list = Array.FindIndex(StageTimes.Stages, s => s.marker == "Rill.List");
+                int sort = Array.FindIndex(StageTimes.Stages, s => s.marker == "Rill.Sort"),
+                    list = Array.FindIndex(StageTimes.Stages, s => s.marker == "Rill.List");
                 readings[sort] = 0.25f;
                 readings[list] = 0.5f;
                 times.Add(readings);
@@ -61,7 +68,8 @@ namespace Rill.Editor.Tests
                     RuntimeHelpers.RunClassConstructor(type.TypeHandle);
             var names = new List<string>();
             Sampler.GetNames(names);
-            string[] markers = names.Where(name => name.StartsWith("Rill.") && !name.StartsWith("Rill.Steps") && !name.StartsWith("Rill.Bake.")).ToArray();
+            string[] markers = names.Where(name => name.StartsWith("Rill.") && !name.StartsWith("Rill.Steps")
+                && !name.StartsWith("Rill.Bake.")).ToArray();
             Assert.That(markers, Is.SubsetOf(StageTimes.Stages.Select(stage => stage.marker)));
             Assert.That(markers.Length, Is.GreaterThan(5));
         }

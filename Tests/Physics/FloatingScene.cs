@@ -29,8 +29,10 @@ namespace Rill.Tests
 
         /// <param name="size">Sides of a box, m; of a ball its diameter.</param>
         /// <param name="layers">Of water.</param>
-        /// <param name="byLayer">A collider of Unity's physics that the fluid takes by layer, instead of a Fluid Collider with a Fluid Buoyancy.</param>
-        public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26, DeepWater deepWater = DeepWater.On, bool byLayer = false)
+        /// <param name="byLayer">A collider of Unity's physics that the fluid takes by layer, instead of a Fluid Collider with a Fluid
+        /// Buoyancy.</param>
+        public FloatingScene(ColliderShape shape, Vector3 size, float densityRatio, float height, int layers = 12, int side = 26,
+            DeepWater deepWater = DeepWater.On, bool byLayer = false)
         {
             Side = side * Spacing;
             var tank = new Vector3(Side, 40 * Spacing, Side);
@@ -65,7 +67,8 @@ namespace Rill.Tests
             Body = body.AddComponent<Rigidbody>();
             Body.mass = densityRatio * Density * Volume;
             Vector3 squares = Vector3.Scale(size, size) * (Body.mass / 12f);
-            Body.inertiaTensor = isBall ? Vector3.one * (0.1f * Body.mass * size.x * size.x) : new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
+            Body.inertiaTensor = isBall ? Vector3.one * (0.1f * Body.mass * size.x * size.x)
+                : new Vector3(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
             Body.inertiaTensorRotation = Quaternion.identity;
             Body.interpolation = RigidbodyInterpolation.Interpolate;
             if (!byLayer)
@@ -88,7 +91,8 @@ namespace Rill.Tests
             colliders.ColliderLayers = colliders.FloatingLayers = 1 << Layer;
         }
 
-        /// <summary>Level of the water over the floor, m, from the mean height of its particles: under plain iterations it stands lower than it was filled in, the deeper the more.</summary>
+        /// <summary>Level of the water over the floor, m, from the mean height of its particles: under plain iterations it stands lower
+        /// than it was filled in, the deeper the more.</summary>
         public float Level => Fluid.TryGetStatistics(out FluidStatistics statistics) ? Depth * statistics.volumeRatio : Depth;
 
         /// <summary>Plays on; a body that came to the floor stops there.</summary>

@@ -30,16 +30,19 @@ namespace Rill.Tests
 
         // Each shape of each ratio once, and each shape and each ratio with and without deep water: all eight together take minutes on a CPU.
         [UnityTest]
-        public IEnumerator A_light_body_comes_to_rest_at_Archimedes_draft([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape, [Values(0.1f, 0.5f)] float ratio)
+        public IEnumerator A_light_body_comes_to_rest_at_Archimedes_draft([Values(ColliderShape.Sphere,
+            ColliderShape.Box)] ColliderShape shape, [Values(0.1f, 0.5f)] float ratio)
         {
             DeepWater deepWater = shape == ColliderShape.Sphere == (ratio == 0.5f) ? DeepWater.On : DeepWater.Off;
             Vector3 size = Size(shape);
             scene = new FloatingScene(shape, size, ratio, 0.6f + 0.5f * size.y, deepWater: deepWater);
             yield return scene.Play(3f);
             float[] last = scene.Heights.Skip(scene.Heights.Count - 60).ToArray();
-            TestContext.Out.WriteLine($"{(last.Average() - Draft(shape, size.y, ratio, scene.Level)) / size.y:0.000} of its height over Archimedes' draft, restless by {(last.Max() - last.Min()) / size.y:0.000}; water {scene.Level:0.000} m");
+            TestContext.Out.WriteLine($"{(last.Average() - Draft(shape, size.y, ratio, scene.Level)) / size.y:0.000} of its height " +
+                $"over Archimedes' draft, restless by {(last.Max() - last.Min()) / size.y:0.000}; water {scene.Level:0.000} m");
             bool onGrains = ratio * size.y < FloatingScene.Spacing;        // which it rides where it is less than one particle deep
-            Assert.That(last.Average(), Is.EqualTo(Draft(shape, size.y, ratio, scene.Level)).Within(onGrains ? 1.5f * FloatingScene.Spacing : 0.12f * size.y));
+            Assert.That(last.Average(), Is.EqualTo(Draft(shape, size.y, ratio, scene.Level)).Within(onGrains ? 1.5f * FloatingScene.Spacing
+            : 0.12f * size.y));
             float rest = onGrains ? 0.4f : 0.15f;
             Assert.That(last.Max() - last.Min(), Is.LessThan(rest * size.y), "it is at rest");
             Assert.That(Vector3.Angle(scene.Body.rotation * Vector3.up, Vector3.up), Is.LessThan(shape == ColliderShape.Box ? 10f : 360f));
@@ -53,7 +56,8 @@ namespace Rill.Tests
             scene = new FloatingScene(ColliderShape.Sphere, Size(ColliderShape.Sphere), 0.9f, 0.85f, 16);
             yield return scene.Play(4f);
             float[] last = scene.Heights.Skip(scene.Heights.Count - 60).ToArray();
-            TestContext.Out.WriteLine($"{(last.Average() - Draft(ColliderShape.Sphere, BallSize, 0.9f, scene.Level)) / BallSize:0.000} of its height over Archimedes' draft, restless by {(last.Max() - last.Min()) / BallSize:0.000}");
+            TestContext.Out.WriteLine($"{(last.Average() - Draft(ColliderShape.Sphere, BallSize, 0.9f, scene.Level)) / BallSize:0.000} " +
+                $"of its height over Archimedes' draft, restless by {(last.Max() - last.Min()) / BallSize:0.000}");
             Assert.That(last.Average(), Is.EqualTo(Draft(ColliderShape.Sphere, BallSize, 0.9f, scene.Level)).Within(0.15f * BallSize));
             AssertBounded();
         }
@@ -116,7 +120,8 @@ namespace Rill.Tests
 
         static Vector3 Size(ColliderShape shape) => shape == ColliderShape.Box ? BoxSize : Vector3.one * BallSize;
 
-        // Height of the middle of a body that floats as Archimedes has it: a prism, or a ball whose cap of height x (of its diameter) has the fraction 3x² - 2x³.
+        // Height of the middle of a body that floats as Archimedes has it: a prism, or a ball whose cap of height x (of its diameter) has
+        // the fraction 3x² - 2x³.
         static float Draft(ColliderShape shape, float height, float ratio, float level)
         {
             float depth = ratio;

@@ -183,7 +183,9 @@ namespace Rill.Tests
             var mesh = Add<MeshCollider>(Vector3.zero);
             mesh.sharedMesh = Cube();
             mesh.name = "Rock";
-            LogAssert.Expect(LogType.Error, new Regex("FluidPhysicsColliders 'Pool' leaves out the collider 'Rock': its mesh has no signed distance field. Bake one and add both to Mesh Fields"));
+            LogAssert.Expect(LogType.Error, new Regex(
+                "FluidPhysicsColliders 'Pool' leaves out the collider 'Rock': its mesh has no signed distance field. Bake one and add " +
+                "both to Mesh Fields"));
             for (int i = 0; i < 2; i++)
                 Assert.That(Gather()[0].TryDescribe(out _), Is.False);
             var box = Add<BoxCollider>(Vector3.zero);
@@ -199,7 +201,8 @@ namespace Rill.Tests
             Gather();
             problems.Clear();
             ((IHasProblems)colliders).ListProblems(problems);
-            Assert.That(problems, Is.EqualTo(new[] { "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." }));
+            Assert.That(problems, Is.EqualTo(new[] {
+                "it takes no colliders: Collider Layers is Nothing. Choose the layers of what holds the water." }));
         }
 
         [Test]
@@ -308,6 +311,7 @@ namespace Rill.Tests
             return new Mesh { name = "Cube", vertices = corners, triangles = triangles };
         }
 
-        static void AssertNear(float3 actual, Vector3 expected) => Assert.That(math.distance(actual, expected), Is.LessThan(1e-5f), $"{actual}, not {expected}");
+        static void AssertNear(float3 actual, Vector3 expected)
+            => Assert.That(math.distance(actual, expected), Is.LessThan(1e-5f), $"{actual}, not {expected}");
     }
 }

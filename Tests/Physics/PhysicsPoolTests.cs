@@ -77,7 +77,8 @@ namespace Rill.Tests
             foreach (Vector3 side in new[] { Vector3.right, Vector3.left, Vector3.forward, Vector3.back })
             {
                 mover = Make("Wall", side * out0);
-                mover.transform.localScale = side.x != 0f ? new Vector3(Thick, 0.8f, Inner + 2f * Thick) : new Vector3(Inner + 2f * Thick, 0.8f, Thick);
+                mover.transform.localScale = side.x != 0f ? new Vector3(Thick, 0.8f, Inner + 2f * Thick)
+                    : new Vector3(Inner + 2f * Thick, 0.8f, Thick);
                 makeSolid(mover);
             }
             for (int frame = 0; frame < 45; frame++)

@@ -52,7 +52,8 @@ namespace Rill.Tests
                     (worst, worstFraction) = (i, fraction);
             }
             if (wrong > 0)
-                Assert.Fail($"{what}: {wrong:N0} of {count:N0} are off, worst element {worst}: {describe(worst)}, {worstFraction:g3} times the tolerance of {tolerance(worst):g3}");
+                Assert.Fail($"{what}: {wrong:N0} of {count:N0} are off, worst element {worst}: {describe(worst)}, {worstFraction:g3} " +
+                    $"times the tolerance of {tolerance(worst):g3}");
         }
     }
 }

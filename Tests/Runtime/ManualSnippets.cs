@@ -302,7 +302,8 @@ namespace Rill.Tests
         {
             root = MakeFluid();
             var fluid = root.GetComponent<FluidSimulation>();
-            string folder = Path.Combine(Path.GetTempPath(), "rill-snippets-" + System.Guid.NewGuid().ToString("N")), path = Path.Combine(folder, "fluid.bin");
+            string folder = Path.Combine(Path.GetTempPath(), "rill-snippets-" + System.Guid.NewGuid().ToString("N")),
+                path = Path.Combine(folder, "fluid.bin");
             Directory.CreateDirectory(folder);
             try
             {

@@ -35,7 +35,8 @@ namespace Rill.Tests
             return state;
         }
 
-        /// <summary>A cubic lattice of spacing 1 from <paramref name="first"/> on, each particle up to <paramref name="jitter"/> off its place.</summary>
+        /// <summary>A cubic lattice of spacing 1 from <paramref name="first"/> on, each particle up to <paramref name="jitter"/> off its
+        /// place.</summary>
         public static ParticleState Lattice(float3 box, float3 first, int3 counts, float jitter = 0f)
         {
             var random = new Unity.Mathematics.Random(4711u);
@@ -70,7 +71,8 @@ namespace Rill.Tests
         /// <summary>Makes them the particles alive; all that a step has to write is garbage.</summary>
         public void WriteTo(ParticleBuffers particles)
         {
-            foreach (GraphicsBuffer buffer in new[] { particles.Current, particles.Start, particles.Predicted, particles.Velocities, particles.Ids, particles.SortedIds, particles.Counters, particles.AliveArguments, particles.SortedArguments })
+            foreach (GraphicsBuffer buffer in new[] { particles.Current, particles.Start, particles.Predicted, particles.Velocities,
+                particles.Ids, particles.SortedIds, particles.Counters, particles.AliveArguments, particles.SortedArguments })
                 GpuTest.FillWithGarbage(buffer);
 
             if (Count > 0)

@@ -69,7 +69,8 @@ namespace Rill.Tests
         /// <summary>What a stage gets that is run alone.</summary>
         public StepContext Context(CommandBuffer cmd) => Context(cmd, Input);
 
-        public StepContext Context(CommandBuffer cmd, in StepInput input, CoarseCorrection coarse = null) => new StepContext(cmd, Constants, Particles, Search, Constraint.Lists, Layout, input, coarse);
+        public StepContext Context(CommandBuffer cmd, in StepInput input, CoarseCorrection coarse = null)
+            => new StepContext(cmd, Constants, Particles, Search, Constraint.Lists, Layout, input, coarse);
 
         public SolverStages Sort()
         {
@@ -99,7 +100,8 @@ namespace Rill.Tests
             int sorted = Sorted, capacity = Layout.NeighborCapacity;
             uint[] counts = GpuTest.Read<uint>(Constraint.Lists.Counts, sorted);
             uint4[] first = GpuTest.Read<uint4>(Constraint.Lists.First, (int)Layout.FirstListEntries / NeighborLists.BlockEntries);
-            uint4[] second = Layout.TwoLists ? GpuTest.Read<uint4>(Constraint.Lists.Second, (int)Layout.SecondListEntries / NeighborLists.BlockEntries) : null;
+            uint4[] second = Layout.TwoLists ? GpuTest.Read<uint4>(Constraint.Lists.Second,
+                (int)Layout.SecondListEntries / NeighborLists.BlockEntries) : null;
             var lists = new int[sorted][];
             for (int i = 0; i < sorted; i++)
             {

@@ -41,7 +41,8 @@ namespace Rill.Tests
         public TestFluid AddAround(ColliderMotion shape, float3 corner, float3 size)
         {
             ParticleState block = ParticleState.Lattice(0f, 0.5f, (int3)size, 0.02f);
-            return Add(block.positions.Select(p => corner + p.xyz).Where(p => Reference.Shapes.Distance(shape, p) >= 0.5).Select(p => p * Spacing).ToArray());
+            return Add(block.positions.Select(p => corner + p.xyz).Where(p => Reference.Shapes.Distance(shape, p) >= 0.5)
+                .Select(p => p * Spacing).ToArray());
         }
 
         public TestFluid Add(float3[] places, float3 velocity = default) => Add(places, _ => velocity);
@@ -92,7 +93,8 @@ namespace Rill.Tests
             return statistics;
         }
 
-        /// <summary>Statistics of the current state; fails unless every particle is alive, refused or culled, and those alive are inside with a velocity.</summary>
+        /// <summary>Statistics of the current state; fails unless every particle is alive, refused or culled, and those alive are inside
+        /// with a velocity.</summary>
         public FluidStatistics MeasureWhole()
         {
             FluidStatistics statistics = Measure();
@@ -101,8 +103,10 @@ namespace Rill.Tests
             Assert.That(state.ids.Distinct().Count(), Is.EqualTo(state.Count), "different ids");
             Assert.That(statistics.escaped, Is.Zero, "escaped");
             for (int i = 0; i < state.Count; i++)
-                if (!math.all(state.positions[i].xyz >= 0.5f) || !math.all(state.positions[i].xyz <= state.box - 0.5f) || !math.all(math.isfinite(state.velocities[i])))
-                    Assert.Fail($"particle {state.ids[i]} is at {state.positions[i].xyz} with velocity {state.velocities[i].xyz} in a box of {state.box}");
+                if (!math.all(state.positions[i].xyz >= 0.5f) || !math.all(state.positions[i].xyz <= state.box - 0.5f)
+                    || !math.all(math.isfinite(state.velocities[i])))
+                    Assert.Fail($"particle {state.ids[i]} is at {state.positions[i].xyz} with velocity {state.velocities[i].xyz} in a " +
+                        $"box of {state.box}");
             return statistics;
         }
 

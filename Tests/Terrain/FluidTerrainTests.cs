@@ -117,7 +117,8 @@ namespace Rill.Tests
         public void Holes_are_said_once()
         {
             data.SetHoles(60, 60, new bool[1, 1]);
-            LogAssert.Expect(LogType.Warning, new Regex("FluidTerrain 'Hill': its Terrain has holes, which are closed to water. Lower the ground there"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex("FluidTerrain 'Hill': its Terrain has holes, which are closed to water. Lower the ground there"));
             int said = 0;
             Application.LogCallback count = (text, trace, type) => said += text.Contains("holes") ? 1 : 0;
             Application.logMessageReceived += count;

@@ -19,7 +19,8 @@ namespace Rill.Editor
         public static BarRowLayout Of(float width, float indent, float lineHeight, string label, string figure, ITextMeasure texts)
         {
             float figureWidth = texts.Width(figure);
-            return new BarRowLayout(indent, figureWidth, Mathf.Max(lineHeight, texts.Height(label, width - indent - figureWidth - FieldRowLayout.Gap)));
+            return new BarRowLayout(indent, figureWidth,
+                Mathf.Max(lineHeight, texts.Height(label, width - indent - figureWidth - FieldRowLayout.Gap)));
         }
 
         public float Height { get; }
@@ -29,6 +30,7 @@ namespace Rill.Editor
         public Rect FigureIn(Rect row) => new Rect(row.xMax - figureWidth, row.y, figureWidth, Height);
 
         /// <param name="fraction">Of the longest bar, 0 to 1.</param>
-        public Rect BarIn(Rect row, float fraction) => new Rect(row.x + indent, row.y + 1f, (row.width - indent) * Mathf.Clamp01(fraction), Height - 2f);
+        public Rect BarIn(Rect row, float fraction)
+            => new Rect(row.x + indent, row.y + 1f, (row.width - indent) * Mathf.Clamp01(fraction), Height - 2f);
     }
 }

@@ -32,14 +32,16 @@ namespace Rill.Editor
         /// <param name="lineHeight">Of one line.</param>
         /// <param name="valueHeight">Of the value with its label beside it; more than a line where the label has the first line for itself.</param>
         /// <param name="unit">Null or "" for none.</param>
-        public static FieldRowLayout Of(float width, float indent, float labelWidth, float lineHeight, float valueHeight, string label, string unit, ITextMeasure texts)
+        public static FieldRowLayout Of(float width, float indent, float labelWidth, float lineHeight, float valueHeight, string label,
+            string unit, ITextMeasure texts)
         {
             float unitWidth = string.IsNullOrEmpty(unit) ? 0f : texts.Width(unit) + Gap;
             float needed = indent + texts.Width(label) + Gap;
             bool ownsLine = valueHeight > lineHeight;
             float free = width - unitWidth - (ownsLine ? 0f : MinValue);
             if (needed <= free)
-                return new FieldRowLayout(indent, ownsLine ? labelWidth : Mathf.Max(Mathf.Min(labelWidth, free), needed), 0f, unitWidth, lineHeight, valueHeight);
+                return new FieldRowLayout(indent, ownsLine ? labelWidth : Mathf.Max(Mathf.Min(labelWidth, free), needed), 0f, unitWidth,
+                    lineHeight, valueHeight);
             return new FieldRowLayout(indent, 0f, texts.Height(label, width - indent), unitWidth, lineHeight, valueHeight);
         }
 

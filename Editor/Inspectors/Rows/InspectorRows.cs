@@ -4,7 +4,8 @@ using UnityEngine;
 namespace Rill.Editor
 {
     /// <summary>Draws rows of an inspector or a window that fit whatever width it has.</summary>
-    /// <remarks>Heights come from the view's width, which is the same in every event, not from the row's rectangle, which the layout event does not know yet.</remarks>
+    /// <remarks>Heights come from the view's width, which is the same in every event, not from the row's rectangle, which the layout event
+    /// does not know yet.</remarks>
     static class InspectorRows
     {
         // Pixels that the inspector leaves free at both sides, and a scroll bar takes.

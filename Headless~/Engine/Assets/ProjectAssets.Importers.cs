@@ -118,13 +118,16 @@ namespace Host.Assets
 
         /// <summary>The lowest well-known id is the asset itself, others are its sub-assets.</summary>
         static Object MainOf(LoadedAsset asset) =>
-            asset.Objects.TryGetValue(11400000, out var main) || asset.Objects.TryGetValue(MainFileId.Material, out main) ? main : asset.Objects.Values.FirstOrDefault();
+            asset.Objects.TryGetValue(11400000, out var main) || asset.Objects.TryGetValue(MainFileId.Material, out main) ? main
+            : asset.Objects.Values.FirstOrDefault();
 
         /// <summary>A file's documents with its prefab instances expanded.</summary>
         public UnityYaml Documents(AssetEntry entry)
         {
             if (prefabs.TryGetValue(entry.Path, out var documents)) return documents;
-            if (prefabsOpening.Contains(entry.Path)) throw new AssetException($"{entry.Path} contains itself as a prefab, by way of {string.Join(", ", prefabsOpening)}: remove one of the instances");
+            if (prefabsOpening.Contains(entry.Path))
+                throw new AssetException(
+                $"{entry.Path} contains itself as a prefab, by way of {string.Join(", ", prefabsOpening)}: remove one of the instances");
             prefabsOpening.Push(entry.Path);
             documents = new PrefabExpander(PrefabDocuments, text => Note(text)).Expand(UnityYaml.Load(entry.File, entry.Path));
             prefabsOpening.Pop();

@@ -100,7 +100,8 @@ namespace Host.Assets
         public IEnumerable<string> ReferencesIn(string assetPath)
         {
             if (Index.ByPath(assetPath) is not AssetEntry entry || !YamlExtensions.Contains(entry.Extension)) return Enumerable.Empty<string>();
-            return Regex.Matches(File.ReadAllText(entry.File), "guid: ([0-9a-f]{32})").Select(match => PathOfGuid(match.Groups[1].Value)).Where(path => path != null).Distinct();
+            return Regex.Matches(File.ReadAllText(entry.File), "guid: ([0-9a-f]{32})").Select(match => PathOfGuid(match.Groups[1].Value))
+                .Where(path => path != null).Distinct();
         }
 
         public IEnumerable<Object> LoadAllAtPath(string assetPath) =>
@@ -152,14 +153,16 @@ namespace Host.Assets
             if (BuiltInAssets.IsBuiltIn(reference.Guid))
             {
                 var builtIn = BuiltInAssets.Load(reference.FileId, type);
-                if (builtIn == null) Note($"{reference.Location}: {scope} refers to Unity's built-in {BuiltInAssets.NameOf(reference.FileId)}, which the host does not have: it stays none");
+                if (builtIn == null) Note($"{reference.Location}: {scope} refers to Unity's built-in " +
+                    $"{BuiltInAssets.NameOf(reference.FileId)}, which the host does not have: it stays none");
                 return builtIn;
             }
             var asset = FindAsset(reference, scope);
             if (asset == null) return null;
             if (asset.Objects.TryGetValue(reference.FileId, out var found)) return Checked(found, reference, type, scope);
             if (!asset.LeftOut.Contains(reference.FileId))
-                Fail($"{reference.Location}: {scope} refers to object {reference.FileId} of {asset.Entry.Path}, which has none with that file id{Objects(asset)}: assign the field again");
+                Fail($"{reference.Location}: {scope} refers to object {reference.FileId} of {asset.Entry.Path}, which has none with " +
+                    $"that file id{Objects(asset)}: assign the field again");
             return null;
         }
 
@@ -168,7 +171,8 @@ namespace Host.Assets
             var entry = Entry(reference, scope);
             if (entry == null) return null;
             var asset = Load(entry);
-            if (asset == null) Note($"{reference.Location}: {scope} refers to {entry.Path}, a kind of asset that the host does not load: it stays none");
+            if (asset == null)
+                Note($"{reference.Location}: {scope} refers to {entry.Path}, a kind of asset that the host does not load: it stays none");
             return asset;
         }
 
@@ -176,13 +180,16 @@ namespace Host.Assets
         {
             if (!MetaFile.IsGuid(reference.Guid))
             {
-                Fail($"{reference.Location}: {scope} has the guid '{reference.Guid}', which is not 32 lower-case hexadecimal digits: assign the field again");
+                Fail($"{reference.Location}: {scope} has the guid '{reference.Guid}', which is not 32 lower-case hexadecimal digits: " +
+                    $"assign the field again");
                 return null;
             }
-            if (Index.Doubled(reference.Guid) is string doubled) Fail($"{reference.Location}: {scope} refers to a guid that two assets have. {doubled}");
+            if (Index.Doubled(reference.Guid) is string doubled)
+                Fail($"{reference.Location}: {scope} refers to a guid that two assets have. {doubled}");
             var entry = Index.ByGuid(reference.Guid);
             if (entry == null)
-                Fail($"{reference.Location}: {scope} refers to an asset with guid {reference.Guid} (file id {reference.FileId}), but no .meta file in {string.Join(", ", Index.Mounts.Select(m => m.AssetPath))} has that guid: "
+                Fail($"{reference.Location}: {scope} refers to an asset with guid {reference.Guid} (file id {reference.FileId}), but " +
+                    $"no .meta file in {string.Join(", ", Index.Mounts.Select(m => m.AssetPath))} has that guid: "
                     + "restore the asset with its .meta file, add the package that holds it, or assign the field again");
             return entry;
         }
@@ -190,12 +197,14 @@ namespace Host.Assets
         public Object Checked(Object found, FileReference reference, Type type, ReadScope scope)
         {
             if (type.IsInstanceOfType(found)) return found;
-            Fail($"{reference.Location}: {scope} is of type {type.Name}, but {reference} is the {found.GetType().Name} '{found.name}': assign an object of that type");
+            Fail($"{reference.Location}: {scope} is of type {type.Name}, but {reference} is the {found.GetType().Name} '{found.name}': " +
+                $"assign an object of that type");
             return null;
         }
 
         static string Objects(LoadedAsset asset) =>
-            asset.Objects.Count == 0 ? "" : $" (it has {string.Join(", ", asset.Objects.Take(5).Select(o => $"{o.Key} {o.Value.GetType().Name}"))}{(asset.Objects.Count > 5 ? ", ..." : "")})";
+            asset.Objects.Count == 0 ? ""
+            : $" (it has {string.Join(", ", asset.Objects.Take(5).Select(o => $"{o.Key} {o.Value.GetType().Name}"))}{(asset.Objects.Count > 5 ? ", ..." : "")})";
 
         /// <summary>A script's class; null after the reason was reported.</summary>
         public Type ScriptType(FileReference script, ReadScope scope)
@@ -221,7 +230,8 @@ namespace Host.Assets
             var type = Scripts.Find(entry, out var problem);
             if (type != null) return type;
             MissingScripts++;
-            if (foreign?.WhyMissing(entry.Path) is string reason) Note($"{script.Location}: {scope}, {entry.Path}, cannot be loaded, so the component is missing: {reason}");
+            if (foreign?.WhyMissing(entry.Path) is string reason)
+                Note($"{script.Location}: {scope}, {entry.Path}, cannot be loaded, so the component is missing: {reason}");
             else Fail($"{script.Location}: {scope}: {problem}");
             return null;
         }

@@ -21,7 +21,8 @@ namespace Host.Pipelines
         public string Folder => Path.GetDirectoryName(File);
 
         /// <summary>Its sources.</summary>
-        public IEnumerable<string> Sources => Directory.EnumerateFiles(Folder, "*.cs", SearchOption.AllDirectories).OrderBy(file => file, StringComparer.Ordinal);
+        public IEnumerable<string> Sources => Directory.EnumerateFiles(Folder, "*.cs", SearchOption.AllDirectories)
+            .OrderBy(file => file, StringComparer.Ordinal);
 
         public static AdapterDefinition Read(string file)
         {
@@ -35,17 +36,20 @@ namespace Host.Pipelines
                 References = references.Where(name => !name.StartsWith(PipelineAssemblies.Prefix, StringComparison.Ordinal)).ToList(),
             };
             read.defines.AddRange(root.GetProperty("versionDefines").EnumerateArray().Select(define =>
-                new VersionDefine(define.GetProperty("name").GetString(), define.GetProperty("expression").GetString(), define.GetProperty("define").GetString())));
+                new VersionDefine(define.GetProperty("name").GetString(), define.GetProperty("expression").GetString(),
+                define.GetProperty("define").GetString())));
             return read;
         }
 
         static IEnumerable<string> Texts(JsonElement of, string name) => of.GetProperty(name).EnumerateArray().Select(value => value.GetString());
 
-        /// <summary>The adapter of a package to a pipeline: the assembly definition below Runtime that is compiled by a version of the pipeline's package. Null where there is none.</summary>
+        /// <summary>The adapter of a package to a pipeline: the assembly definition below Runtime that is compiled by a version of the
+        /// pipeline's package. Null where there is none.</summary>
         public static AdapterDefinition Find(string root, PipelineKind kind)
         {
             string runtime = root == null ? null : Path.Combine(root, "Runtime");
-            return !Directory.Exists(runtime) ? null : Directory.EnumerateFiles(runtime, "*.asmdef", SearchOption.AllDirectories).OrderBy(file => file, StringComparer.Ordinal)
+            return !Directory.Exists(runtime) ? null : Directory.EnumerateFiles(runtime, "*.asmdef", SearchOption.AllDirectories)
+                .OrderBy(file => file, StringComparer.Ordinal)
                 .Where(file => System.IO.File.ReadAllText(file).Contains(kind.Package, StringComparison.Ordinal)).Select(Read).FirstOrDefault();
         }
 
@@ -55,7 +59,8 @@ namespace Host.Pipelines
         {
             var all = version == null ? new List<string>() : version.Defines(editor).ToList();
             if (version != null)
-                all.AddRange(defines.Where(define => PipelineKind.All.Any(kind => kind.Package == define.Resource) && VersionRange.Contains(define.Expression, version.Package)).Select(define => define.Define));
+                all.AddRange(defines.Where(define => PipelineKind.All.Any(kind => kind.Package == define.Resource)
+                    && VersionRange.Contains(define.Expression, version.Package)).Select(define => define.Define));
             return Scripts.Assemblies.Defines.Hold(Constraints, all) ? all : null;
         }
     }

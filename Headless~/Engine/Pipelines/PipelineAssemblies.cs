@@ -52,7 +52,9 @@ namespace Host.Pipelines
         {
             Assembly here = typeof(PipelineAssemblies).Assembly;
             string prefix = "sources/" + folder;
-            IEnumerable<(string, string)> sources = here.GetManifestResourceNames().Where(resource => resource.Replace('\\', '/').StartsWith(prefix, StringComparison.Ordinal)).OrderBy(resource => resource, StringComparer.Ordinal).Select(resource =>
+            IEnumerable<(string, string)> sources = here.GetManifestResourceNames()
+                .Where(resource => resource.Replace('\\', '/').StartsWith(prefix, StringComparison.Ordinal)).OrderBy(resource => resource,
+                StringComparer.Ordinal).Select(resource =>
             {
                 using var reader = new StreamReader(here.GetManifestResourceStream(resource));
                 return (resource, reader.ReadToEnd());
@@ -64,22 +66,28 @@ namespace Host.Pipelines
             references.Add(MetadataReference.CreateFromImage(image));
         }
 
-        static string Friends(string name) => name == Core ? string.Concat(PipelineKind.All.Select(kind => $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"{kind.Assembly}\")]")) : "";
+        static string Friends(string name) => name == Core
+            ? string.Concat(PipelineKind.All.Select(kind =>
+            $"[assembly: System.Runtime.CompilerServices.InternalsVisibleTo(\"{kind.Assembly}\")]")) : "";
 
         // What an adapter refers to beside the pipeline.
-        static IEnumerable<MetadataReference> OfPackage(AdapterDefinition adapter, bool editor) => adapter.References.Append("Unity.Mathematics").Concat(editor ? new[] { "UnityEditor" } : Array.Empty<string>()).Distinct()
+        static IEnumerable<MetadataReference> OfPackage(AdapterDefinition adapter, bool editor)
+            => adapter.References.Append("Unity.Mathematics").Concat(editor ? new[] { "UnityEditor" } : Array.Empty<string>()).Distinct()
             .Select(name => MetadataReference.CreateFromFile(FileOf(name)));
 
         /// <summary>Beside the host, or where the build puts each.</summary>
         static string FileOf(string name)
         {
             string here = Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory);
-            return new[] { here, Path.Combine(here, "..", "..", name, Path.GetFileName(here)) }.Select(folder => Path.GetFullPath(Path.Combine(folder, name + ".dll"))).FirstOrDefault(File.Exists)
-                ?? throw new InvalidOperationException($"{name}.dll is not in {here} nor where the build puts it: build Headless~/Headless.proj, or run through Headless~/rill");
+            return new[] { here, Path.Combine(here, "..", "..", name, Path.GetFileName(here)) }.Select(folder =>
+                Path.GetFullPath(Path.Combine(folder, name + ".dll"))).FirstOrDefault(File.Exists)
+                ?? throw new InvalidOperationException(
+                    $"{name}.dll is not in {here} nor where the build puts it: build Headless~/Headless.proj, or run through Headless~/rill");
         }
 
         /// <summary>What an adapter is compiled against.</summary>
-        public IReadOnlyList<MetadataReference> ReferencesOf(AdapterDefinition adapter, bool editor) => references.Concat(OfPackage(adapter, editor)).ToList();
+        public IReadOnlyList<MetadataReference> ReferencesOf(AdapterDefinition adapter, bool editor)
+            => references.Concat(OfPackage(adapter, editor)).ToList();
 
         /// <summary>The adapter as that editor compiles it; null where it does not.</summary>
         /// <param name="errors">The compiler's, with file and line.</param>
@@ -87,20 +95,25 @@ namespace Host.Pipelines
         {
             errors = new List<string>();
             List<string> defines = adapter.Defines(Version, editor);
-            return defines == null ? null : Compile(adapter.Name, adapter.Sources.Select(file => (file, File.ReadAllText(file))), defines, ReferencesOf(adapter, editor), out errors);
+            return defines == null ? null : Compile(adapter.Name, adapter.Sources.Select(file => (file, File.ReadAllText(file))), defines,
+                ReferencesOf(adapter, editor), out errors);
         }
 
         /// <summary>Sources of a test, as scripts of a project with this pipeline.</summary>
         public byte[] CompileScripts(string name, string source, out List<string> errors) =>
             Compile(name, new[] { (name + ".cs", source) }, Version.Defines(false), references, out errors);
 
-        static byte[] Compile(string name, IEnumerable<(string File, string Text)> sources, IEnumerable<string> defines, IEnumerable<MetadataReference> references, out List<string> errors)
+        static byte[] Compile(string name, IEnumerable<(string File, string Text)> sources, IEnumerable<string> defines,
+            IEnumerable<MetadataReference> references, out List<string> errors)
         {
             var language = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: defines);
             var trees = sources.Select(source => CSharpSyntaxTree.ParseText(SourceText.From(source.Text, Encoding.UTF8), language, source.File));
             // As in Unity, where a warning of the compiler stands in the user's console: the package has none.
-            var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release, deterministic: true, warningLevel: 4,
-                specificDiagnosticOptions: new Dictionary<string, ReportDiagnostic> { ["CS0649"] = ReportDiagnostic.Suppress, ["CS1701"] = ReportDiagnostic.Suppress, ["CS1702"] = ReportDiagnostic.Suppress });
+            var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release,
+                deterministic: true, warningLevel: 4,
+                specificDiagnosticOptions: new Dictionary<string,
+                    ReportDiagnostic> { ["CS0649"] = ReportDiagnostic.Suppress, ["CS1701"] = ReportDiagnostic.Suppress,
+                    ["CS1702"] = ReportDiagnostic.Suppress });
             CSharpCompilation compilation = CSharpCompilation.Create(name, trees, references, options);
             using var image = new MemoryStream();
             EmitResult result = compilation.Emit(image, options: new EmitOptions(debugInformationFormat: DebugInformationFormat.Embedded));

@@ -7,13 +7,15 @@ namespace Host.Pipelines
     {
         public static readonly PipelineKind Universal = new()
         {
-            Name = "universal", Tag = "UniversalPipeline", Package = "com.unity.render-pipelines.universal", Assembly = "Unity.RenderPipelines.Universal.Runtime",
+            Name = "universal", Tag = "UniversalPipeline", Package = "com.unity.render-pipelines.universal",
+                Assembly = "Unity.RenderPipelines.Universal.Runtime",
             Folder = "Universal", Asset = "UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset",
         };
 
         public static readonly PipelineKind HighDefinition = new()
         {
-            Name = "high-definition", Tag = "HDRenderPipeline", Package = "com.unity.render-pipelines.high-definition", Assembly = "Unity.RenderPipelines.HighDefinition.Runtime",
+            Name = "high-definition", Tag = "HDRenderPipeline", Package = "com.unity.render-pipelines.high-definition",
+                Assembly = "Unity.RenderPipelines.HighDefinition.Runtime",
             Folder = "HighDefinition", Asset = "UnityEngine.Rendering.HighDefinition.HDRenderPipelineAsset",
         };
 

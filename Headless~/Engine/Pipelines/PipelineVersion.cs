@@ -4,7 +4,8 @@ using System.Linq;
 
 namespace Host.Pipelines
 {
-    /// <summary>A version of the scriptable pipelines, which fraction their numbers, with the editor that ships it and the symbols that this editor sets.</summary>
+    /// <summary>A version of the scriptable pipelines, which fraction their numbers, with the editor that ships it and the symbols that
+    /// this editor sets.</summary>
     sealed class PipelineVersion
     {
         /// <summary>"14", as the command line has it.</summary>
@@ -29,7 +30,8 @@ namespace Host.Pipelines
         {
             new PipelineVersion { Name = "14", Unity = "2022.3", ListedAs = "2022.3", Package = "14.0.10", HasCompatibilityPath = true },
             new PipelineVersion { Name = "17.0", Unity = "6000.0", ListedAs = "6000.0", Package = "17.0.3", HasCompatibilityPath = true },
-            new PipelineVersion { Name = "17.3-compatibility", Unity = "6000.3", ListedAs = "6000.3", Package = "17.3.0", HasCompatibilityPath = true, AsksForCompatibility = true },
+            new PipelineVersion { Name = "17.3-compatibility", Unity = "6000.3", ListedAs = "6000.3", Package = "17.3.0",
+                HasCompatibilityPath = true, AsksForCompatibility = true },
             new PipelineVersion { Name = "17.3", Unity = "6000.3", ListedAs = "6000.3", Package = "17.3.0" },
             new PipelineVersion { Name = "17.4", Unity = "6000.4", ListedAs = "6000.3", Package = "17.4.0", AsksForCompatibility = true },
         };
@@ -37,7 +39,8 @@ namespace Host.Pipelines
         /// <summary>"14" or "17": the newest of that number that is played; or a full name.</summary>
         /// <exception cref="ArgumentException">There is none of that name.</exception>
         public static PipelineVersion Find(string name) => All.FirstOrDefault(version => version.Name == (name == "17" ? "17.0" : name))
-            ?? throw new ArgumentException($"there is no render pipeline {name} here; there are {string.Join(", ", All.Select(version => version.Name))}");
+            ?? throw new ArgumentException(
+                $"there is no render pipeline {name} here; there are {string.Join(", ", All.Select(version => version.Name))}");
 
         /// <summary>What that editor defines for scripts of a player or of the editor.</summary>
         public IEnumerable<string> Defines(bool editor)
@@ -55,7 +58,8 @@ namespace Host.Pipelines
         }
 
         /// <summary>For the stand-ins' sources.</summary>
-        internal IEnumerable<string> StandInDefines => !HasRenderGraph ? Array.Empty<string>() : ListedAs == "6000.3" ? new[] { "SRP_17", "SRP_17_3" } : new[] { "SRP_17" };
+        internal IEnumerable<string> StandInDefines => !HasRenderGraph ? Array.Empty<string>() : ListedAs == "6000.3"
+            ? new[] { "SRP_17", "SRP_17_3" } : new[] { "SRP_17" };
 
         public override string ToString() => $"Unity {Unity} with URP {Package}{(AsksForCompatibility ? " and URP_COMPATIBILITY_MODE" : "")}";
     }

@@ -28,7 +28,8 @@ namespace Host.Pipelines
             Version = version;
             this.context = context;
             (Player.PipelineTag, Player.PipelinePackage, Player.PipelineVersion) = (kind.Tag, kind.Package, version.Package);
-            context[PipelineKind.Universal.Assembly].GetType("UnityEngine.Rendering.Universal.UniversalRenderPipeline").GetField("IsCompatibilityMode", BindingFlags.Static | BindingFlags.NonPublic).SetValue(null, byExecute);
+            context[PipelineKind.Universal.Assembly].GetType("UnityEngine.Rendering.Universal.UniversalRenderPipeline")
+                .GetField("IsCompatibilityMode", BindingFlags.Static | BindingFlags.NonPublic).SetValue(null, byExecute);
             Asset = (RenderPipelineAsset)ScriptableObject.CreateInstance(context[kind.Assembly].GetType(kind.Asset, true));
             GraphicsSettings.defaultRenderPipeline = Asset;
             RenderPipelineManager.Prepare();
@@ -38,7 +39,8 @@ namespace Host.Pipelines
         /// <param name="byExecute">In Compatibility Mode, by the passes' Execute; before 17 there is nothing else.</param>
         /// <param name="editor">With what the adapter has for the editor alone.</param>
         /// <exception cref="InvalidOperationException">The adapter does not compile.</exception>
-        public static PlayedPipeline Start(PipelineKind kind, PipelineVersion version, string root, bool byExecute = false, bool editor = false) => new(kind, version, Load(version, root, editor), byExecute);
+        public static PlayedPipeline Start(PipelineKind kind, PipelineVersion version, string root, bool byExecute = false,
+            bool editor = false) => new(kind, version, Load(version, root, editor), byExecute);
 
         /// <summary>Stand-ins and adapters, so that initializers of theirs run with those of the project.</summary>
         public static PipelineContext Load(PipelineVersion version, string root, bool editor = false)
@@ -64,7 +66,8 @@ namespace Host.Pipelines
         public Assembly AddScripts(string name, string source)
         {
             byte[] image = PipelineAssemblies.Of(Version).CompileScripts(name, source, out List<string> errors);
-            return image != null && errors.All(error => !error.Contains(": error ")) ? context.Add(name, image) : throw new InvalidOperationException(string.Join("\n", errors));
+            return image != null && errors.All(error => !error.Contains(": error ")) ? context.Add(name, image)
+                : throw new InvalidOperationException(string.Join("\n", errors));
         }
 
         public Assembly this[string assembly] => context[assembly];

@@ -5,7 +5,8 @@ using Host.Output;
 namespace Host
 {
     /// <summary>
-    /// A package that was built together with the program that plays, so that nothing of it has to be compiled first. The engine by itself has none: a
+    /// A package that was built together with the program that plays, so that nothing of it has to be compiled first. The engine by itself
+    /// has none: a
     /// program for a package derives from this and sets <see cref="Current"/> before it runs a command.
     /// </summary>
     class BuiltInPackage

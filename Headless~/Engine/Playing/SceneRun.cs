@@ -43,11 +43,13 @@ namespace Host
             if (settings.Pipeline != null)
                 PlayedPipeline.Load(settings.Pipeline.Version, Session.Root());      // before the session, which runs initializers
             using var session = project == null ? new Session(scene, settings.Strict, settings.Compute, player: true)
-                : new Session(project.Scene.Root, project.Scene.Mounts, project.Scripts.Assemblies, strict: settings.Strict, compute: settings.Compute, foreign: project.Scripts);
+                : new Session(project.Scene.Root, project.Scene.Mounts, project.Scripts.Assemblies, strict: settings.Strict,
+                    compute: settings.Compute, foreign: project.Scripts);
             output.WriteLine($"{Path.GetFileNameWithoutExtension(scene.File)} on {session.DescribeDevice()}");
             if (settings.Seed is int seed)
                 UnityEngine.Random.InitState(seed);
-            using PlayedPipeline pipeline = settings.Pipeline == null ? null : PlayedPipeline.Start(settings.Pipeline.Kind, settings.Pipeline.Version, Session.Root(), settings.Pipeline.ByExecute);
+            using PlayedPipeline pipeline = settings.Pipeline == null ? null
+                : PlayedPipeline.Start(settings.Pipeline.Kind, settings.Pipeline.Version, Session.Root(), settings.Pipeline.ByExecute);
             session.LoadScene(scene);
 
             // Probes look into the package that the host was built with.
@@ -61,7 +63,8 @@ namespace Host
                     Title = Path.GetFileNameWithoutExtension(scene.File),
                     Command = settings.Command,
                     Statistics = statistics,
-                    Plots = new List<Plot> { new("step-time", "Time of a step", "ms", "step_ms", "gpu_ms") }.Concat(probes.SelectMany(probe => probe.Plots)).ToList(),
+                    Plots = new List<Plot> { new("step-time", "Time of a step", "ms", "step_ms",
+                        "gpu_ms") }.Concat(probes.SelectMany(probe => probe.Plots)).ToList(),
                     Stages = stageTimes.Select(stage => (stage.Key, stage.Value / statistics.Rows.Count)).ToList(),
                     Settings = OwnSettings(scene, session).Concat(probes.SelectMany(probe => probe.Settings)).ToList(),
                 }, frames);
@@ -105,7 +108,8 @@ namespace Host
                         frames.Add(time, Draw());
                     if (Array.IndexOf(settings.DumpAt, step) >= 0)
                         BufferDump.Write(settings.DumpFolder, step);
-                    report(step, string.Create(CultureInfo.InvariantCulture, $"{time:0.00} s of {settings.Seconds:0.##} s, {milliseconds:0.0} ms a step"));
+                    report(step, string.Create(CultureInfo.InvariantCulture,
+                        $"{time:0.00} s of {settings.Seconds:0.##} s, {milliseconds:0.0} ms a step"));
                 }
             });
         }
@@ -141,13 +145,19 @@ namespace Host
                 frames.Finish();
                 page.HasContactSheet = IsMade(Tool.Ffmpeg, () => Video.ContactSheet(frames.Frames, Path.Combine(folder, "contact.png")));
                 if (settings.Stills.Length > 0)
-                    IsMade(Tool.Ffmpeg, () => Video.ContactSheet(Array.ConvertAll(settings.Stills, time => frames.Frames.MinBy(frame => Math.Abs(frame.Time - time))), Path.Combine(folder, "stills.png"), columns: settings.Stills.Length, rows: 1));
-                page.HasVideo = settings.Video && IsMade(Tool.Ffmpeg, () => Video.Encode(frames.Pattern, settings.FramesPerSecond / settings.DrawEvery, Path.Combine(folder, "video.mp4")));
+                    IsMade(Tool.Ffmpeg, () =>
+                        Video.ContactSheet(Array.ConvertAll(settings.Stills,
+                        time => frames.Frames.MinBy(frame => Math.Abs(frame.Time - time))), Path.Combine(folder, "stills.png"),
+                        columns: settings.Stills.Length, rows: 1));
+                page.HasVideo = settings.Video
+                    && IsMade(Tool.Ffmpeg, () => Video.Encode(frames.Pattern, settings.FramesPerSecond / settings.DrawEvery,
+                    Path.Combine(folder, "video.mp4")));
             }
             page.Write(folder);
 
             double[] step = page.Statistics.Known("step_ms");
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{step.Length} steps, {step.Average():0.0} ms a step, {StatisticsPage.Percentile(step, 0.999):0.0} ms at the 99.9th percentile"));
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{step.Length} steps, {step.Average():0.0} ms a step, " +
+                $"{StatisticsPage.Percentile(step, 0.999):0.0} ms at the 99.9th percentile"));
             output.WriteLine($"results in {folder}");
         }
 
@@ -168,7 +178,9 @@ namespace Host
             }
         }
 
-        string FfmpegProducts() => !settings.Draw ? null : string.Join(", ", new[] { "contact sheet", settings.Stills.Length > 0 ? "stills" : null, settings.Video ? "film" : null }.Where(product => product != null));
+        string FfmpegProducts() => !settings.Draw ? null
+            : string.Join(", ", new[] { "contact sheet", settings.Stills.Length > 0 ? "stills" : null, settings.Video ? "film"
+            : null }.Where(product => product != null));
 
         int Close(Session session)
         {
@@ -188,7 +200,8 @@ namespace Host
         {
             yield return ("scene", Path.GetRelativePath(scene.Root, scene.File));
             yield return ("device", session.DescribeDevice());
-            yield return ("simulated time", string.Create(CultureInfo.InvariantCulture, $"{settings.Seconds} s at {settings.FramesPerSecond} frames a second"));
+            yield return ("simulated time", string.Create(CultureInfo.InvariantCulture,
+                $"{settings.Seconds} s at {settings.FramesPerSecond} frames a second"));
             yield return ("frames", settings.Draw ? $"{settings.Width} x {settings.Height}, one of {settings.DrawEvery} steps drawn" : "none drawn");
             if (settings.Seed is int seed)
                 yield return ("seed", seed.ToString(CultureInfo.InvariantCulture));

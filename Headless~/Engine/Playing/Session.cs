@@ -27,10 +27,12 @@ namespace Host
         /// <param name="root">A Unity project's or package's folder.</param>
         /// <param name="mounts">Null: those of the root.</param>
         /// <param name="scripts">Assemblies with scripts beside the package's.</param>
-        /// <param name="player">As a built player rather than the Editor: without Editor scripts, so that only what the scene refers to is there.</param>
+        /// <param name="player">As a built player rather than the Editor: without Editor scripts, so that only what the scene refers to is
+        /// there.</param>
         /// <param name="foreign">Of a project that the host was not built with; its scripts are all there are.</param>
         /// <param name="editor">Of such a project: as the Editor, whose initializers run, rather than as a player.</param>
-        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false, bool strict = true, bool compute = true, bool player = false, IForeignTypes foreign = null, bool editor = false)
+        public Session(string root, List<MountedFolder> mounts = null, IEnumerable<Assembly> scripts = null, bool validation = false,
+            bool strict = true, bool compute = true, bool player = false, IForeignTypes foreign = null, bool editor = false)
         {
             // Messages end as the command's output, each once: a fault in Update comes back every frame.
             LogSink.Received += Hear;
@@ -41,8 +43,11 @@ namespace Host
             Player.PretendNoCompute = !compute;
 
             // A foreign project may bring the package as source: then its own assemblies count, and the host's would be second ones of the same name.
-            IEnumerable<Assembly> package = foreign != null ? Enumerable.Empty<Assembly>() : BuiltInPackage.Current.Assemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll"))).Select(Assembly.Load);
-            assets = new ProjectAssets(mounts ?? ProjectFolders.Of(root), package.Concat(scripts ?? Enumerable.Empty<Assembly>()).ToList(), strict, foreign);
+            IEnumerable<Assembly> package = foreign != null ? Enumerable.Empty<Assembly>()
+                : BuiltInPackage.Current.Assemblies.Where(name => File.Exists(Path.Combine(AppContext.BaseDirectory, name + ".dll")))
+                .Select(Assembly.Load);
+            assets = new ProjectAssets(mounts ?? ProjectFolders.Of(root), package.Concat(scripts ?? Enumerable.Empty<Assembly>()).ToList(),
+                strict, foreign);
             Player.Assets = assets;
             SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);
             // Entering play mode: statics and times go back to their start, then the project's settings apply.
@@ -60,11 +65,13 @@ namespace Host
         }
 
         /// <summary>For the scene's project; <see cref="LoadScene"/> opens it.</summary>
-        public Session(LocatedScene scene, bool strict = true, bool compute = true, bool player = false) : this(scene.Root, scene.Mounts, strict: strict, compute: compute, player: player) { }
+        public Session(LocatedScene scene, bool strict = true, bool compute = true, bool player = false)
+            : this(scene.Root, scene.Mounts, strict: strict, compute: compute, player: player) { }
 
         public DeviceInfo Info => device.Info;
 
-        /// <summary>Strict: throws the first fault that a script's use of the graphics API raised. The loop has caught and logged it, as it does with every exception of a script.</summary>
+        /// <summary>Strict: throws the first fault that a script's use of the graphics API raised. The loop has caught and logged it, as it
+        /// does with every exception of a script.</summary>
         public void ThrowFault() => fault?.Throw();
 
         public IReadOnlyList<string> ValidationMessages => device.ValidationMessages;
@@ -76,7 +83,8 @@ namespace Host
         public static string Root()
         {
             string here = Directory.GetCurrentDirectory();
-            return Environment.GetEnvironmentVariable("RILL_ROOT") ?? ProjectFolders.RootOf(here) ?? throw new HostException($"{here} lies in no Unity project and no package, and RILL_ROOT is not set.");
+            return Environment.GetEnvironmentVariable("RILL_ROOT") ?? ProjectFolders.RootOf(here)
+                ?? throw new HostException($"{here} lies in no Unity project and no package, and RILL_ROOT is not set.");
         }
 
         /// <summary>A scene by what the user typed: a path, or a name that is looked for around the current folder, then in the package.</summary>
@@ -144,7 +152,8 @@ namespace Host
                 fault ??= ExceptionDispatchInfo.Capture(entry.Exception);
         }
 
-        static bool IsFault(LogEntry entry) => Player.Strict && entry.Exception is GpuUsageException or ShaderCompileException or OutOfGpuMemoryException;
+        static bool IsFault(LogEntry entry) => Player.Strict
+            && entry.Exception is GpuUsageException or ShaderCompileException or OutOfGpuMemoryException;
 
         void Print(LogEntry entry)
         {

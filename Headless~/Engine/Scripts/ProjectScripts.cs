@@ -49,7 +49,8 @@ namespace Host.Scripts
         public IEnumerable<Assembly> Tests => Assemblies.Where((assembly, i) => Plan.Assemblies[i].HoldsTests);
 
         /// <summary>Files that were left out, each with the assembly that it belongs to.</summary>
-        public IEnumerable<(ScriptAssembly Assembly, LeftOutFile File)> LeftOutOf => compiled.SelectMany((assembly, i) => assembly.LeftOut.Select(file => (Plan.Assemblies[i], file)));
+        public IEnumerable<(ScriptAssembly Assembly, LeftOutFile File)> LeftOutOf
+            => compiled.SelectMany((assembly, i) => assembly.LeftOut.Select(file => (Plan.Assemblies[i], file)));
 
         public int Files => compiled.Sum(c => c.Scripts);
         public IEnumerable<LeftOutFile> LeftOut => compiled.SelectMany(c => c.LeftOut);
@@ -57,20 +58,24 @@ namespace Host.Scripts
 
         /// <summary>Why a script has no class here; null when it should have one.</summary>
         public string WhyMissing(string assetPath) =>
-            LeftOut.FirstOrDefault(f => f.Path == assetPath)?.Error is string error ? "it does not compile against the host: " + error : Plan.NotForPlayers.TryGetValue(assetPath, out var reason) ? reason : null;
+            LeftOut.FirstOrDefault(f => f.Path == assetPath)?.Error is string error ? "it does not compile against the host: " + error
+            : Plan.NotForPlayers.TryGetValue(assetPath, out var reason) ? reason : null;
 
         /// <summary>A component that exists by name only; null when there is none.</summary>
-        public Type StubComponent(string name) => stubCode.GetType("UnityEngine." + name) is Type type && typeof(UnityEngine.Component).IsAssignableFrom(type) && !type.IsAbstract ? type : null;
+        public Type StubComponent(string name) => stubCode.GetType("UnityEngine." + name) is Type type
+            && typeof(UnityEngine.Component).IsAssignableFrom(type) && !type.IsAbstract ? type : null;
 
         /// <summary>Scripts of com.unity.ugui, when the project has that package.</summary>
         public Type PackageScript(string guid) =>
-            UserInterfaceScripts.NameOf(guid) is string name && Packages.VersionOf("com.unity.ugui") != null ? context.LoadFromAssemblyName(new AssemblyName(StubAssembly.UserInterface)).GetType(name) : null;
+            UserInterfaceScripts.NameOf(guid) is string name && Packages.VersionOf("com.unity.ugui") != null
+            ? context.LoadFromAssemblyName(new AssemblyName(StubAssembly.UserInterface)).GetType(name) : null;
 
         public bool IsStub(Type type) => type.Assembly == stubCode || type.Assembly.GetName().Name == StubAssembly.UserInterface;
 
         /// <summary>What scripts called that is not there, and how often.</summary>
         public IReadOnlyList<KeyValuePair<string, int>> StubCalls =>
-            ((IEnumerable<KeyValuePair<string, int>>)stubCode.GetType("UnityEngine.Headless.StubCalls").GetField("Called", BindingFlags.Static | BindingFlags.NonPublic).GetValue(null)).ToList();
+            ((IEnumerable<KeyValuePair<string, int>>)stubCode.GetType("UnityEngine.Headless.StubCalls")
+            .GetField("Called", BindingFlags.Static | BindingFlags.NonPublic).GetValue(null)).ToList();
 
         sealed class ProjectContext : AssemblyLoadContext
         {
@@ -78,11 +83,13 @@ namespace Host.Scripts
 
             public ProjectContext(Dictionary<string, string> compiled, StubAssembly stubs, IEnumerable<AssetEntry> plugins) : base("project")
             {
-                files = new Dictionary<string, string>(compiled) { [StubAssembly.Name] = stubs.File, [StubAssembly.UserInterface] = stubs.UserInterfaceFile };
+                files = new Dictionary<string,
+                    string>(compiled) { [StubAssembly.Name] = stubs.File, [StubAssembly.UserInterface] = stubs.UserInterfaceFile };
                 foreach (var plugin in plugins) files.TryAdd(plugin.Name, plugin.File);
             }
 
-            protected override Assembly Load(AssemblyName name) => files.TryGetValue(name.Name, out var file) ? LoadFromAssemblyPath(Path.GetFullPath(file)) : null;
+            protected override Assembly Load(AssemblyName name) => files.TryGetValue(name.Name, out var file)
+                ? LoadFromAssemblyPath(Path.GetFullPath(file)) : null;
         }
     }
 }

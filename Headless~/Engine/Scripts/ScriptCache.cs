@@ -5,7 +5,8 @@ using System.Text;
 
 namespace Host.Scripts
 {
-    /// <summary>Compiled scripts and stubs on disk, below the same folder as compiled shaders: a folder each, named by the hash of all that went into it.</summary>
+    /// <summary>Compiled scripts and stubs on disk, below the same folder as compiled shaders: a folder each, named by the hash of all that
+    /// went into it.</summary>
     internal static class ScriptCache
     {
         static string root;

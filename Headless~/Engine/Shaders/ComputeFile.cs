@@ -28,7 +28,8 @@ namespace Host.Shaders
         {
             this.compiler = compiler;
             Path = displayPath;
-            segments = new List<SourceSegment> { new SourceSegment { Text = SourceText.Read(filePath), DiskPath = System.IO.Path.GetFullPath(filePath), DisplayPath = displayPath } };
+            segments = new List<SourceSegment> { new SourceSegment { Text = SourceText.Read(filePath),
+                DiskPath = System.IO.Path.GetFullPath(filePath), DisplayPath = displayPath } };
             List<PragmaLine> pragmas = compiler.ReadPragmas(segments, ShaderStage.Compute, Target);
             keywords = new Keywords(pragmas);
             kernels = pragmas.Select(ParseKernel).Where(k => k != null).ToList();
@@ -38,7 +39,8 @@ namespace Host.Shaders
         public override IReadOnlyList<string> Kernels => kernels.ConvertAll(k => k.Name);
         public override IReadOnlyList<string> Keywords => keywords.All;
 
-        public override ShaderProgram Compile(int kernel, ICollection<string> enabledKeywords) => CompileKernel(kernels[kernel], enabledKeywords).Program;
+        public override ShaderProgram Compile(int kernel, ICollection<string> enabledKeywords)
+            => CompileKernel(kernels[kernel], enabledKeywords).Program;
 
         /// <summary>Every kernel under every choice of keywords that makes a difference to it.</summary>
         /// <exception cref="ShaderCompileException">The keywords make too many.</exception>
@@ -49,7 +51,8 @@ namespace Host.Shaders
             {
                 var list = new VariantList(compiler, Path, kernel.Name);
                 foreach (string[] enabled in keywords.Choices(Path))
-                    list.Add(Request(kernel, enabled), enabled, () => CompileKernel(kernel, enabled), string.Join(" ", kernel.Defines.Where(d => d.Value != kernel.Name).Select(d => d.Key)));
+                    list.Add(Request(kernel, enabled), enabled, () => CompileKernel(kernel, enabled),
+                        string.Join(" ", kernel.Defines.Where(d => d.Value != kernel.Name).Select(d => d.Key)));
                 variants.AddRange(list.Variants);
             }
             return variants;
@@ -57,7 +60,8 @@ namespace Host.Shaders
 
         CompiledProgram CompileKernel(Kernel kernel, ICollection<string> enabledKeywords)
         {
-            string key = kernels.IndexOf(kernel) + " " + string.Join(" ", keywords.Select(ShaderStage.Compute, enabledKeywords).Select(d => d.Key + "=" + d.Value));
+            string key = kernels.IndexOf(kernel) + " "
+                + string.Join(" ", keywords.Select(ShaderStage.Compute, enabledKeywords).Select(d => d.Key + "=" + d.Value));
             return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() => compiler.Compile(Request(kernel, enabledKeywords)))).Value;
         }
 
@@ -69,7 +73,8 @@ namespace Host.Shaders
             EntryPoint = kernel.Name,
             EntryLine = kernel.Where,
             Segments = segments,
-            Defines = ShaderCompiler.PlatformDefines(ShaderStage.Compute, Target).Concat(keywords.Select(ShaderStage.Compute, enabledKeywords)).Concat(kernel.Defines).ToList(),
+            Defines = ShaderCompiler.PlatformDefines(ShaderStage.Compute, Target)
+                .Concat(keywords.Select(ShaderStage.Compute, enabledKeywords)).Concat(kernel.Defines).ToList(),
         };
 
         // "kernel Name DEF=1 OTHER"; null for other pragmas.
@@ -84,7 +89,8 @@ namespace Host.Shaders
             foreach (string define in words.Skip(2))
             {
                 int equals = define.IndexOf('=');
-                kernel.Defines.Add(equals < 0 ? KeyValuePair.Create(define, "1") : KeyValuePair.Create(define.Substring(0, equals), define.Substring(equals + 1)));
+                kernel.Defines.Add(equals < 0 ? KeyValuePair.Create(define, "1")
+                    : KeyValuePair.Create(define.Substring(0, equals), define.Substring(equals + 1)));
             }
             return kernel;
         }

@@ -36,7 +36,8 @@ namespace Host.Shaders
                 }, out int exitCode);
                 // It leaves out what it cannot translate, reports it, and calls that a success.
                 if (log.Contains("Missing functionality"))
-                    throw new ShaderCompileException(entryLine.File, entryLine.Line, $"{entryPoint} uses something that glslang does not translate: {log.Substring(log.IndexOf("Missing functionality", StringComparison.Ordinal)).Split('\n')[0]}");
+                    throw new ShaderCompileException(entryLine.File, entryLine.Line, $"{entryPoint} uses something that glslang does " +
+                        $"not translate: {log.Substring(log.IndexOf("Missing functionality", StringComparison.Ordinal)).Split('\n')[0]}");
                 if (exitCode == 0 && File.Exists(output))
                     return File.ReadAllBytes(output);
                 throw Error(log, exitCode, source, entryPoint, entryLine);
@@ -60,7 +61,8 @@ namespace Host.Shaders
                 SourceLine where = index >= 0 && index < source.Lines.Count ? source.Lines[index] : entryLine;
                 return new ShaderCompileException(where.File, where.Line, message.Trim());
             }
-            return new ShaderCompileException(entryLine.File, entryLine.Line, $"{Tool} {(exitCode > 128 ? "crashed" : "failed")} with code {exitCode} on '{entryPoint}': {log.Trim()}");
+            return new ShaderCompileException(entryLine.File, entryLine.Line,
+                $"{Tool} {(exitCode > 128 ? "crashed" : "failed")} with code {exitCode} on '{entryPoint}': {log.Trim()}");
         }
     }
 }

@@ -19,7 +19,8 @@ namespace Host.Shaders
                 resource.SamplerOf = name.Substring("sampler".Length);
                 return resource;
             }
-            throw new ProgramException($"unrecognized sampler '{name}' - does not match any texture and is not a recognized inline name (should contain filter and wrap modes)");
+            throw new ProgramException($"unrecognized sampler '{name}' - does not match any texture and is not a recognized inline " +
+                $"name (should contain filter and wrap modes)");
         }
 
         /// <summary>Null when the name has no filter or no wrap mode in it.</summary>
@@ -35,7 +36,8 @@ namespace Host.Shaders
             {
                 ("mirroronce", DeviceWrap.MirrorOnce), ("mirror", DeviceWrap.Mirror), ("repeat", DeviceWrap.Repeat), ("clamp", DeviceWrap.Clamp),
             })
-                for (int at = lower.IndexOf(word, StringComparison.Ordinal); at >= 0; at = lower.IndexOf(word, at + word.Length, StringComparison.Ordinal))
+                for (int at = lower.IndexOf(word, StringComparison.Ordinal); at >= 0;
+                    at = lower.IndexOf(word, at + word.Length, StringComparison.Ordinal))
                 {
                     if (word == "mirror" && string.CompareOrdinal(lower, at, "mirroronce", 0, 10) == 0)
                         continue;

@@ -9,7 +9,8 @@ namespace Host.Shaders
     /// <summary>The keyword lines of a source (multi_compile, shader_feature ...) and the variants that they make.</summary>
     sealed class Keywords
     {
-        static readonly Regex LineName = new Regex(@"^(multi_compile|shader_feature|dynamic_branch)(_local)?(?:_(vertex|fragment|hull|domain|geometry|raytracing))?$");
+        static readonly Regex LineName = new Regex(
+            @"^(multi_compile|shader_feature|dynamic_branch)(_local)?(?:_(vertex|fragment|hull|domain|geometry|raytracing))?$");
 
         sealed class Line
         {
@@ -28,7 +29,8 @@ namespace Host.Shaders
         public const string StereoInstancing = "STEREO_INSTANCING_ON", StereoMultiview = "STEREO_MULTIVIEW_ON";
 
         /// <param name="procedural">Whether "#pragma instancing_options procedural:" names a function.</param>
-        /// <param name="stereo">Whether it is a graphics program, to which Unity adds the keywords of two eyes in one pass (manual, "Default shader keywords").</param>
+        /// <param name="stereo">Whether it is a graphics program, to which Unity adds the keywords of two eyes in one pass (manual,
+        /// "Default shader keywords").</param>
         public Keywords(IEnumerable<PragmaLine> pragmas, bool procedural = false, bool stereo = false)
         {
             if (stereo)
@@ -39,7 +41,8 @@ namespace Host.Shaders
                 Match match = LineName.Match(words[0]);
                 if (words[0] == "multi_compile_instancing")
                     lines.Add(new Line { Names = procedural ? new[] { "", Instancing, ProceduralInstancing } : new[] { "", Instancing } });
-                // Of the lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light and its shadow are on here.
+                // Of the lines that name keywords of the render pipeline (multi_compile_fog ...) only the directional light and its shadow
+                // are on here.
                 if (words[0] == "multi_compile_fwdbase" || words[0] == "multi_compile_fwdbasealpha")
                 {
                     lines.Add(new Line { Names = new[] { "DIRECTIONAL" } });
@@ -82,7 +85,8 @@ namespace Host.Shaders
                 IEnumerable<string> names = line.Dynamic && !line.Names.Contains("") ? line.Names.Prepend("") : line.Names;
                 choices = choices.SelectMany(choice => names, (choice, name) => name.Length == 0 ? choice : choice.Append(name).ToArray()).ToList();
                 if (choices.Count > MostChoices)
-                    throw new ShaderCompileException(file, 1, $"its keywords make more than {MostChoices} variants; no build would want to compile them: use fewer, or dynamic_branch");
+                    throw new ShaderCompileException(file, 1, $"its keywords make more than {MostChoices} variants; no build would " +
+                        $"want to compile them: use fewer, or dynamic_branch");
             }
             return choices;
         }

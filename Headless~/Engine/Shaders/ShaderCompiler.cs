@@ -24,7 +24,8 @@ namespace Host.Shaders
         public IncludeResolver Resolver;
 
         /// <summary>A fault of the whole program.</summary>
-        public ShaderCompileException Fault(ProgramException e) => new ShaderCompileException(EntryLine.File, EntryLine.Line, $"in '{EntryPoint}': {e.Message}");
+        public ShaderCompileException Fault(ProgramException e)
+            => new ShaderCompileException(EntryLine.File, EntryLine.Line, $"in '{EntryPoint}': {e.Message}");
     }
 
     /// <summary>From source to program: preprocess, look into the cache, compile, rewrite.</summary>
@@ -61,14 +62,16 @@ namespace Host.Shaders
             KeyValuePair.Create("UNITY_REVERSED_Z", "1"),
             KeyValuePair.Create("UNITY_UV_STARTS_AT_TOP", "1"),
             KeyValuePair.Create("SHADER_TARGET", target.ToString()),
-            KeyValuePair.Create(stage == ShaderStage.Compute ? "SHADER_STAGE_COMPUTE" : stage == ShaderStage.Vertex ? "SHADER_STAGE_VERTEX" : "SHADER_STAGE_FRAGMENT", "1"),
+            KeyValuePair.Create(stage == ShaderStage.Compute ? "SHADER_STAGE_COMPUTE" : stage == ShaderStage.Vertex ? "SHADER_STAGE_VERTEX"
+                : "SHADER_STAGE_FRAGMENT", "1"),
         };
 
         public List<PragmaLine> ReadPragmas(List<SourceSegment> segments, ShaderStage stage, int target)
             => Preprocessor.ReadPragmas(segments, PlatformDefines(stage, target), resolver);
 
         /// <exception cref="ShaderCompileException"/>
-        public string Preprocess(List<SourceSegment> segments, List<KeyValuePair<string, string>> defines) => Preprocessor.Run(segments, defines, resolver).Text;
+        public string Preprocess(List<SourceSegment> segments, List<KeyValuePair<string, string>> defines)
+            => Preprocessor.Run(segments, defines, resolver).Text;
 
         /// <exception cref="ShaderCompileException"/>
         public CompiledProgram Compile(CompileRequest request)
@@ -76,7 +79,8 @@ namespace Host.Shaders
             request.Resolver = resolver;
             PreprocessedSource source = backend.Preprocess(request, resolver);
             string outputs = string.Join(" ", request.VertexOutputs.Select(o => $"{o.Semantic}:{o.Location}:{o.First}:{o.Components}"));
-            string key = ShaderCache.Key(ProgramBuilder.Version, backend.Name, backend.KeyOf(source, request), request.Stage.ToString(), request.EntryPoint, outputs, source.Text);
+            string key = ShaderCache.Key(ProgramBuilder.Version, backend.Name, backend.KeyOf(source, request), request.Stage.ToString(),
+                request.EntryPoint, outputs, source.Text);
 
             CompiledProgram compiled = cache.Find(key);
             if (compiled == null)

@@ -26,7 +26,8 @@ namespace Host.Shaders
         /// <summary>Everything that Unity compiles from a .compute or .shader file.</summary>
         /// <param name="backend">Compiles the variants when asked; null = glslang.</param>
         /// <exception cref="ShaderCompileException">The file cannot be read as what it is; what is wrong in one variant is said there.</exception>
-        public static IReadOnlyList<ShaderVariant> AllVariants(string filePath, string displayPath, IncludeResolver resolver, ShaderCache cache, IShaderBackend backend = null)
+        public static IReadOnlyList<ShaderVariant> AllVariants(string filePath, string displayPath, IncludeResolver resolver,
+            ShaderCache cache, IShaderBackend backend = null)
         {
             var compiler = new ShaderCompiler(resolver, cache, backend ?? ShaderBackend.Glslang);
             return filePath.EndsWith(".compute", StringComparison.OrdinalIgnoreCase)

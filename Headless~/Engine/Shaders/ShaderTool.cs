@@ -20,7 +20,8 @@ namespace Host.Shaders
             this.name = name;
             identity = new Lazy<string>(() =>
             {
-                string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Select(f => Path.Combine(f, name)).FirstOrDefault(File.Exists);
+                string path = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0)
+                    .Select(f => Path.Combine(f, name)).FirstOrDefault(File.Exists);
                 if (path == null)
                     throw new InvalidOperationException($"{name} is not on the PATH; {purpose} (Debian: apt-get install {package}).");
                 var file = new FileInfo(path);

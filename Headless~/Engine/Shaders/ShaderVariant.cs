@@ -15,7 +15,8 @@ namespace Host.Shaders
         public string Program;
         /// <summary>Enabled keywords with blanks between; empty for none.</summary>
         public string Keywords;
-        /// <summary>Names that its #pragma kernel line defines, with blanks between, without the one that renames the kernel; empty for none.</summary>
+        /// <summary>Names that its #pragma kernel line defines, with blanks between, without the one that renames the kernel; empty for
+        /// none.</summary>
         public string Defines = "";
         public CompileRequest Request;
         /// <summary>Null when there is a <see cref="Fault"/>.</summary>

@@ -34,7 +34,9 @@ namespace Host.Shaders
                     words.Add(token.Text);
                 if (token.Text == "numthreads")
                     numThreads = true;
-                if (depth == 0 && token.Kind == TokenKind.Identifier && i > 0 && (tokens[i - 1].Kind == TokenKind.Identifier || tokens[i - 1].Is(">")) && i + 1 < tokens.Count && tokens[i + 1].Is("("))
+                if (depth == 0 && token.Kind == TokenKind.Identifier && i > 0
+                    && (tokens[i - 1].Kind == TokenKind.Identifier || tokens[i - 1].Is(">")) && i + 1 < tokens.Count
+                    && tokens[i + 1].Is("("))
                 {
                     functions.Add(token.Text);
                     if (numThreads)
@@ -71,7 +73,8 @@ namespace Host.Shaders
             if (name < 0 || at + 2 >= tokens.Count || !int.TryParse(tokens[at + 2].Text.TrimStart('c'), out int number))
                 return;     // the compiler says what is wrong
             bool hasComponent = at + 4 < tokens.Count && tokens[at + 3].Is(".");
-            int component = hasComponent ? Math.Max("xyzw".IndexOf(tokens[at + 4].Text, StringComparison.Ordinal), "rgba".IndexOf(tokens[at + 4].Text, StringComparison.Ordinal)) : 0;
+            int component = hasComponent ? Math.Max("xyzw".IndexOf(tokens[at + 4].Text, StringComparison.Ordinal),
+                "rgba".IndexOf(tokens[at + 4].Text, StringComparison.Ordinal)) : 0;
             packOffsets[tokens[name].Text] = number * register + component * word;
         }
 

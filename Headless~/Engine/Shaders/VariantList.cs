@@ -21,7 +21,8 @@ namespace Host.Shaders
 
         public void Add(CompileRequest request, IEnumerable<string> keywords, Func<CompiledProgram> compile, string defines = "")
         {
-            var variant = new ShaderVariant { File = file, Program = program, Keywords = string.Join(" ", keywords), Defines = defines, Request = request, Compile = compile };
+            var variant = new ShaderVariant { File = file, Program = program, Keywords = string.Join(" ", keywords), Defines = defines,
+                Request = request, Compile = compile };
             try
             {
                 variant.Fxc = compiler.ForFxc(request);

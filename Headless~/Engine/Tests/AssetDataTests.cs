@@ -17,13 +17,16 @@ namespace Host.Tests
         static string Hex(params ushort[] values) => Convert.ToHexString(values.SelectMany(BitConverter.GetBytes).ToArray()).ToLowerInvariant();
 
         T Asset<T>(string file, string body) where T : UnityEngine.Object =>
-            Temporary().Write("Assets/" + file, TemporaryProject.Header + body, "e0000000000000000000000000000009").Open().LoadAtPath<T>("Assets/" + file);
+            Temporary().Write("Assets/" + file, TemporaryProject.Header + body, "e0000000000000000000000000000009").Open()
+            .LoadAtPath<T>("Assets/" + file);
 
-        const string Channels = "    m_Channels:\n    - {stream: 0, offset: 0, format: 0, dimension: 3}\n    - {stream: 0, offset: 12, format: 0, dimension: 3}\n    - {stream: 0, offset: 0, format: 0, dimension: 0}\n"
+        const string Channels = "    m_Channels:\n    - {stream: 0, offset: 0, format: 0, dimension: 3}\n    - {stream: 0, offset: 12, " +
+            "format: 0, dimension: 3}\n    - {stream: 0, offset: 0, format: 0, dimension: 0}\n"
             + "    - {stream: 1, offset: 0, format: 2, dimension: 4}\n    - {stream: 1, offset: 4, format: 0, dimension: 2}\n";
 
         static string MeshText(int vertices, string data) => "--- !u!43 &4300000\nMesh:\n  m_Name: Triangle\n  m_SubMeshes:\n"
-            + "  - {firstByte: 0, indexCount: 3, topology: 0, baseVertex: 0, firstVertex: 0, vertexCount: 3}\n  - {firstByte: 6, indexCount: 2, topology: 3, baseVertex: 1, firstVertex: 1, vertexCount: 2}\n"
+            + "  - {firstByte: 0, indexCount: 3, topology: 0, baseVertex: 0, firstVertex: 0, vertexCount: 3}\n  - {firstByte: 6, " +
+            "indexCount: 2, topology: 3, baseVertex: 1, firstVertex: 1, vertexCount: 2}\n"
             + $"  m_MeshCompression: 0\n  m_IndexFormat: 0\n  m_IndexBuffer: {Hex((ushort)0, 2, 1, 0, 1)}\n"
             + $"  m_VertexData:\n    m_VertexCount: {vertices}\n{Channels}    m_DataSize: {data.Length / 2}\n    _typelessdata: {data}\n"
             + "  m_LocalAABB:\n    m_Center: {x: 1, y: 1, z: 0}\n    m_Extent: {x: 1, y: 1, z: 0}\n";
@@ -51,15 +54,20 @@ namespace Host.Tests
 
         [Test]
         public void A_mesh_that_is_cut_off_is_refused() =>
-            Assert.That(Assert.Throws<AssetException>(() => Asset<Mesh>("Triangle.asset", MeshText(4, TriangleData))).Message, Does.Contain("its 4 vertices need more"));
+            Assert.That(Assert.Throws<AssetException>(() => Asset<Mesh>("Triangle.asset", MeshText(4, TriangleData))).Message,
+            Does.Contain("its 4 vertices need more"));
 
         [Test]
         public void Render_textures_have_their_description()
         {
-            var texture = Asset<RenderTexture>("Target.renderTexture", "--- !u!84 &8400000\nRenderTexture:\n  m_Name: Target\n  m_Width: 64\n  m_Height: 32\n  m_AntiAliasing: 1\n"
-                + $"  m_DepthStencilFormat: 0\n  m_ColorFormat: {(int)GraphicsFormat.R32G32B32A32_SFloat}\n  m_MipMap: 0\n  m_GenerateMips: 1\n  m_EnableRandomWrite: 1\n"
-                + "  m_TextureSettings:\n    m_FilterMode: 0\n    m_WrapU: 1\n    m_WrapV: 1\n    m_WrapW: 1\n  m_Dimension: 2\n  m_VolumeDepth: 1\n");
-            Assert.That((texture.width, texture.height, texture.graphicsFormat, texture.enableRandomWrite, texture.dimension, texture.filterMode, texture.wrapMode),
+            var texture = Asset<RenderTexture>("Target.renderTexture",
+                "--- !u!84 &8400000\nRenderTexture:\n  m_Name: Target\n  m_Width: 64\n  m_Height: 32\n  m_AntiAliasing: 1\n"
+                + $"  m_DepthStencilFormat: 0\n  m_ColorFormat: {(int)GraphicsFormat.R32G32B32A32_SFloat}\n  m_MipMap: 0\n  " +
+                $"m_GenerateMips: 1\n  m_EnableRandomWrite: 1\n"
+                + "  m_TextureSettings:\n    m_FilterMode: 0\n    m_WrapU: 1\n    m_WrapV: 1\n    m_WrapW: 1\n  m_Dimension: 2\n  " +
+                "m_VolumeDepth: 1\n");
+            Assert.That((texture.width, texture.height, texture.graphicsFormat, texture.enableRandomWrite, texture.dimension,
+                texture.filterMode, texture.wrapMode),
                 Is.EqualTo((64, 32, GraphicsFormat.R32G32B32A32_SFloat, true, TextureDimension.Tex2D, FilterMode.Point, TextureWrapMode.Clamp)));
         }
 
@@ -67,7 +75,8 @@ namespace Host.Tests
         public void Volume_textures_have_their_voxels() => WithDevice(() =>
         {
             var texture = Asset<Texture3D>("Field.asset", "--- !u!117 &11700000\nTexture3D:\n  m_Name: Field\n  m_ColorSpace: 0\n"
-                + $"  m_Format: {(int)GraphicsFormat.R32_SFloat}\n  m_Width: 2\n  m_Height: 1\n  m_Depth: 2\n  m_MipCount: 1\n  image data: 16\n  _typelessdata: {Hex(1f, 2, 3, -4)}\n");
+                + $"  m_Format: {(int)GraphicsFormat.R32_SFloat}\n  m_Width: 2\n  m_Height: 1\n  m_Depth: 2\n  m_MipCount: 1\n  image " +
+                $"data: 16\n  _typelessdata: {Hex(1f, 2, 3, -4)}\n");
             Assert.That((texture.width, texture.height, texture.depth), Is.EqualTo((2, 1, 2)));
             Assert.That(texture.GetPixels().Select(c => c.r), Is.EqualTo(new[] { 1f, 2, 3, -4 }));
         });
@@ -109,7 +118,8 @@ namespace Host.Tests
         public void Images_with_palettes_and_few_bits_are_read()
         {
             // Indices 2, 0, 1 in two bits each.
-            var image = PngImage.Read(Png(3, 1, 2, 3, new byte[] { 0, 0b10_00_01_00 }, new byte[] { 1, 2, 3, 4, 5, 6, 7, 8, 9 }, new byte[] { 100, 200 }), "x.png");
+            var image = PngImage.Read(Png(3, 1, 2, 3, new byte[] { 0, 0b10_00_01_00 }, new byte[] { 1, 2, 3, 4, 5, 6, 7, 8, 9 },
+                new byte[] { 100, 200 }), "x.png");
             Assert.That(image.Pixels, Is.EqualTo(new[] { new Color32(7, 8, 9, 255), new Color32(1, 2, 3, 100), new Color32(4, 5, 6, 200) }));
             var bits = PngImage.Read(Png(3, 1, 1, 0, new byte[] { 0, 0b101_00000 }), "x.png");
             Assert.That(bits.Pixels.Select(p => p.g), Is.EqualTo(new byte[] { 255, 0, 255 }));

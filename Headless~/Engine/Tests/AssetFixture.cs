@@ -139,12 +139,14 @@ namespace Host.Tests
         }
 
         /// <summary>A scene of one object 'Tank' with a Part whose fields are the given lines.</summary>
-        public TemporaryProject Scene(string fields, string script = PartGuid) => Write("Assets/Main.unity", SceneText(fields, script), "a0000000000000000000000000000001");
+        public TemporaryProject Scene(string fields, string script = PartGuid)
+            => Write("Assets/Main.unity", SceneText(fields, script), "a0000000000000000000000000000001");
 
         public static string SceneText(string fields, string script = PartGuid) => Header
             + "--- !u!1 &10\nGameObject:\n  m_Component:\n  - component: {fileID: 11}\n  - component: {fileID: 12}\n  m_Name: Tank\n  m_IsActive: 1\n"
             + "--- !u!4 &11\nTransform:\n  m_GameObject: {fileID: 10}\n  m_Father: {fileID: 0}\n"
-            + $"--- !u!114 &12\nMonoBehaviour:\n  m_GameObject: {{fileID: 10}}\n  m_Enabled: 1\n  m_Script: {{fileID: 11500000, guid: {script}, type: 3}}\n  m_Name: \n{fields}";
+            + $"--- !u!114 &12\nMonoBehaviour:\n  m_GameObject: {{fileID: 10}}\n  m_Enabled: 1\n  m_Script: {{fileID: 11500000, guid: " +
+            $"{script}, type: 3}}\n  m_Name: \n{fields}";
 
         public ProjectAssets Open(bool strict = true)
         {

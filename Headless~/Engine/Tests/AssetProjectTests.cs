@@ -17,7 +17,8 @@ namespace Host.Tests
         {
             var project = Open();
             Assert.That(project.Index.Mounts.Select(m => m.AssetPath), Is.EqualTo(new[] { "Assets", "Packages/com.example.tools" }));
-            Assert.That(project.ResolvePath("Packages/com.example.tools/Shaders/Tools.hlsl"), Is.EqualTo(Path.Combine(PackageRoot, "Shaders", "Tools.hlsl")));
+            Assert.That(project.ResolvePath("Packages/com.example.tools/Shaders/Tools.hlsl"),
+                Is.EqualTo(Path.Combine(PackageRoot, "Shaders", "Tools.hlsl")));
             Assert.That(project.GuidOfPath("Assets/Shaders/Sum.compute"), Is.EqualTo("20000000000000000000000000000001"));
             Assert.That(project.ResolvePath("Assets/Shaders/Absent.hlsl"), Is.Null);
         }
@@ -40,14 +41,16 @@ namespace Host.Tests
 
         [Test]
         public void A_folder_that_is_neither_project_nor_package_is_refused() =>
-            Assert.That(Assert.Throws<AssetException>(() => ProjectAssets.Open(Path.GetTempPath(), new[] { typeof(Part).Assembly })).Message, Does.Contain("no Unity project").And.Contain("no package"));
+            Assert.That(Assert.Throws<AssetException>(() => ProjectAssets.Open(Path.GetTempPath(),
+            new[] { typeof(Part).Assembly })).Message, Does.Contain("no Unity project").And.Contain("no package"));
 
         [Test]
         public void Faulty_meta_files_are_listed()
         {
             var problems = Temporary().Write("Assets/A.txt", "a", null)
                 .Write("Assets/B.txt", "b", "b0000000000000000000000000000001").Write("Assets/C.txt", "c", "b0000000000000000000000000000001")
-                .Write("Assets/D.txt", "d", "B0000000000000000000000000000002").Write("Assets/E.txt.meta", "guid: b0000000000000000000000000000003\n", null).Open().Index.Problems;
+                .Write("Assets/D.txt", "d", "B0000000000000000000000000000002")
+                    .Write("Assets/E.txt.meta", "guid: b0000000000000000000000000000003\n", null).Open().Index.Problems;
             Assert.That(problems, Has.Some.Contains("Assets/A.txt has no .meta file"));
             Assert.That(problems, Has.Some.Contains("Assets/C.txt has the guid b0000000000000000000000000000001 of Assets/B.txt"));
             Assert.That(problems, Has.Some.Contains("Assets/D.txt.meta: the guid 'B0000000000000000000000000000002' is not 32 lower-case"));
@@ -58,7 +61,8 @@ namespace Host.Tests
         public void Execution_orders_come_from_meta_files()
         {
             Open();
-            Assert.That(ExecutionOrder.FromMeta.ToDictionary(o => o.Key.Name, o => o.Value), Is.EquivalentTo(new[] { new System.Collections.Generic.KeyValuePair<string, int>("EarlyPart", -50) }));
+            Assert.That(ExecutionOrder.FromMeta.ToDictionary(o => o.Key.Name, o => o.Value),
+                Is.EquivalentTo(new[] { new System.Collections.Generic.KeyValuePair<string, int>("EarlyPart", -50) }));
         }
 
         // ---- assets
@@ -87,7 +91,8 @@ namespace Host.Tests
             Assert.That(material.renderQueue, Is.EqualTo(3001));
             Assert.That(material.GetFloat("_Gloss"), Is.EqualTo(0.75f));
             // Kept as the shader gets it, in linear space, and converted back.
-            Assert.That(Enumerable.Range(0, 4).Select(i => material.GetColor("_Color")[i]), Is.EqualTo(new[] { 0.1f, 0.2f, 0.3f, 0.4f }).Within(1e-6f));
+            Assert.That(Enumerable.Range(0, 4).Select(i => material.GetColor("_Color")[i]),
+                Is.EqualTo(new[] { 0.1f, 0.2f, 0.3f, 0.4f }).Within(1e-6f));
             Assert.That(material.GetVector("_Direction"), Is.EqualTo(new Vector4(1, 2, 3, 4)));
             Assert.That(material.GetTexture("_MainTex").name, Is.EqualTo("Four"));
             Assert.That(material.GetTextureScale("_MainTex"), Is.EqualTo(new Vector2(2, 3)));
@@ -98,8 +103,11 @@ namespace Host.Tests
         public void Textures_have_their_pixels_bottom_row_first() => WithDevice(() =>
         {
             var texture = Open().LoadAtPath<Texture2D>("Assets/Data/Four.png");
-            Assert.That((texture.width, texture.height, texture.filterMode, texture.wrapModeU, texture.wrapModeV), Is.EqualTo((2, 2, FilterMode.Point, TextureWrapMode.Clamp, TextureWrapMode.Repeat)));
-            Assert.That(texture.GetPixels32(), Is.EqualTo(new[] { new Color32(0, 0, 255, 255), new Color32(255, 255, 255, 128), new Color32(255, 0, 0, 255), new Color32(0, 255, 0, 255) }));
+            Assert.That((texture.width, texture.height, texture.filterMode, texture.wrapModeU, texture.wrapModeV),
+                Is.EqualTo((2, 2, FilterMode.Point, TextureWrapMode.Clamp, TextureWrapMode.Repeat)));
+            Assert.That(texture.GetPixels32(),
+                Is.EqualTo(new[] { new Color32(0, 0, 255, 255), new Color32(255, 255, 255, 128), new Color32(255, 0, 0, 255),
+                new Color32(0, 255, 0, 255) }));
         });
 
         [Test]
@@ -125,7 +133,8 @@ namespace Host.Tests
         [TestCase(10210, 4)]
         public void Built_in_meshes_are_found_by_their_ids(long fileId, int vertices)
         {
-            var text = TemporaryProject.SceneText("  size: 1\n") + $"--- !u!33 &13\nMeshFilter:\n  m_GameObject: {{fileID: 10}}\n  m_Mesh: {{fileID: {fileId}, guid: 0000000000000000e000000000000000, type: 0}}\n";
+            var text = TemporaryProject.SceneText("  size: 1\n") + $"--- !u!33 &13\nMeshFilter:\n  m_GameObject: {{fileID: 10}}\n  " +
+                $"m_Mesh: {{fileID: {fileId}, guid: 0000000000000000e000000000000000, type: 0}}\n";
             var scene = Temporary().Write("Assets/Main.unity", text, null).Load();
             Assert.That(Get<MeshFilter>(scene, "Tank").sharedMesh.vertexCount, Is.EqualTo(vertices));
         }

@@ -24,7 +24,8 @@ namespace Host.Tests
 
         [Test]
         public void Roots_come_in_the_order_that_the_scene_lists() =>
-            Assert.That(scene.GetRootGameObjects().Select(r => r.name), Is.EqualTo(new[] { "Sun", "Rig of the scene", "Main Camera", "Everything", "Early", "Off", "Right twin" }));
+            Assert.That(scene.GetRootGameObjects().Select(r => r.name),
+            Is.EqualTo(new[] { "Sun", "Rig of the scene", "Main Camera", "Everything", "Early", "Off", "Right twin" }));
 
         [Test]
         public void Transforms_have_their_place_in_the_hierarchy()
@@ -105,7 +106,8 @@ namespace Host.Tests
         public void Curves_keep_keys_tangents_and_ends()
         {
             // Slopes 2 at the inner ends and a rise of 2: the straight line v = 2 t.
-            Assert.That(everything.curve.keys.Select(k => (k.time, k.value, k.inTangent, k.outTangent)), Is.EqualTo(new[] { (0f, 0f, 0f, 2f), (1f, 2f, 2f, 0f) }));
+            Assert.That(everything.curve.keys.Select(k => (k.time, k.value, k.inTangent, k.outTangent)),
+                Is.EqualTo(new[] { (0f, 0f, 0f, 2f), (1f, 2f, 2f, 0f) }));
             Assert.That(everything.curve.Evaluate(0.25f), Is.EqualTo(0.5f).Within(1e-6f));
             Assert.That(everything.curve.preWrapMode, Is.EqualTo(WrapMode.Loop));
             Assert.That(everything.curve.postWrapMode, Is.EqualTo(WrapMode.ClampForever));
@@ -204,7 +206,8 @@ namespace Host.Tests
 
         [Test]
         public void A_key_without_a_field_is_a_warning() =>
-            Assert.That(project.Warnings, Has.Some.Contains("Everything on 'Everything'").And.Contains("no serialized field 'goneField'").And.StartsWith("Assets/Scenes/Main.unity("));
+            Assert.That(project.Warnings, Has.Some.Contains("Everything on 'Everything'").And.Contains(
+            "no serialized field 'goneField'").And.StartsWith("Assets/Scenes/Main.unity("));
 
         [Test]
         public void Callbacks_come_once_after_all_values()
@@ -222,7 +225,8 @@ namespace Host.Tests
             Assert.That(camera.backgroundColor, Is.EqualTo(new Color(0.25f, 0.5f, 0.75f, 0)));
             Assert.That(camera.cullingMask, Is.EqualTo(-1));
             var light = Get<Light>(scene, "Sun");
-            Assert.That((light.type, light.intensity, light.enabled, light.shadows), Is.EqualTo((LightType.Directional, 1.25f, false, LightShadows.Soft)));
+            Assert.That((light.type, light.intensity, light.enabled, light.shadows),
+                Is.EqualTo((LightType.Directional, 1.25f, false, LightShadows.Soft)));
             Assert.That(light.color, Is.EqualTo(new Color(1, 0.9f, 0.8f, 1)));
         }
 
@@ -294,7 +298,8 @@ namespace Host.Tests
         }
 
         [Test]
-        public void An_override_without_a_target_is_a_warning() => Assert.That(project.Warnings, Has.Some.Contains("object 999999, which the prefab no longer has"));
+        public void An_override_without_a_target_is_a_warning()
+            => Assert.That(project.Warnings, Has.Some.Contains("object 999999, which the prefab no longer has"));
 
         [Test]
         public void A_prefab_asset_can_be_instantiated_and_does_not_wake_itself()
@@ -304,7 +309,8 @@ namespace Host.Tests
             Assert.That(Part.Log, Is.Empty);
             Assert.That(prefab.scene.IsValid(), Is.False);
             var copy = Object.Instantiate(prefab);
-            Assert.That(Part.Log, Is.EqualTo(new[] { "Awake Rig(Clone)", "OnEnable Rig(Clone)", "Awake Left Nozzle", "OnEnable Left Nozzle", "Awake Tip", "OnEnable Tip" }));
+            Assert.That(Part.Log, Is.EqualTo(new[] { "Awake Rig(Clone)", "OnEnable Rig(Clone)", "Awake Left Nozzle", "OnEnable Left Nozzle",
+                "Awake Tip", "OnEnable Tip" }));
             Assert.That(copy.GetComponent<Part>().partner, Is.SameAs(copy.transform.Find("Left Nozzle/Tip").GetComponent<Part>()));
             Assert.That(prefab.GetComponent<Part>().partner, Is.SameAs(prefab.transform.Find("Left Nozzle/Tip").GetComponent<Part>()));
         }
@@ -312,10 +318,13 @@ namespace Host.Tests
         [Test]
         public void A_variant_overrides_its_base()
         {
-            var body = TemporaryProject.Header + "--- !u!1001 &70\nPrefabInstance:\n  m_Modification:\n    m_TransformParent: {fileID: 0}\n    m_Modifications:\n"
-                + "    - target: {fileID: 12, guid: e0000000000000000000000000000004, type: 3}\n      propertyPath: size\n      value: 6\n      objectReference: {fileID: 0}\n"
+            var body = TemporaryProject.Header
+                + "--- !u!1001 &70\nPrefabInstance:\n  m_Modification:\n    m_TransformParent: {fileID: 0}\n    m_Modifications:\n"
+                + "    - target: {fileID: 12, guid: e0000000000000000000000000000004, type: 3}\n      propertyPath: size\n      value: " +
+                "6\n      objectReference: {fileID: 0}\n"
                 + "  m_SourcePrefab: {fileID: 100100000, guid: e0000000000000000000000000000004, type: 3}\n";
-            var variants = Temporary().Write("Assets/Base.prefab", TemporaryProject.SceneText("  size: 5\n"), "e0000000000000000000000000000004").Write("Assets/Variant.prefab", body, "e0000000000000000000000000000005").Open();
+            var variants = Temporary().Write("Assets/Base.prefab", TemporaryProject.SceneText("  size: 5\n"),
+                "e0000000000000000000000000000004").Write("Assets/Variant.prefab", body, "e0000000000000000000000000000005").Open();
             Assert.That(variants.LoadAtPath<Part>("Assets/Base.prefab").size, Is.EqualTo(5));
             Assert.That(variants.LoadAtPath<Part>("Assets/Variant.prefab").size, Is.EqualTo(6));
             // The made-up id of the base's component in the variant.
@@ -326,11 +335,16 @@ namespace Host.Tests
         public void Prefabs_of_editors_before_2018_3_are_read()
         {
             const string guid = "e0000000000000000000000000000004";
-            var prefab = TemporaryProject.SceneText("  size: 5\n") + "--- !u!1001 &100100000\nPrefab:\n  m_Modification:\n    m_Modifications: []\n  m_ParentPrefab: {fileID: 0}\n  m_RootGameObject: {fileID: 10}\n  m_IsPrefabParent: 1\n";
-            var old = TemporaryProject.Header + $"--- !u!1001 &70\nPrefab:\n  m_Modification:\n    m_TransformParent: {{fileID: 0}}\n    m_Modifications:\n    - target: {{fileID: 12, guid: {guid}, type: 2}}\n"
-                + $"      propertyPath: size\n      value: 8\n      objectReference: {{fileID: 0}}\n    m_RemovedComponents: []\n  m_ParentPrefab: {{fileID: 100100000, guid: {guid}, type: 2}}\n  m_IsPrefabParent: 0\n"
-                + $"--- !u!4 &71 stripped\nTransform:\n  m_PrefabParentObject: {{fileID: 11, guid: {guid}, type: 2}}\n  m_PrefabInternal: {{fileID: 70}}\n"
-                + "--- !u!1 &80\nGameObject:\n  m_Component:\n  - 4: {fileID: 81}\n  m_Name: Child\n  m_IsActive: 1\n--- !u!4 &81\nTransform:\n  m_GameObject: {fileID: 80}\n  m_Father: {fileID: 71}\n";
+            var prefab = TemporaryProject.SceneText("  size: 5\n") + "--- !u!1001 &100100000\nPrefab:\n  m_Modification:\n    " +
+                "m_Modifications: []\n  m_ParentPrefab: {fileID: 0}\n  m_RootGameObject: {fileID: 10}\n  m_IsPrefabParent: 1\n";
+            var old = TemporaryProject.Header + $"--- !u!1001 &70\nPrefab:\n  m_Modification:\n    m_TransformParent: {{fileID: 0}}\n  " +
+                $"  m_Modifications:\n    - target: {{fileID: 12, guid: {guid}, type: 2}}\n"
+                + $"      propertyPath: size\n      value: 8\n      objectReference: {{fileID: 0}}\n    m_RemovedComponents: []\n  " +
+                $"m_ParentPrefab: {{fileID: 100100000, guid: {guid}, type: 2}}\n  m_IsPrefabParent: 0\n"
+                + $"--- !u!4 &71 stripped\nTransform:\n  m_PrefabParentObject: {{fileID: 11, guid: {guid}, type: 2}}\n  " +
+                $"m_PrefabInternal: {{fileID: 70}}\n"
+                + "--- !u!1 &80\nGameObject:\n  m_Component:\n  - 4: {fileID: 81}\n  m_Name: Child\n  m_IsActive: 1\n--- !u!4 " +
+                "&81\nTransform:\n  m_GameObject: {fileID: 80}\n  m_Father: {fileID: 71}\n";
             var loaded = Temporary().Write("Assets/Old.prefab", prefab, guid).Write("Assets/Main.unity", old, null).Load();
             Assert.That(Get<Part>(loaded, "Tank").size, Is.EqualTo(8));
             Assert.That(Get<Transform>(loaded, "Tank/Child").childCount, Is.Zero);

@@ -32,7 +32,9 @@ namespace Host.Tests
         [Test]
         public void Windows_line_ends_change_nothing()
         {
-            var yaml = UnityYaml.Parse((Header + "--- !u!1 &10\nGameObject:\n  m_Name: A B\n  m_Layer: 5\n--- !u!1 &11\nGameObject:\n  m_Name: \n").Replace("\n", "\r\n"), "x");
+            var yaml = UnityYaml.Parse((Header
+                + "--- !u!1 &10\nGameObject:\n  m_Name: A B\n  m_Layer: 5\n--- !u!1 &11\nGameObject:\n  m_Name: \n").Replace("\n", "\r\n"),
+                "x");
             Assert.That(yaml.Find(10).Fields.Text("m_Name"), Is.EqualTo("A B"));
             Assert.That(yaml.Find(10).Fields.Int("m_Layer"), Is.EqualTo(5));
             Assert.That(yaml.Find(11).Fields.Text("m_Name", "lacking"), Is.EqualTo(""));
@@ -107,7 +109,8 @@ namespace Host.Tests
         [TestCase("hello", "no Unity YAML file")]
         [TestCase("version https://git-lfs.github.com/spec/v1\noid sha256:1\n", "git lfs pull")]
         [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n<<<<<<< HEAD\n", "Assets/X.unity(5): a merge conflict")]
-        [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!1 &1\nGameObject:\n  m_Name: B\n", "file id 1 is that of the document in line 2 too")]
+        [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: A\n--- !u!1 &1\nGameObject:\n  m_Name: B\n",
+            "file id 1 is that of the document in line 2 too")]
         [TestCase("%YAML 1.1\n--- !u!one &1\nGameObject:\n  m_Name: A\n", "Assets/X.unity(2): '--- !u!one &1' is no document header")]
         [TestCase("%YAML 1.1\n--- !u!1 &1\nGameObject:\n  m_Name: {a: 1\n", "Assets/X.unity(")]
         public void Damaged_files_are_refused_with_their_line(string text, string expected) =>
@@ -115,7 +118,8 @@ namespace Host.Tests
 
         [Test]
         public void A_value_of_the_wrong_kind_names_its_line() =>
-            Assert.That(Assert.Throws<AssetException>(() => Fields("  a: 1\n  x: many\n").Int("x")).Message, Is.EqualTo("Assets/Test.unity(6): 'many' is not a whole number"));
+            Assert.That(Assert.Throws<AssetException>(() => Fields("  a: 1\n  x: many\n").Int("x")).Message,
+            Is.EqualTo("Assets/Test.unity(6): 'many' is not a whole number"));
 
         [TestCase("settings.radius", "4")]
         [TestCase("list.Array.data[1].x", "4")]

@@ -33,7 +33,8 @@ namespace Host.Tests
         {
             string key = backend + " " + name;
             if (!sources.TryGetValue(key, out ComputeShaderSource source))
-                sources.Add(key, source = Import(backend, Path.Combine(TestFolder.Path, "Shaders", "Backends", name + ".compute"), $"Backends/{name}.compute"));
+                sources.Add(key, source = Import(backend, Path.Combine(TestFolder.Path, "Shaders", "Backends", name + ".compute"),
+                    $"Backends/{name}.compute"));
             return ComputeShader.Create(source);
         }
 
@@ -52,7 +53,8 @@ namespace Host.Tests
             return words;
         }
 
-        protected static float[] Floats(GraphicsBuffer buffer) => Words(buffer).Select(word => BitConverter.ToSingle(BitConverter.GetBytes(word), 0)).ToArray();
+        protected static float[] Floats(GraphicsBuffer buffer)
+            => Words(buffer).Select(word => BitConverter.ToSingle(BitConverter.GetBytes(word), 0)).ToArray();
 
         /// <summary>The float i in word i.</summary>
         protected static float[] Counting(int count) => Enumerable.Range(0, count).Select(i => (float)i).ToArray();

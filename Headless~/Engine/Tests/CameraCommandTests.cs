@@ -36,11 +36,13 @@ ENDHLSL
 }} }} }}"));
 
         // A triangle over the whole picture at a depth of the device.
-        const string Everywhere = "float _Depth; float4 vert(uint id : SV_VertexID) : SV_Position { return float4(id == 1 ? 3 : -1, id == 2 ? 3 : -1, _Depth, 1); }\n";
+        const string Everywhere = "float _Depth; float4 vert(uint id : SV_VertexID) : SV_Position { return float4(id == 1 ? 3 : -1, id " +
+            "== 2 ? 3 : -1, _Depth, 1); }\n";
 
         static RenderTexture Target(GraphicsFormat color, GraphicsFormat depth = GraphicsFormat.None, int slices = 1, bool write = false)
         {
-            var target = new RenderTexture(new RenderTextureDescriptor(Width, Height, color, depth) { dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = slices, enableRandomWrite = write });
+            var target = new RenderTexture(new RenderTextureDescriptor(Width, Height, color, depth) { dimension = slices > 1
+                ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = slices, enableRandomWrite = write });
             target.Create();
             return target;
         }
@@ -62,11 +64,16 @@ ENDHLSL
         [Test]
         public void Draws_go_into_one_slice_of_a_depth_only_target_and_kernels_and_pixels_read_it([Values(1, 2)] int slices, [Values] bool indirect)
         {
-            RenderTexture depth = Target(GraphicsFormat.None, GraphicsFormat.D32_SFloat, slices), seen = Target(GraphicsFormat.R32_SFloat), computed = Target(GraphicsFormat.R32_SFloat, write: true);
-            string array = slices > 1 ? "Texture2DArray<float> _Read;" : "Texture2D<float> _Read;", at = slices > 1 ? $"int4(at, {slices - 1}, 0)" : "int3(at, 0)";
+            RenderTexture depth = Target(GraphicsFormat.None, GraphicsFormat.D32_SFloat, slices), seen = Target(GraphicsFormat.R32_SFloat),
+                computed = Target(GraphicsFormat.R32_SFloat, write: true);
+            string array = slices > 1 ? "Texture2DArray<float> _Read;" : "Texture2D<float> _Read;", at = slices > 1
+                ? $"int4(at, {slices - 1}, 0)" : "int3(at, 0)";
             Material draw = MaterialOf(Everywhere + "void frag() { }", "ColorMask 0");
-            Material read = MaterialOf(Everywhere + array + $"float4 frag(float4 p : SV_Position) : SV_Target {{ int2 at = p.xy; return _Read.Load({at}) * 2; }}", "ZTest Always ZWrite Off");
-            ComputeShader kernel = ComputeOf($"#pragma kernel Read\n{array} RWTexture2D<float> _Out;\n[numthreads(8, 8, 1)] void Read(uint2 at : SV_DispatchThreadID) {{ _Out[at] = _Read.Load({at}) * 4; }}");
+            Material read = MaterialOf(Everywhere + array
+                + $"float4 frag(float4 p : SV_Position) : SV_Target {{ int2 at = p.xy; return _Read.Load({at}) * 2; }}",
+                "ZTest Always ZWrite Off");
+            ComputeShader kernel = ComputeOf($"#pragma kernel Read\n{array} RWTexture2D<float> _Out;\n[numthreads(8, 8, 1)] void " +
+                $"Read(uint2 at : SV_DispatchThreadID) {{ _Out[at] = _Read.Load({at}) * 4; }}");
             using var arguments = new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments, 4, 4);
             arguments.SetData(new uint[] { 3, 1, 0, 0 });
             var block = new MaterialPropertyBlock();
@@ -97,11 +104,14 @@ ENDHLSL
         }
 
         [Test]
-        public void The_nearest_of_depths_that_pixels_write_wins_also_where_they_promise_a_direction([Values("SV_Depth", "SV_DepthLessEqual", "SV_DepthGreaterEqual")] string semantic)
+        public void The_nearest_of_depths_that_pixels_write_wins_also_where_they_promise_a_direction(
+            [Values("SV_Depth", "SV_DepthLessEqual", "SV_DepthGreaterEqual")] string semantic)
         {
             RenderTexture depth = Target(GraphicsFormat.None, GraphicsFormat.D32_SFloat);
             float drawn = semantic == "SV_DepthLessEqual" ? 1 : 0;      // on the side from which it promises to come
-            Material draw = MaterialOf(Everywhere + $"float _Own; void frag(float4 p : SV_Position, out float depth : {semantic}) {{ depth = p.x < 32 ? _Own : 0.25; }}", "ColorMask 0 ZTest LEqual");
+            Material draw = MaterialOf(Everywhere
+            + $"float _Own; void frag(float4 p : SV_Position, out float depth : {semantic}) {{ depth = p.x < 32 ? _Own : 0.25; }}",
+            "ColorMask 0 ZTest LEqual");
             using var cmd = new CommandBuffer();
             cmd.SetRenderTarget(depth);
             cmd.ClearRenderTarget(true, false, Color.clear);
@@ -121,7 +131,8 @@ ENDHLSL
         public void A_half_float_target_adds_up([Values(1, 2)] int slices)
         {
             RenderTexture sum = Target(GraphicsFormat.R16_SFloat, GraphicsFormat.None, slices);
-            Material add = MaterialOf(Everywhere + "float _Amount; float frag() : SV_Target { return _Amount; }", "Blend One One ZTest Always ZWrite Off");
+            Material add = MaterialOf(Everywhere + "float _Amount; float frag() : SV_Target { return _Amount; }",
+                "Blend One One ZTest Always ZWrite Off");
             using var cmd = new CommandBuffer();
             cmd.SetRenderTarget(sum, 0, CubemapFace.Unknown, slices - 1);
             cmd.ClearRenderTarget(false, true, Color.clear);
@@ -139,13 +150,16 @@ ENDHLSL
         }
 
         [Test]
-        public void Kernels_write_textures_and_read_what_they_wrote([Values(GraphicsFormat.R32_SFloat, GraphicsFormat.R16_SFloat, GraphicsFormat.R16G16B16A16_SFloat)] GraphicsFormat format, [Values(1, 2)] int slices)
+        public void Kernels_write_textures_and_read_what_they_wrote([Values(GraphicsFormat.R32_SFloat, GraphicsFormat.R16_SFloat,
+            GraphicsFormat.R16G16B16A16_SFloat)] GraphicsFormat format, [Values(1, 2)] int slices)
         {
             RenderTexture first = Target(format, GraphicsFormat.None, slices, true), second = Target(format, GraphicsFormat.None, slices, true);
             string type = format == GraphicsFormat.R16G16B16A16_SFloat ? "float4" : "float", suffix = slices > 1 ? "Array" : "";
             string place = slices > 1 ? "uint3 at" : "uint2 at", load = slices > 1 ? "int4(at, 0)" : "int3(at, 0)", slice = slices > 1 ? "at.z" : "0";
-            ComputeShader kernels = ComputeOf($"#pragma kernel Write\n#pragma kernel Double\nRWTexture2D{suffix}<{type}> _Out; Texture2D{suffix}<{type}> _In;\n" +
-                $"[numthreads(8, 8, 1)] void Write({place} : SV_DispatchThreadID) {{ _Out[at] = at.x + 100 * {slice}; }}\n[numthreads(8, 8, 1)] void Double({place} : SV_DispatchThreadID) {{ _Out[at] = 2 * _In.Load({load}); }}");
+            ComputeShader kernels = ComputeOf(
+                $"#pragma kernel Write\n#pragma kernel Double\nRWTexture2D{suffix}<{type}> _Out; Texture2D{suffix}<{type}> _In;\n" +
+                $"[numthreads(8, 8, 1)] void Write({place} : SV_DispatchThreadID) {{ _Out[at] = at.x + 100 * {slice}; " +
+                $"}}\n[numthreads(8, 8, 1)] void Double({place} : SV_DispatchThreadID) {{ _Out[at] = 2 * _In.Load({load}); }}");
             using var cmd = new CommandBuffer();
             cmd.SetComputeTextureParam(kernels, 0, "_Out", first);
             cmd.DispatchCompute(kernels, 0, Width / 8, Height / 8, slices);
@@ -155,15 +169,18 @@ ENDHLSL
             Graphics.ExecuteCommandBuffer(cmd);
             AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(second, 0, 0, Width, 0, Height, slices - 1, 1);
             request.WaitForCompletion();
-            float[] values = format == GraphicsFormat.R32_SFloat ? request.GetData<float>().ToArray() : request.GetData<ushort>().Select(h => Mathf.HalfToFloat(h)).ToArray();
+            float[] values = format == GraphicsFormat.R32_SFloat ? request.GetData<float>().ToArray()
+                : request.GetData<ushort>().Select(h => Mathf.HalfToFloat(h)).ToArray();
             int components = type == "float4" ? 4 : 1;
-            Assert.That(Enumerable.Range(0, Width).Select(x => values[x * components]), Is.EqualTo(Enumerable.Range(0, Width).Select(x => 2f * (x + 100 * (slices - 1)))));
+            Assert.That(Enumerable.Range(0, Width).Select(x => values[x * components]),
+                Is.EqualTo(Enumerable.Range(0, Width).Select(x => 2f * (x + 100 * (slices - 1)))));
             Object.DestroyImmediate(first);
             Object.DestroyImmediate(second);
         }
 
         // Shows a texture of its own block over the whole picture, in the transparent queue.
-        static Material Show() => MaterialOf(Everywhere + "Texture2D _Seen; float4 _Tint; float4 frag(float4 p : SV_Position) : SV_Target { return _Seen.Load(int3(p.xy, 0)).grba * _Tint; }", "ZTest Always ZWrite Off", "Transparent");
+        static Material Show() => MaterialOf(Everywhere + "Texture2D _Seen; float4 _Tint; float4 frag(float4 p : SV_Position) : " +
+            "SV_Target { return _Seen.Load(int3(p.xy, 0)).grba * _Tint; }", "ZTest Always ZWrite Off", "Transparent");
 
         [Test]
         public void A_draw_for_one_camera_has_a_block_of_its_own_and_is_in_no_other_camera()
@@ -177,10 +194,12 @@ ENDHLSL
             {
                 var block = new MaterialPropertyBlock();
                 block.SetVector("_Tint", tints[i]);
-                Graphics.RenderPrimitives(new RenderParams(material) { worldBounds = everywhere, camera = cameras[i], matProps = block }, MeshTopology.Triangles, 3);
+                Graphics.RenderPrimitives(new RenderParams(material) { worldBounds = everywhere, camera = cameras[i], matProps = block },
+                    MeshTopology.Triangles, 3);
             }
             Frame();
-            Assert.That(cameras.Select(c => Pixel(5, 5, c.targetTexture)), Is.EqualTo(new[] { new Color32(255, 0, 0, 255), new Color32(0, 255, 0, 255), new Color32(0, 0, 255, 255) }));
+            Assert.That(cameras.Select(c => Pixel(5, 5, c.targetTexture)),
+                Is.EqualTo(new[] { new Color32(255, 0, 0, 255), new Color32(0, 255, 0, 255), new Color32(0, 0, 255, 255) }));
             foreach (Camera camera in cameras)
                 Object.DestroyImmediate(camera.targetTexture);
         }
@@ -198,7 +217,8 @@ ENDHLSL
                 camera.targetTexture = new RenderTexture(Width, Height, 24, hdr ? RenderTextureFormat.ARGBHalf : RenderTextureFormat.ARGB32);
             GraphicsFormat format = toTexture && !blit ? camera.targetTexture.graphicsFormat : GraphicsFormat.R16G16B16A16_SFloat;
             RenderTexture own = Target(format);
-            Material opaque = MaterialOf(Everywhere + "float4 frag() : SV_Target { return float4(1, 0.25, 0, 1); }", "ZTest Always ZWrite Off"), show = Show();
+            Material opaque = MaterialOf(Everywhere + "float4 frag() : SV_Target { return float4(1, 0.25, 0, 1); }",
+                "ZTest Always ZWrite Off"), show = Show();
 
             using var cmd = new CommandBuffer();
             if (blit)
@@ -269,10 +289,17 @@ ENDHLSL
         {
             Player.Stereo = true;
             Camera camera = NewCamera();
-            RenderTexture own = new RenderTexture(new RenderTextureDescriptor(Width / 2, Height, GraphicsFormat.R16G16B16A16_SFloat, GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = 2 });
-            const string eye = "struct v2f { float4 p : SV_Position; uint eye : SV_RenderTargetArrayIndex; };\nv2f vert(uint id : SV_VertexID, uint instance : SV_InstanceID) { v2f o; o.p = float4(id == 1 ? 3 : -1, id == 2 ? 3 : -1, 0, 1);\n#ifdef STEREO_INSTANCING_ON\no.eye = instance & 1;\n#else\no.eye = 0;\n#endif\nreturn o; }\n";
-            Material opaque = MaterialOf(eye + "float4 frag(v2f i) : SV_Target { return i.eye == 0 ? float4(1, 0, 0, 1) : float4(0, 1, 0, 1); }", "ZTest Always ZWrite Off");
-            Material show = MaterialOf(eye + "Texture2DArray _Seen; float4 frag(v2f i) : SV_Target { return _Seen.Load(int4(i.p.xy, i.eye, 0)).gbra; }", "ZTest Always ZWrite Off", "Transparent");
+            RenderTexture own = new RenderTexture(new RenderTextureDescriptor(Width / 2, Height, GraphicsFormat.R16G16B16A16_SFloat,
+                GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = 2 });
+            const string eye = "struct v2f { float4 p : SV_Position; uint eye : SV_RenderTargetArrayIndex; };\nv2f vert(uint id : " +
+                "SV_VertexID, uint instance : SV_InstanceID) { v2f o; o.p = float4(id == 1 ? 3 : -1, id == 2 ? 3 : -1, 0, 1);\n#ifdef " +
+                "STEREO_INSTANCING_ON\no.eye = instance & 1;\n#else\no.eye = 0;\n#endif\nreturn o; }\n";
+            Material opaque =
+                MaterialOf(eye + "float4 frag(v2f i) : SV_Target { return i.eye == 0 ? float4(1, 0, 0, 1) : float4(0, 1, 0, 1); }",
+                "ZTest Always ZWrite Off");
+            Material show =
+                MaterialOf(eye + "Texture2DArray _Seen; float4 frag(v2f i) : SV_Target { return _Seen.Load(int4(i.p.xy, i.eye, 0)).gbra; }",
+                "ZTest Always ZWrite Off", "Transparent");
             using var cmd = new CommandBuffer();
             for (int slice = 0; slice < 2; slice++)
                 cmd.Blit(BuiltinRenderTextureType.CameraTarget, own, slice, slice);
@@ -293,7 +320,8 @@ ENDHLSL
             RenderTexture source = Target(GraphicsFormat.R8G8B8A8_UNorm, slices: 2), own = Target(GraphicsFormat.R8G8B8A8_UNorm);
             using var cmd = new CommandBuffer();
             cmd.Blit(source, own, 1, 1);
-            Assert.That(() => Graphics.ExecuteCommandBuffer(cmd), Throws.TypeOf<GpuUsageException>().With.Message.Contains("into slice 1 of '', which has 1"));
+            Assert.That(() => Graphics.ExecuteCommandBuffer(cmd),
+                Throws.TypeOf<GpuUsageException>().With.Message.Contains("into slice 1 of '', which has 1"));
             Object.DestroyImmediate(source);
             Object.DestroyImmediate(own);
         }

@@ -67,7 +67,8 @@ void surf (Input IN, inout SurfaceOutput o) {{ o.Albedo = 1; {body} }}
 ENDCG
 }} Fallback ""Diffuse"" }}");
 
-        static IEnumerable<string> WithShadowCaster() => new[] { "Standard", "Standard (Specular setup)", "Diffuse", "VertexLit", "Mobile/Diffuse", "Mobile/VertexLit" };
+        static IEnumerable<string> WithShadowCaster()
+            => new[] { "Standard", "Standard (Specular setup)", "Diffuse", "VertexLit", "Mobile/Diffuse", "Mobile/VertexLit" };
 
         [TestCaseSource(nameof(WithShadowCaster))]
         public void It_holds_what_has_a_ShadowCaster_pass(string shader)
@@ -108,7 +109,9 @@ ENDCG
             Quad(Plain("\"Nobody/Has This\""));
             Frame();
             Frame();
-            Assert.That(Logged.Count(line => line.Contains("Shader 'Test/Plain Nobody/Has This0': fallback shader 'Nobody/Has This' not found")), Is.EqualTo(1), string.Join("\n", Logged));
+            Assert.That(Logged.Count(line => line.Contains(
+                "Shader 'Test/Plain Nobody/Has This0': fallback shader 'Nobody/Has This' not found")), Is.EqualTo(1),
+                string.Join("\n", Logged));
             Assert.That(Middle, Is.Zero);
         }
 
@@ -132,7 +135,8 @@ ENDCG
         [Test]
         public void What_casts_no_shadow_is_in_it_and_what_only_casts_is_not([Values] bool only)
         {
-            Quad(Shader.Find("Standard")).GetComponent<MeshRenderer>().shadowCastingMode = only ? ShadowCastingMode.ShadowsOnly : ShadowCastingMode.Off;
+            Quad(Shader.Find("Standard")).GetComponent<MeshRenderer>().shadowCastingMode = only ? ShadowCastingMode.ShadowsOnly
+                : ShadowCastingMode.Off;
             Frame();
             Assert.That(Middle, Is.EqualTo(only ? 0 : AtFive).Within(1e-5f));
         }
@@ -161,7 +165,8 @@ ENDCG
         public void It_is_there_at_the_event_after_it_and_before_anything_else_is_drawn()
         {
             // Looks at the texture while the camera's own target is not even cleared.
-            Material look = new Material(ShaderOf(Effect("UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture); float4 frag(v2f_img i) : SV_Target { return SAMPLE_DEPTH_TEXTURE(_CameraDepthTexture, i.uv); }")));
+            Material look = new Material(ShaderOf(Effect("UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture); float4 frag(v2f_img i) : " +
+                "SV_Target { return SAMPLE_DEPTH_TEXTURE(_CameraDepthTexture, i.uv); }")));
             Quad(Shader.Find("Standard"));
             foreach (CameraEvent moment in new[] { CameraEvent.AfterDepthTexture, CameraEvent.BeforeForwardOpaque })
             {
@@ -220,7 +225,8 @@ ENDCG
             camera.orthographicSize = 0.256f;                               // a pixel is 16 mm
             Frame();
             var texture = (RenderTexture)Shader.GetGlobalTexture("_CameraDepthTexture");
-            Assert.That((texture.dimension, texture.volumeDepth, texture.width, texture.height), Is.EqualTo((TextureDimension.Tex2DArray, 2, 32, 32)));
+            Assert.That((texture.dimension, texture.volumeDepth, texture.width, texture.height),
+                Is.EqualTo((TextureDimension.Tex2DArray, 2, 32, 32)));
             int[][] rows = { Row(0), Row(1) };
             Assert.That(rows[0].Length, Is.GreaterThan(4), "the left eye sees it");
             Assert.That(rows[1].Length, Is.EqualTo(rows[0].Length), "so does the right eye");
@@ -253,7 +259,8 @@ CGPROGRAM
 #include ""Lighting.cginc""
 #include ""AutoLight.cginc""
 struct v2f { float4 pos : SV_POSITION; float3 world : TEXCOORD0; SHADOW_COORDS(1) };
-v2f vert(appdata_base v) { v2f o; o.pos = UnityObjectToClipPos(v.vertex); o.world = mul(unity_ObjectToWorld, v.vertex).xyz; TRANSFER_SHADOW(o) return o; }
+v2f vert(appdata_base v) { v2f o; o.pos = UnityObjectToClipPos(v.vertex); o.world = mul(unity_ObjectToWorld, v.vertex).xyz;
+    TRANSFER_SHADOW(o) return o; }
 fixed4 frag(v2f i) : SV_Target { UNITY_LIGHT_ATTENUATION(atten, i, i.world); return atten * _LightColor0; }
 ENDCG
 } } Fallback ""VertexLit"" }");

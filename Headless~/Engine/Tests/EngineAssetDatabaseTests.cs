@@ -42,9 +42,11 @@ namespace Host.Tests
         public void Faults_are_unitys()
         {
             var mesh = new Mesh();
-            Assert.That(Assert.Throws<UnityException>(() => AssetDatabase.CreateAsset(mesh, "Assets/None/Pot.asset")).Message, Does.Contain("parent folder not found"));
+            Assert.That(Assert.Throws<UnityException>(() => AssetDatabase.CreateAsset(mesh, "Assets/None/Pot.asset")).Message,
+                Does.Contain("parent folder not found"));
             AssetDatabase.CreateAsset(mesh, Path);
-            Assert.That(Assert.Throws<UnityException>(() => AssetDatabase.CreateAsset(mesh, Folder + "/Other.asset")).Message, Does.Contain("already an asset at 'Assets/Made/Pot.asset'"));
+            Assert.That(Assert.Throws<UnityException>(() => AssetDatabase.CreateAsset(mesh, Folder + "/Other.asset")).Message,
+                Does.Contain("already an asset at 'Assets/Made/Pot.asset'"));
             Assert.That(AssetDatabase.GenerateUniqueAssetPath("Assets/None/Pot.asset"), Is.Empty);
             Assert.That(AssetDatabase.CreateFolder("Nowhere", "Deep"), Is.Empty);
         }
@@ -55,7 +57,9 @@ namespace Host.Tests
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
             Mesh mesh = cube.GetComponent<MeshFilter>().sharedMesh;
             // Without a project nothing is identified; with one, as in every scene file.
-            Assert.That(UnityEngine.Headless.Player.Assets == null || AssetDatabase.TryGetGUIDAndLocalFileIdentifier(mesh, out string guid, out long id) && (guid, id) == ("0000000000000000e000000000000000", 10202));
+            Assert.That(UnityEngine.Headless.Player.Assets == null
+                || AssetDatabase.TryGetGUIDAndLocalFileIdentifier(mesh, out string guid, out long id)
+                && (guid, id) == ("0000000000000000e000000000000000", 10202));
             Object.DestroyImmediate(cube);
         }
     }

@@ -45,7 +45,8 @@ namespace Host.Tests
             Assert.That(Count(mask: 1 << 4), Is.Zero);
             box.isTrigger = true;
             Assert.That(Count(mask: 1 << 5), Is.Zero);
-            Assert.That(Physics.OverlapBoxNonAlloc(Vector3.zero, Vector3.one, found, Quaternion.identity, ~0, QueryTriggerInteraction.UseGlobal), Is.EqualTo(1));
+            Assert.That(Physics.OverlapBoxNonAlloc(Vector3.zero, Vector3.one, found, Quaternion.identity, ~0,
+                QueryTriggerInteraction.UseGlobal), Is.EqualTo(1));
             box.isTrigger = false;
             box.enabled = false;
             Assert.That(Count(), Is.Zero);
@@ -85,7 +86,8 @@ namespace Host.Tests
         }
 
         int Count(Quaternion? rotation = null, float half = 0.5f, int mask = ~0) =>
-            Physics.OverlapBoxNonAlloc(Vector3.zero, Vector3.one * half, found, rotation ?? Quaternion.identity, mask, QueryTriggerInteraction.Ignore);
+            Physics.OverlapBoxNonAlloc(Vector3.zero, Vector3.one * half, found, rotation ?? Quaternion.identity, mask,
+            QueryTriggerInteraction.Ignore);
 
         static T At<T>(Vector3 position) where T : Collider
         {

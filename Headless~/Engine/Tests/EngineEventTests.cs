@@ -67,8 +67,10 @@ namespace Host.Tests
         public void Stored_listeners_come_first_with_their_stored_argument_and_a_copy_calls_the_copy()
         {
             var listener = owner.AddComponent<Listener>();
-            Store(listener.plain, listener, nameof(Listener.Text), PersistentListenerMode.String, new PersistentArguments { m_StringArgument = "stored" });
-            Store(listener.plain, listener, nameof(Listener.Number), PersistentListenerMode.Float, new PersistentArguments { m_FloatArgument = 2.5f });
+            Store(listener.plain, listener, nameof(Listener.Text), PersistentListenerMode.String,
+                new PersistentArguments { m_StringArgument = "stored" });
+            Store(listener.plain, listener, nameof(Listener.Number), PersistentListenerMode.Float,
+                new PersistentArguments { m_FloatArgument = 2.5f });
             listener.plain.AddListener(listener.Nothing);
             listener.plain.Invoke();
             Assert.That(listener.heard, Is.EqualTo(new[] { "text stored", "number 2.5", "nothing" }));
@@ -99,8 +101,10 @@ namespace Host.Tests
 
         static void Store(UnityEventBase owner, UnityEngine.Object target, string method, PersistentListenerMode mode, PersistentArguments arguments)
         {
-            var field = typeof(UnityEventBase).GetField("m_PersistentCalls", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic);
-            ((PersistentCalls)field.GetValue(owner)).m_Calls.Add(new PersistentCall { m_Target = target, m_MethodName = method, m_Mode = mode, m_Arguments = arguments });
+            var field = typeof(UnityEventBase).GetField("m_PersistentCalls",
+                System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic);
+            ((PersistentCalls)field.GetValue(owner)).m_Calls.Add(new PersistentCall { m_Target = target, m_MethodName = method,
+                m_Mode = mode, m_Arguments = arguments });
         }
     }
 }

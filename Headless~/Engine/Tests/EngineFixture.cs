@@ -34,7 +34,8 @@ namespace Host.Tests
             LogSink.Received -= log.Add;
             LogSink.Writer = writer;
             SceneManager.SceneLoader = loader;
-            Assert.That(log.Where(e => e.Type != LogType.Log && e.Type != LogType.Warning), Is.Empty, "errors in the log that the test did not expect");
+            Assert.That(log.Where(e => e.Type != LogType.Log && e.Type != LogType.Warning), Is.Empty,
+                "errors in the log that the test did not expect");
         }
 
         /// <summary>Takes the errors out of the log, which makes them expected.</summary>

@@ -37,7 +37,8 @@ namespace Host.Tests
             "{\"number\":3,\"tenth\":0.10000000149011612,\"flag\":true,\"kind\":7,\"place\":{\"x\":1.0,\"y\":-2.5},\"list\":[1,2],\"inners\":[{\"name\":\"a \\\"b\\\"\",\"secret\":0.5}]}"));
 
         [Test]
-        public void Pretty_print_breaks_lines_and_indents_by_four() => Assert.That(JsonUtility.ToJson(new Inner(), true), Is.EqualTo("{\n    \"name\": \"\",\n    \"secret\": 0.5\n}"));
+        public void Pretty_print_breaks_lines_and_indents_by_four()
+            => Assert.That(JsonUtility.ToJson(new Inner(), true), Is.EqualTo("{\n    \"name\": \"\",\n    \"secret\": 0.5\n}"));
 
         [Test]
         public void What_was_written_is_read_again()
@@ -53,7 +54,8 @@ namespace Host.Tests
         public void A_key_that_is_missing_or_unknown_changes_nothing()
         {
             var data = new Data();
-            JsonUtility.FromJsonOverwrite(" { \"place\" : { \"y\" : 4 }, \"stranger\" : [ { } , null ], \"kind\" : 0, \"list\" : \"no list\" } ", data);
+            JsonUtility.FromJsonOverwrite(
+                " { \"place\" : { \"y\" : 4 }, \"stranger\" : [ { } , null ], \"kind\" : 0, \"list\" : \"no list\" } ", data);
             Assert.That(data.place, Is.EqualTo(new Vector2(1, 4)));
             Assert.That(data.kind, Is.EqualTo(Kind.None));
             Assert.That(data.list, Is.EqualTo(new[] { 1, 2 }));
@@ -65,7 +67,8 @@ namespace Host.Tests
         [TestCase("{\"name\":\"open}")]
         [TestCase("[1]")]
         [TestCase("{} {}")]
-        public void Bad_json_is_refused(string json) => Assert.That(Assert.Throws<ArgumentException>(() => JsonUtility.FromJson<Data>(json)).Message, Does.Contain("JSON"));
+        public void Bad_json_is_refused(string json)
+            => Assert.That(Assert.Throws<ArgumentException>(() => JsonUtility.FromJson<Data>(json)).Message, Does.Contain("JSON"));
 
         [Test]
         public void Preferences_hold_values_by_type()

@@ -162,7 +162,8 @@ namespace Host.Tests
             Frames(1, 0);
             Assert.That(Story.Take(), Is.EqualTo(new[]
             {
-                "root OnValidate", "child OnValidate", "child Awake", "child OnEnable", "root Awake", "root OnEnable", "child Awake", "child OnEnable",
+                "root OnValidate", "child OnValidate", "child Awake", "child OnEnable", "root Awake", "root OnEnable", "child Awake",
+                    "child OnEnable",
                 "level loaded", "child Start", "root Start", "child Start", "child Update", "child LateUpdate",
             }));
             Assert.That(SceneManager.GetActiveScene().GetRootGameObjects(), Is.EqualTo(new[] { root }));
@@ -443,7 +444,8 @@ namespace Host.Tests
 
         [Test]
         public void What_Unity_does_not_store_is_no_serialized_field()
-            => Assert.That(SerializedFields.Of(typeof(NotStored)).Where(f => f.DeclaringType == typeof(NotStored)).Select(f => f.Name), Is.EqualTo(new[] { "hiddenButStored" }));
+            => Assert.That(SerializedFields.Of(typeof(NotStored)).Where(f => f.DeclaringType == typeof(NotStored)).Select(f => f.Name),
+                Is.EqualTo(new[] { "hiddenButStored" }));
 
         class Node { public int value; public Node next; }
 
@@ -481,7 +483,8 @@ namespace Host.Tests
             Assert.That(copy.number, Is.EqualTo(8));
             Object.DestroyImmediate(asset);
             Object.DestroyImmediate(copy);
-            Assert.That(Story.Take(), Is.EqualTo(new[] { "Awake", "OnEnable", "Awake", "OnEnable", "OnDisable", "OnDestroy", "OnDisable", "OnDestroy" }));
+            Assert.That(Story.Take(), Is.EqualTo(new[] { "Awake", "OnEnable", "Awake", "OnEnable", "OnDisable", "OnDestroy", "OnDisable",
+                "OnDestroy" }));
         }
 
         class Receiver : MonoBehaviour

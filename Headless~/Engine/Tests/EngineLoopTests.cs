@@ -395,7 +395,8 @@ namespace Host.Tests
             Debug.LogError("{0}");
             Debug.Assert(false, "no");
             Debug.LogException(new ArgumentException("bad"));
-            Assert.That(heard, Is.EqualTo(new[] { "Log: Null", "Log: 1 of 2.5", "Warning: 1.5", "Error: {0}", "Assert: no", "Exception: ArgumentException: bad" }));
+            Assert.That(heard, Is.EqualTo(new[] { "Log: Null", "Log: 1 of 2.5", "Warning: 1.5", "Error: {0}", "Assert: no",
+                "Exception: ArgumentException: bad" }));
             Assert.That(Errors(), Has.Count.EqualTo(3));
         }
     }

@@ -10,15 +10,18 @@ namespace Host.Tests
     {
         static float Next(Random random, float range) => (float)(random.NextDouble() * 2 - 1) * range;
         static Vector3 NextVector(Random random, float range) => new Vector3(Next(random, range), Next(random, range), Next(random, range));
-        static Quaternion NextRotation(Random random) => Quaternion.Normalize(new Quaternion(Next(random, 1), Next(random, 1), Next(random, 1), Next(random, 1)));
+        static Quaternion NextRotation(Random random)
+            => Quaternion.Normalize(new Quaternion(Next(random, 1), Next(random, 1), Next(random, 1), Next(random, 1)));
 
         static void Near(Vector3 actual, Vector3 expected, float within = 1e-5f)
-            => Assert.That((actual - expected).magnitude, Is.LessThan(within * Mathf.Max(1, expected.magnitude)), $"{actual:G9} instead of {expected:G9}");
+            => Assert.That((actual - expected).magnitude, Is.LessThan(within * Mathf.Max(1, expected.magnitude)),
+                $"{actual:G9} instead of {expected:G9}");
 
         static void Near(Matrix4x4 actual, Matrix4x4 expected, float within = 1e-5f)
         {
             for (int i = 0; i < 16; i++)
-                Assert.That(actual[i], Is.EqualTo(expected[i]).Within(within * Mathf.Max(1, Mathf.Abs(expected[i]))), $"element {i} of\n{actual}\ninstead of\n{expected}");
+                Assert.That(actual[i], Is.EqualTo(expected[i]).Within(within * Mathf.Max(1, Mathf.Abs(expected[i]))),
+                    $"element {i} of\n{actual}\ninstead of\n{expected}");
         }
 
         // Row vectors there, column vectors here: the transpose.
@@ -75,8 +78,10 @@ namespace Host.Tests
             for (int i = 0; i < 100; i++)
             {
                 var n = new Numerics.Matrix4x4(
-                    Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2),
-                    Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2));
+                    Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2),
+                    Next(random, 2),
+                    Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2), Next(random, 2),
+                        Next(random, 2));
                 if (Math.Abs(n.GetDeterminant()) < 0.1f)
                     continue;
                 Assert.That(Numerics.Matrix4x4.Invert(n, out Numerics.Matrix4x4 inverse));
@@ -126,7 +131,8 @@ namespace Host.Tests
         public void Euler_angles_turn_about_z_then_x_then_y()
         {
             Quaternion q = Quaternion.Euler(30, 40, 50);
-            Quaternion expected = Quaternion.AngleAxis(40, Vector3.up) * Quaternion.AngleAxis(30, Vector3.right) * Quaternion.AngleAxis(50, Vector3.forward);
+            Quaternion expected = Quaternion.AngleAxis(40, Vector3.up) * Quaternion.AngleAxis(30, Vector3.right) * Quaternion.AngleAxis(50,
+                Vector3.forward);
             Assert.That(Quaternion.Angle(q, expected), Is.LessThan(0.01f));
             Near(q.eulerAngles, new Vector3(30, 40, 50), 1e-4f);
             // Left-handed: 90 degrees about y turn forward to the right.
@@ -306,7 +312,8 @@ namespace Host.Tests
         public void A_gradient_blends_or_steps()
         {
             var gradient = new Gradient();
-            gradient.SetKeys(new[] { new GradientColorKey(Color.red, 0), new GradientColorKey(Color.green, 0.5f), new GradientColorKey(Color.blue, 1) }, new[] { new GradientAlphaKey(0, 0), new GradientAlphaKey(1, 1) });
+            gradient.SetKeys(new[] { new GradientColorKey(Color.red, 0), new GradientColorKey(Color.green, 0.5f),
+                new GradientColorKey(Color.blue, 1) }, new[] { new GradientAlphaKey(0, 0), new GradientAlphaKey(1, 1) });
             Assert.That(gradient.Evaluate(0.25f) == new Color(0.5f, 0.5f, 0, 0.25f));
             gradient.mode = GradientMode.Fixed;
             Assert.That(gradient.Evaluate(0.25f) == new Color(0, 1, 0, 1));

@@ -9,7 +9,8 @@ namespace Host.Tests
 {
     public class EngineMathematicsTests
     {
-        static void Near(float3 actual, float3 expected, float within = 1e-5f) => Assert.That(distance(actual, expected), Is.LessThan(within), $"{actual} instead of {expected}");
+        static void Near(float3 actual, float3 expected, float within = 1e-5f)
+            => Assert.That(distance(actual, expected), Is.LessThan(within), $"{actual} instead of {expected}");
 
         static void Near(float4x4 actual, Matrix4x4 expected, float within = 1e-4f)
         {
@@ -117,7 +118,8 @@ namespace Host.Tests
             var unity = (quaternion)Quaternion.Euler(30, 40, 50);
             Assert.That(abs(dot(Unity.Mathematics.quaternion.EulerZXY(angles), unity)), Is.EqualTo(1).Within(1e-5));
             Assert.That(abs(dot(Unity.Mathematics.quaternion.Euler(angles), unity)), Is.EqualTo(1).Within(1e-5));
-            quaternion x = Unity.Mathematics.quaternion.RotateX(angles.x), y = Unity.Mathematics.quaternion.RotateY(angles.y), z = Unity.Mathematics.quaternion.RotateZ(angles.z);
+            quaternion x = Unity.Mathematics.quaternion.RotateX(angles.x), y = Unity.Mathematics.quaternion.RotateY(angles.y),
+                z = Unity.Mathematics.quaternion.RotateZ(angles.z);
             Assert.That(abs(dot(Unity.Mathematics.quaternion.EulerXYZ(angles), mul(z, mul(y, x)))), Is.EqualTo(1).Within(1e-5));
         }
 

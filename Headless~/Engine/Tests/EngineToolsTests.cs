@@ -83,6 +83,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_colour_is_written_for_html() => Assert.That(ColorUtility.ToHtmlStringRGBA(new Color(1, 0.5f, 0, 0.25f)), Is.EqualTo("FF800040"));
+        public void A_colour_is_written_for_html()
+            => Assert.That(ColorUtility.ToHtmlStringRGBA(new Color(1, 0.5f, 0, 0.25f)), Is.EqualTo("FF800040"));
     }
 }

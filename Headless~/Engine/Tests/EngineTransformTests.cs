@@ -23,7 +23,8 @@ namespace Host.Tests
         {
             Transform a = Make("a", null, new Vector3(1, 2, 3), new Vector3(10, 20, 30), new Vector3(1, 2, 3));
             Transform b = Make("b", a, new Vector3(-1, 0, 2), new Vector3(0, 45, 0), new Vector3(2, 1, 1));
-            Matrix4x4 expected = Matrix4x4.TRS(a.localPosition, a.localRotation, a.localScale) * Matrix4x4.TRS(b.localPosition, b.localRotation, b.localScale);
+            Matrix4x4 expected = Matrix4x4.TRS(a.localPosition, a.localRotation, a.localScale) * Matrix4x4.TRS(b.localPosition,
+                b.localRotation, b.localScale);
             Near(b.TransformPoint(new Vector3(1, 2, 3)), expected.MultiplyPoint3x4(new Vector3(1, 2, 3)));
             Near(b.position, expected.GetPosition());
             Near(b.InverseTransformPoint(b.TransformPoint(new Vector3(4, 5, 6))), new Vector3(4, 5, 6));
@@ -101,7 +102,8 @@ namespace Host.Tests
         public void Children_are_found_by_path_and_keep_their_order()
         {
             Transform root = Make("root", null, default, default, Vector3.one);
-            Transform a = Make("a", root, default, default, Vector3.one), b = Make("b", root, default, default, Vector3.one), c = Make("c", b, default, default, Vector3.one);
+            Transform a = Make("a", root, default, default, Vector3.one), b = Make("b", root, default, default, Vector3.one),
+                c = Make("c", b, default, default, Vector3.one);
             Assert.That(root.Find("b/c"), Is.SameAs(c));
             Assert.That(root.Find("c"), Is.Null);
             Assert.That(c.root, Is.SameAs(root));

@@ -61,12 +61,14 @@ ENDCG
             return seen;
         }
 
-        static string Sample(Vector3 d, float mip = 0) => FormattableString.Invariant($"UNITY_SAMPLE_TEXCUBE_LOD(unity_SpecCube0, float3({d.x}, {d.y}, {d.z}), {mip})");
+        static string Sample(Vector3 d, float mip = 0)
+            => FormattableString.Invariant($"UNITY_SAMPLE_TEXCUBE_LOD(unity_SpecCube0, float3({d.x}, {d.y}, {d.z}), {mip})");
 
         static readonly Vector3[] Directions =
         {
             Vector3.right, Vector3.left, Vector3.up, Vector3.down, Vector3.forward, Vector3.back,
-            new Vector3(1, 0.3f, -0.6f), new Vector3(-1, -0.7f, 0.2f), new Vector3(0.4f, 1, 0.5f), new Vector3(0.4f, -1, -0.5f), new Vector3(0.6f, 0.3f, 1), new Vector3(-0.6f, 0.3f, -1),
+            new Vector3(1, 0.3f, -0.6f), new Vector3(-1, -0.7f, 0.2f), new Vector3(0.4f, 1, 0.5f), new Vector3(0.4f, -1, -0.5f),
+                new Vector3(0.6f, 0.3f, 1), new Vector3(-0.6f, 0.3f, -1),
         };
 
         [TestCaseSource(nameof(Directions))]
@@ -174,7 +176,8 @@ ENDCG
             RenderSettings.ambientMode = AmbientMode.Skybox;
             RenderSettings.skybox = SkyOf("float3(0.5 + 0.5 * d.y, 0, 0)");
             // What a white Lambert surface sends back of 0.5 + 0.5 y is 0.5 + 0.5 y 2 / 3.
-            Vector4 harmonics = Seen(FormattableString.Invariant($"float4(ShadeSH9(float4(0, {Mathf.Sin(tilt * Mathf.Deg2Rad)}, {-Mathf.Cos(tilt * Mathf.Deg2Rad)}, 1)), 1)"));
+            Vector4 harmonics = Seen(FormattableString.Invariant(
+                $"float4(ShadeSH9(float4(0, {Mathf.Sin(tilt * Mathf.Deg2Rad)}, {-Mathf.Cos(tilt * Mathf.Deg2Rad)}, 1)), 1)"));
             Assert.That(harmonics.x, Is.EqualTo(expected).Within(2e-3f));
             Assert.That(harmonics.y, Is.Zero.Within(1e-4f));
         }
@@ -192,7 +195,8 @@ ENDCG
             string towards = FormattableString.Invariant($"float3({x}, {y}, {z})");
             Vector4 both = Seen($"float4(ShadeSH9(float4({towards}, 1)), 1)");
             // A quarter of the band is left of it.
-            float band = sky.Contains("3 *") ? 0.25f * (3 * z * z - 1) : sky.Contains("d.x * d.x") ? 0.25f * (x * x - y * y) : 0.5f * (x * y + y * z + z * x);
+            float band = sky.Contains("3 *") ? 0.25f * (3 * z * z - 1) : sky.Contains("d.x * d.x") ? 0.25f * (x * x - y * y)
+                : 0.5f * (x * y + y * z + z * x);
             Assert.That(both.x, Is.EqualTo(2 * (0.3f + band / 4)).Within(4e-3f));
         }
 

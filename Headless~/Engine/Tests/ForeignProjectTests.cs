@@ -14,7 +14,8 @@ namespace Host.Tests
     {
         ForeignRun boids, prefabs;
 
-        ForeignRun Boids => boids ??= new ForeignRun(ForeignRun.ProjectFolder("Boids"), 12, "--size", "480x270", "--dump", "<folder>/dump", "--at", "11,12");
+        ForeignRun Boids => boids ??= new ForeignRun(ForeignRun.ProjectFolder("Boids"), 12, "--size", "480x270", "--dump", "<folder>/dump",
+            "--at", "11,12");
         ForeignRun Prefabs => prefabs ??= new ForeignRun(ForeignRun.ProjectFolder("Prefabs"), 90, "--size", "480x270");
 
         [OneTimeTearDown]
@@ -64,7 +65,8 @@ namespace Host.Tests
 
             // The order of appending is the device's.
             IEnumerable<Boid> appended = Boids.Buffer<Boid>(12, Stride, "Append").Take(near.Count);
-            Assert.That(appended.Select(b => b.Position.ToString("R")).OrderBy(p => p), Is.EqualTo(near.Select(b => b.Position.ToString("R")).OrderBy(p => p)));
+            Assert.That(appended.Select(b => b.Position.ToString("R")).OrderBy(p => p),
+                Is.EqualTo(near.Select(b => b.Position.ToString("R")).OrderBy(p => p)));
         }
 
         [Test]
@@ -90,7 +92,8 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Elements_of_the_user_interface_hold_their_values_and_raise_their_events() => Assert.That(Boids.Output, Does.Contain("HUD says: 600 boids"));
+        public void Elements_of_the_user_interface_hold_their_values_and_raise_their_events()
+            => Assert.That(Boids.Output, Does.Contain("HUD says: 600 boids"));
 
         [Test]
         public void What_the_host_passes_over_is_said()
@@ -99,7 +102,8 @@ namespace Host.Tests
             Assert.That(Boids.Errors, Has.Some.Contains("the package com.unity.ide.visualstudio 2.0.22 is not here"));
             Assert.That(Boids.Output, Does.Contain("never called here: OnGUI of FlockHud"));
             Assert.That(Boids.Output, Has.Some.StartsWith("not part of the host: UnityEngine.Input.GetKey, called "));
-            Assert.That(Boids.Output.Last(), Does.StartWith("2 assemblies, 4 scripts compiled, 0 left out, 0 components missing, 2 packages missing"));
+            Assert.That(Boids.Output.Last(), Does.StartWith(
+                "2 assemblies, 4 scripts compiled, 0 left out, 0 components missing, 2 packages missing"));
         }
 
         // ---- prefabs, assets, coroutines
@@ -108,7 +112,8 @@ namespace Host.Tests
         public void Prefabs_overrides_assets_events_and_coroutines_do_what_they_do_in_Unity()
         {
             Prefabs.MustHaveSucceeded();
-            string[] said = Prefabs.Output.SkipWhile(line => line != "booting Towers").Where(line => !line.Contains(" on ") && !line.Contains("steps")).Take(9).ToArray();
+            string[] said = Prefabs.Output.SkipWhile(line => line != "booting Towers").Where(line => !line.Contains(" on ")
+                && !line.Contains("steps")).Take(9).ToArray();
             Assert.That(said, Is.EqualTo(new[]
             {
                 "booting Towers",
@@ -131,7 +136,8 @@ namespace Host.Tests
             void Look(Vector3 at, Color expected, string what)
             {
                 Assert.That(lens.TryFind(at, out int column, out int row), what);
-                Assert.That(Distance(At(picture, column, row), expected), Is.LessThanOrEqualTo(2), $"{what}: {At(picture, column, row)} instead of {(Color32)expected}");
+                Assert.That(Distance(At(picture, column, row), expected), Is.LessThanOrEqualTo(2),
+                    $"{what}: {At(picture, column, row)} instead of {(Color32)expected}");
             }
 
             for (int i = 0; i < 4; i++) Look(new Vector3(-1.6f + 0.8f * i, 4, 0), Shade(i / 4f), $"spark {i}");
@@ -157,7 +163,8 @@ namespace Host.Tests
         public void A_script_that_does_not_compile_is_named_with_its_first_error()
         {
             string line = Prefabs.Errors.Single(text => text.StartsWith("left out: ", StringComparison.Ordinal));
-            Assert.That(line, Does.StartWith("left out: Assets/Scripts/Old/LegacyWind.cs(10,21): error CS1061: 'Camera' does not contain a definition for 'RenderToCubemap'"));
+            Assert.That(line, Does.StartWith("left out: Assets/Scripts/Old/LegacyWind.cs(10,21): error CS1061: 'Camera' does not " +
+                "contain a definition for 'RenderToCubemap'"));
             Assert.That(line, Does.EndWith("(Unity 2022.3 has it, the host does not)"));
             Assert.That(Prefabs.Output, Does.Contain("Assembly-CSharp: 5 of 6 scripts compiled"));
         }

@@ -12,7 +12,8 @@ using UnityEngine;
 
 namespace Host.Tests
 {
-    /// <summary>`rill run --project` on one of the projects beside these tests, in a process of its own: scripts that were loaded once stay.</summary>
+    /// <summary>`rill run --project` on one of the projects beside these tests, in a process of its own: scripts that were loaded once
+    /// stay.</summary>
     sealed class ForeignRun : IDisposable
     {
         public readonly int ExitCode;
@@ -25,9 +26,11 @@ namespace Host.Tests
         public ForeignRun(string project, int frames, params string[] more)
         {
             string host = Assembly.GetEntryAssembly().Location;
-            var arguments = new List<string> { host, "run", "--project", project, "--frames", frames.ToString(), "--every", frames.ToString(), "--no-video", "--out", folder };
+            var arguments = new List<string> { host, "run", "--project", project, "--frames", frames.ToString(), "--every",
+                frames.ToString(), "--no-video", "--out", folder };
             arguments.AddRange(more.Select(argument => argument.Replace("<folder>", folder)));
-            using var process = Process.Start(new ProcessStartInfo("dotnet", arguments) { RedirectStandardOutput = true, RedirectStandardError = true });
+            using var process = Process.Start(new ProcessStartInfo("dotnet", arguments) { RedirectStandardOutput = true,
+                RedirectStandardError = true });
             var errors = process.StandardError.ReadToEndAsync();
             Output = Lines(process.StandardOutput.ReadToEnd());
             Errors = Lines(errors.Result);
@@ -51,7 +54,8 @@ namespace Host.Tests
         {
             string at = Path.Combine(folder, "dump", frame.ToString());
             using JsonDocument list = JsonDocument.Parse(File.ReadAllText(Path.Combine(at, "buffers.json")));
-            JsonElement buffer = list.RootElement.EnumerateArray().Single(b => b.GetProperty("stride").GetInt32() == stride && b.GetProperty("target").GetString().Contains(target));
+            JsonElement buffer = list.RootElement.EnumerateArray().Single(b => b.GetProperty("stride").GetInt32() == stride
+                && b.GetProperty("target").GetString().Contains(target));
             return MemoryMarshal.Cast<byte, T>(File.ReadAllBytes(Path.Combine(at, buffer.GetProperty("file").GetString()))).ToArray();
         }
 

@@ -41,7 +41,8 @@ namespace Host.Tests
         // 22.11.7, 8, 12 (ishl, ishr, ushr): the low five bits of the amount count. C# shifts so too.
         [TestCaseSource(nameof(Backends))]
         public void A_shift_takes_the_low_five_bits_of_its_amount(string backend)
-            => CheckIntegers(backend, "Shift", (v, by) => new[] { v << (int)by, v >> (int)by, U((int)v >> (int)by), v << (int)by ^ 1u << (int)by ^ v << 4 },
+            => CheckIntegers(backend, "Shift",
+                (v, by) => new[] { v << (int)by, v >> (int)by, U((int)v >> (int)by), v << (int)by ^ 1u << (int)by ^ v << 4 },
                 1, 31, 0x80000001, 1, 0xF0000000, 32, 0x12345678, 33, 0xFFFFFFFF, 63, 0x80000000, 0xFFFFFFFF, 7, 100);
 
         // 22.12.9 (udiv): a divisor of 0 gives 0xffffffff for quotient and remainder.
@@ -55,7 +56,8 @@ namespace Host.Tests
         public void Signed_division_rounds_to_zero_and_survives_zero_and_the_smallest_integer(string backend)
         {
             CheckIntegers(backend, "DivideSigned", (v, by) => DivideSigned((int)v, (int)by),
-                100, 7, U(-7), 2, 7, U(-2), U(-7), U(-2), U(-1), 3, 5, 0, U(-5), 0, 0, 0, U(int.MinValue), U(-1), U(int.MinValue), 1, U(int.MinValue), 2, int.MaxValue, U(-1), 0, U(-1), U(int.MinValue), 0);
+                100, 7, U(-7), 2, 7, U(-2), U(-7), U(-2), U(-1), 3, 5, 0, U(-5), 0, 0, 0, U(int.MinValue), U(-1), U(int.MinValue), 1,
+                    U(int.MinValue), 2, int.MaxValue, U(-1), 0, U(-1), U(int.MinValue), 0);
         }
 
         static uint[] DivideSigned(int value, int by)
@@ -68,7 +70,9 @@ namespace Host.Tests
         // 22.11.3 to 5 (bfrev, countbits, firstbit); HLSL counts all from the lowest bit, and none gives -1.
         [TestCaseSource(nameof(Backends))]
         public void Bits_are_counted_and_found(string backend)
-            => CheckIntegers(backend, "CountBits", (v, _) => new[] { (uint)Bits(v).Count(), Bits(v).Aggregate(0u, (r, bit) => r | 1u << 31 - bit), Bits(v).Any() ? (uint)Bits(v).First() : ~0u, Bits(v).Any() ? (uint)Bits(v).Last() : ~0u },
+            => CheckIntegers(backend, "CountBits",
+                (v, _) => new[] { (uint)Bits(v).Count(), Bits(v).Aggregate(0u, (r, bit) => r | 1u << 31 - bit), Bits(v).Any()
+                ? (uint)Bits(v).First() : ~0u, Bits(v).Any() ? (uint)Bits(v).Last() : ~0u },
                 0, 0, 1, 0, 0x80000000, 0, 0x00F01000, 0, 0xFFFFFFFF, 0, 0x12345678, 0);
 
         static IEnumerable<int> Bits(uint value) => Enumerable.Range(0, 32).Where(bit => (value >> bit & 1) != 0);
@@ -110,9 +114,11 @@ namespace Host.Tests
         [TestCaseSource(nameof(Backends))]
         public void A_float_that_an_integer_cannot_hold_becomes_the_nearest(string backend)
         {
-            float[] values = { 0.9f, -0.9f, -1, 1e20f, -1e20f, 2147483648f, -2147483648f, 4294967040f, 4294967296f, 3e9f, float.NaN, float.PositiveInfinity, float.NegativeInfinity, 16777217f, -2147483904f };
+            float[] values = { 0.9f, -0.9f, -1, 1e20f, -1e20f, 2147483648f, -2147483648f, 4294967040f, 4294967296f, 3e9f, float.NaN,
+                float.PositiveInfinity, float.NegativeInfinity, 16777217f, -2147483904f };
             uint[] got = RunFloats(backend, "Convert", values.SelectMany(v => new[] { v, -v, 0 }).ToArray());
-            uint[] expected = values.SelectMany(v => new[] { ToUInt(v), ToInt(v), ToUInt(v), ToUInt(-v), ToInt(-v), ToInt(v), Word((float)Word(v)), Word((float)(int)Word(v)) }).ToArray();
+            uint[] expected = values.SelectMany(v => new[] { ToUInt(v), ToInt(v), ToUInt(v), ToUInt(-v), ToInt(-v), ToInt(v),
+                Word((float)Word(v)), Word((float)(int)Word(v)) }).ToArray();
             Assert.That(got, Is.EqualTo(expected));
         }
 
@@ -123,7 +129,8 @@ namespace Host.Tests
         [TestCaseSource(nameof(Backends))]
         public void The_least_and_the_most_pass_over_NaN(string backend)
         {
-            float[] got = AsFloats(RunFloats(backend, "MinMax", 1, 2, 3, float.NaN, 2, 3, 1, float.NaN, 3, float.NaN, float.NaN, 0.5f, -5, -3, 7, float.PositiveInfinity, float.NegativeInfinity, 1));
+            float[] got = AsFloats(RunFloats(backend, "MinMax", 1, 2, 3, float.NaN, 2, 3, 1, float.NaN, 3, float.NaN, float.NaN, 0.5f, -5,
+                -3, 7, float.PositiveInfinity, float.NegativeInfinity, 1));
             float nan = float.NaN, inf = float.PositiveInfinity;
             Assert.That(got, Is.EqualTo(new[]
             {
@@ -150,21 +157,26 @@ namespace Host.Tests
             Assert.That(got[3], Is.EqualTo(0).Or.EqualTo(fused));
         }
 
-        // 22.10.20 (sincos): 0.0008 absolute within 100 pi. 22.10.6 (exp): 2^-21 relative. 22.10.8 (log): 2^-21. 22.10.2, 19, 21 (div, rsq, sqrt): a unit in the last place.
+        // 22.10.20 (sincos): 0.0008 absolute within 100 pi. 22.10.6 (exp): 2^-21 relative. 22.10.8 (log): 2^-21. 22.10.2, 19, 21 (div, rsq,
+        // sqrt): a unit in the last place.
         [TestCaseSource(nameof(Backends))]
         public void Functions_are_as_exact_as_Direct3D_demands(string backend)
         {
             var random = new System.Random(7);
-            float[] triples = Enumerable.Range(0, 500).SelectMany(i => new[] { (float)(random.NextDouble() * 600 - 300), (float)(random.NextDouble() * 40 - 20), (float)Math.Exp(random.NextDouble() * 20 - 10) }).ToArray();
+            float[] triples = Enumerable.Range(0, 500)
+                .SelectMany(i => new[] { (float)(random.NextDouble() * 600 - 300), (float)(random.NextDouble() * 40 - 20),
+                (float)Math.Exp(random.NextDouble() * 20 - 10) }).ToArray();
             float[] got = AsFloats(RunFloats(backend, "Transcendental", triples));
             const double exact = 1.0 / (1 << 22), near = 1.0 / (1 << 21);
             for (int i = 0; i < 500; i++)
             {
                 double a = triples[3 * i], b = triples[3 * i + 1], c = triples[3 * i + 2];
-                double[] expected = { Math.Sin(a), Math.Cos(a), Math.Pow(2, b), Math.Log(c, 2), Math.Sqrt(c), 1 / Math.Sqrt(c), a / c, Math.Pow(c, (double)((float)b * 0.1f)) };
+                double[] expected = { Math.Sin(a), Math.Cos(a), Math.Pow(2, b), Math.Log(c, 2), Math.Sqrt(c), 1 / Math.Sqrt(c), a / c,
+                    Math.Pow(c, (double)((float)b * 0.1f)) };
                 double[] bound =
                 {
-                    0.0008, 0.0008, near * expected[2], near * Math.Max(1, Math.Abs(expected[3])), exact * expected[4], exact * expected[5], exact * Math.Abs(expected[6]),
+                    0.0008, 0.0008, near * expected[2], near * Math.Max(1, Math.Abs(expected[3])), exact * expected[4], exact * expected[5],
+                        exact * Math.Abs(expected[6]),
                     // By exp2 of a product with log2: errors in the exponent count in full.
                     4 * near * expected[7] * Math.Max(1, Math.Abs(b * Math.Log(c, 2))),
                 };
@@ -181,7 +193,8 @@ namespace Host.Tests
             float[] got = AsFloats(RunFloats(backend, "Round", values.SelectMany(v => new[] { v, 2f, 0 }).ToArray()));
             float[] expected = values.SelectMany(v => new[]
             {
-                (float)Math.Round(v, MidpointRounding.ToEven), (float)Math.Truncate(v), (float)Math.Floor(v), (float)Math.Ceiling(v), v - (float)Math.Floor(v), v % 2, Math.Sign(v), v <= 2 ? 1 : 0,
+                (float)Math.Round(v, MidpointRounding.ToEven), (float)Math.Truncate(v), (float)Math.Floor(v), (float)Math.Ceiling(v),
+                    v - (float)Math.Floor(v), v % 2, Math.Sign(v), v <= 2 ? 1 : 0,
             }).ToArray();
             Assert.That(got, Is.EqualTo(expected).Within(1e-6));
         }
@@ -192,7 +205,8 @@ namespace Host.Tests
         {
             uint[] got = RunFloats(backend, "Half", 1, 0, 0, -2.5f, 0, 0, 65504, 0, 0, 1f / 16384, 0, 0, float.PositiveInfinity, 0, 0, 0, 0, 0);
             Assert.That(Enumerable.Range(0, 6).Select(i => got[8 * i]), Is.EqualTo(new uint[] { 0x3C00, 0xC100, 0x7BFF, 0x0400, 0x7C00, 0 }));
-            Assert.That(Enumerable.Range(0, 6).Select(i => Float(got[8 * i + 1])), Is.EqualTo(new[] { 1, -2.5f, 65504, 1f / 16384, float.PositiveInfinity, 0 }));
+            Assert.That(Enumerable.Range(0, 6).Select(i => Float(got[8 * i + 1])),
+                Is.EqualTo(new[] { 1, -2.5f, 65504, 1f / 16384, float.PositiveInfinity, 0 }));
         }
 
         // ---- packing
@@ -297,17 +311,20 @@ namespace Host.Tests
             Assert.That(got.Take(64).OrderBy(v => v), Is.EqualTo(Enumerable.Range(0, 64)), "a ticket each");
             uint sum = (uint)Inputs.Sum(v => v);
             // Each saw the sum of those before it: together they are a chain from 0 to the sum.
-            List<(uint before, uint after)> steps = Enumerable.Range(0, 64).Select(i => (got[64 + i], got[64 + i] + Inputs[i])).OrderBy(s => s.Item1).ToList();
+            List<(uint before, uint after)> steps = Enumerable.Range(0, 64).Select(i => (got[64 + i], got[64 + i] + Inputs[i]))
+                .OrderBy(s => s.Item1).ToList();
             Assert.That(steps[0].before, Is.EqualTo(0));
             for (int i = 1; i < 64; i++)
                 Assert.That(steps[i].before, Is.EqualTo(steps[i - 1].after));
             Assert.That(got.Skip(128).Take(8), Is.EqualTo(new uint[]
             {
-                64u, U((int)Inputs.Min() - 1000), sum, Inputs.Aggregate((a, b) => a & b), Inputs.Aggregate((a, b) => a | b), Inputs.Aggregate((a, b) => a ^ b), Inputs.Max(), 77u,
+                64u, U((int)Inputs.Min() - 1000), sum, Inputs.Aggregate((a, b) => a & b), Inputs.Aggregate((a, b) => a | b),
+                    Inputs.Aggregate((a, b) => a ^ b), Inputs.Max(), 77u,
             }));
             uint winner = got[200];
             Assert.That(winner, Is.InRange(1, 64));
-            Assert.That(got.Skip(136).Take(64).Select((seen, i) => i + 1 == winner ? seen == 0 : seen == winner), Is.All.True, "one found 0, the others the winner");
+            Assert.That(got.Skip(136).Take(64).Select((seen, i) => i + 1 == winner ? seen == 0 : seen == winner), Is.All.True,
+                "one found 0, the others the winner");
         }
 
         [TestCaseSource(nameof(Backends))]
@@ -370,7 +387,8 @@ namespace Host.Tests
                 shader.Dispatch(append, 1, 1, 1);
                 var pairs = new uint[64];
                 list.GetData(pairs, 0, 0, 64);
-                Assert.That(Enumerable.Range(0, 32).Select(i => pairs[2 * i]).OrderBy(v => v), Is.EqualTo(Enumerable.Range(0, 32).Select(i => 2 * i)));
+                Assert.That(Enumerable.Range(0, 32).Select(i => pairs[2 * i]).OrderBy(v => v),
+                    Is.EqualTo(Enumerable.Range(0, 32).Select(i => 2 * i)));
                 Assert.That(Enumerable.Range(0, 32).Select(i => pairs[2 * i + 1] - pairs[2 * i] * pairs[2 * i]), Is.All.Zero);
 
                 shader.SetBuffer(consume, "_Consumed", list);

@@ -23,7 +23,8 @@ namespace Host.Tests
 
         const int Count = 130;
 
-        static GraphicsBuffer Structured(int count, int stride, GraphicsBuffer.Target more = 0) => new GraphicsBuffer(GraphicsBuffer.Target.Structured | more, count, stride);
+        static GraphicsBuffer Structured(int count, int stride, GraphicsBuffer.Target more = 0)
+            => new GraphicsBuffer(GraphicsBuffer.Target.Structured | more, count, stride);
 
         // Sends an array through a copy kernel and back.
         static T[] RoundTrip<T>(string type, T[] values, int stride) where T : struct
@@ -53,7 +54,8 @@ namespace Host.Tests
 
         [Test]
         public void Structs_are_packed_without_gaps() =>
-            Same("Packed", Numbers(i => new Packed { Position = new Vector3(i, 1, 2), Id = (uint)i, Uv = new Vector2(3, i), Normal = new Vector3(4, 5, i) }), 36);
+            Same("Packed", Numbers(i => new Packed { Position = new Vector3(i, 1, 2), Id = (uint)i, Uv = new Vector2(3, i),
+            Normal = new Vector3(4, 5, i) }), 36);
 
         static void Same<T>(string type, T[] values, int stride) where T : struct => Assert.That(RoundTrip(type, values, stride), Is.EqualTo(values));
 
@@ -63,7 +65,8 @@ namespace Host.Tests
             ComputeShader shader = Compute("Strides");
             int kernel = shader.FindKernel("CopyRaw");
             uint[] values = Numbers(i => (uint)i * 11), result = new uint[Count];
-            using (GraphicsBuffer input = new GraphicsBuffer(GraphicsBuffer.Target.Raw, Count, 4), output = new GraphicsBuffer(GraphicsBuffer.Target.Raw, Count, 4))
+            using (GraphicsBuffer input = new GraphicsBuffer(GraphicsBuffer.Target.Raw, Count, 4),
+                output = new GraphicsBuffer(GraphicsBuffer.Target.Raw, Count, 4))
             {
                 input.SetData(values);
                 shader.SetInt("_Count", Count);
@@ -144,7 +147,8 @@ namespace Host.Tests
         {
             ComputeShader shader = Compute("Work");
             int append = shader.FindKernel("AppendEven"), consume = shader.FindKernel("ConsumeAll");
-            using (GraphicsBuffer pile = new GraphicsBuffer(GraphicsBuffer.Target.Append, 100, 4), count = new GraphicsBuffer(GraphicsBuffer.Target.Raw, 2, 4), values = Structured(50, 4))
+            using (GraphicsBuffer pile = new GraphicsBuffer(GraphicsBuffer.Target.Append, 100, 4),
+                count = new GraphicsBuffer(GraphicsBuffer.Target.Raw, 2, 4), values = Structured(50, 4))
             {
                 pile.SetCounterValue(0);
                 shader.SetInt("_Count", 100);
@@ -175,7 +179,8 @@ namespace Host.Tests
         {
             ComputeShader shader = Compute("Work");
             int kernel = shader.FindKernel("CountUp");
-            using (ComputeBuffer counted = new ComputeBuffer(100, 4, ComputeBufferType.Counter), count = new ComputeBuffer(1, 4, ComputeBufferType.Raw))
+            using (ComputeBuffer counted = new ComputeBuffer(100, 4, ComputeBufferType.Counter),
+                count = new ComputeBuffer(1, 4, ComputeBufferType.Raw))
             {
                 counted.SetCounterValue(10);
                 shader.SetInt("_Count", 30);
@@ -207,7 +212,8 @@ namespace Host.Tests
         [Test]
         public void Buffers_are_copied_whole()
         {
-            using (GraphicsBuffer source = Structured(4, 4, GraphicsBuffer.Target.CopySource), target = Structured(4, 4, GraphicsBuffer.Target.CopyDestination))
+            using (GraphicsBuffer source = Structured(4, 4, GraphicsBuffer.Target.CopySource),
+                target = Structured(4, 4, GraphicsBuffer.Target.CopyDestination))
             {
                 source.SetData(new uint[] { 1, 2, 3, 4 });
                 Graphics.CopyBuffer(source, target);

@@ -57,7 +57,8 @@ namespace Host.Tests
 
         [TestCase(46, "Standard")]
         [TestCase(10755, "Unlit/Color")]
-        public void Shaders_are_found_by_their_file_ids(long id, string name) => Assert.That(BuiltInAssets.Load(id, typeof(Shader)).name, Is.EqualTo(name));
+        public void Shaders_are_found_by_their_file_ids(long id, string name)
+            => Assert.That(BuiltInAssets.Load(id, typeof(Shader)).name, Is.EqualTo(name));
 
         new static Camera NewCamera()
         {
@@ -119,7 +120,8 @@ namespace Host.Tests
             renderer.material = new Material(Shader.Find("Sprites/Default")) { color = new Color(1, 0, 0, 0.5f) };
             Frame();
             pixel = Pixel(32, 16);
-            Assert.That(new[] { (int)pixel.r, pixel.g, pixel.b }, Is.EqualTo(new[] { 188, 0, 188 }).Within(1), "half of linear red over half of linear blue");
+            Assert.That(new[] { (int)pixel.r, pixel.g, pixel.b }, Is.EqualTo(new[] { 188, 0, 188 }).Within(1),
+                "half of linear red over half of linear blue");
         }
 
         [Test]

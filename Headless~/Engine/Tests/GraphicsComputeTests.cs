@@ -389,7 +389,8 @@ namespace Host.Tests
         {
             ComputeShader shader = Compute("Textures");
             int kernel = shader.FindKernel("WriteVolume");
-            var target = new RenderTexture(4, 3, 0, GraphicsFormat.R32_SFloat) { dimension = TextureDimension.Tex3D, volumeDepth = 2, enableRandomWrite = true };
+            var target = new RenderTexture(4, 3, 0, GraphicsFormat.R32_SFloat) { dimension = TextureDimension.Tex3D, volumeDepth = 2,
+                enableRandomWrite = true };
             target.Create();
             shader.SetTexture(kernel, "_VolumeOut", target);
             shader.SetInts("_Size", 4, 3, 2);
@@ -398,7 +399,8 @@ namespace Host.Tests
             request.WaitForCompletion();
             Assert.That(request.layerCount, Is.EqualTo(2));
             for (int z = 0; z < 2; z++)
-                Assert.That(request.GetData<float>(z).ToArray(), Is.EqualTo(Enumerable.Range(0, 12).Select(i => (float)(i % 4 + 10 * (i / 4) + 100 * z))));
+                Assert.That(request.GetData<float>(z).ToArray(),
+                    Is.EqualTo(Enumerable.Range(0, 12).Select(i => (float)(i % 4 + 10 * (i / 4) + 100 * z))));
             target.Release();
         }
 

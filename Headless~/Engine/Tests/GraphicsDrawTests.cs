@@ -121,7 +121,8 @@ namespace Host.Tests
         public void Colours_are_linear_in_shaders_and_srgb_on_the_screen()
         {
             NewCamera();
-            Graphics.RenderPrimitives(new RenderParams(NewMaterial(new Color(0.5f, 0.25f, 0.75f, 1))) { worldBounds = everywhere }, MeshTopology.Triangles, 3);
+            Graphics.RenderPrimitives(new RenderParams(NewMaterial(new Color(0.5f, 0.25f, 0.75f, 1))) { worldBounds = everywhere },
+                MeshTopology.Triangles, 3);
             Frame();
             Color32 pixel = Pixel(Left, Bottom);
             Assert.That(pixel.r, Is.EqualTo(128).Within(1));
@@ -160,7 +161,8 @@ namespace Host.Tests
         public void A_draw_outside_of_the_frustum_is_culled_by_its_bounds_whatever_it_draws()
         {
             NewCamera();
-            Graphics.RenderPrimitives(new RenderParams(NewMaterial(Color.red)) { worldBounds = new Bounds(new Vector3(0, 0, -50), Vector3.one) }, MeshTopology.Triangles, 3);
+            Graphics.RenderPrimitives(new RenderParams(NewMaterial(Color.red)) { worldBounds = new Bounds(new Vector3(0, 0, -50),
+                Vector3.one) }, MeshTopology.Triangles, 3);
             Frame();
             Assert.That(Pixel(Left, Bottom), Is.EqualTo(clear));
         }
@@ -196,7 +198,8 @@ namespace Host.Tests
                 shader.SetInt("_GroupsZ", 0);
                 shader.SetInt("_GroupsW", 0);
                 shader.Dispatch(write, 1, 1, 1);
-                Graphics.RenderPrimitivesIndirect(new RenderParams(NewMaterial(Color.red)) { worldBounds = everywhere }, MeshTopology.Triangles, arguments);
+                Graphics.RenderPrimitivesIndirect(new RenderParams(NewMaterial(Color.red)) { worldBounds = everywhere },
+                    MeshTopology.Triangles, arguments);
                 Frame();
             }
             Assert.That(Pixel(Left, Bottom), Is.EqualTo(new Color32(255, 0, 0, 255)), "instance 0");
@@ -211,7 +214,8 @@ namespace Host.Tests
             using (var indices = new GraphicsBuffer(GraphicsBuffer.Target.Index, 6, 2))
             {
                 indices.SetData(new ushort[] { 9, 9, 9, 0, 1, 2 });
-                Graphics.RenderPrimitivesIndexed(new RenderParams(NewMaterial(Color.red)) { worldBounds = everywhere }, MeshTopology.Triangles, indices, 3, 3);
+                Graphics.RenderPrimitivesIndexed(new RenderParams(NewMaterial(Color.red)) { worldBounds = everywhere },
+                    MeshTopology.Triangles, indices, 3, 3);
                 Frame();
             }
             Assert.That(Pixel(Left, Bottom), Is.EqualTo(new Color32(255, 0, 0, 255)));
@@ -349,7 +353,8 @@ namespace Host.Tests
         [Test]
         public void A_blit_copies_between_textures_of_one_shape()
         {
-            RenderTexture source = RenderTexture.GetTemporary(64, 32, 0, RenderTextureFormat.ARGB32), target = RenderTexture.GetTemporary(64, 32, 0, RenderTextureFormat.ARGB32);
+            RenderTexture source = RenderTexture.GetTemporary(64, 32, 0, RenderTextureFormat.ARGB32),
+                target = RenderTexture.GetTemporary(64, 32, 0, RenderTextureFormat.ARGB32);
             RenderTexture.active = source;
             GL.Clear(true, true, Color.red);
             Graphics.Blit(source, target);
@@ -390,7 +395,8 @@ namespace Host.Tests
             for (int i = 0; i < t.Length; i += 3)
             {
                 Vector3 face = Vector3.Cross(v[t[i + 1]] - v[t[i]], v[t[i + 2]] - v[t[i]]);
-                Assert.That(Vector3.Dot(face, n[t[i]]), Is.Positive, "clockwise for those who look at it, so its cross product points along the normal");
+                Assert.That(Vector3.Dot(face, n[t[i]]), Is.Positive,
+                    "clockwise for those who look at it, so its cross product points along the normal");
                 sum += Vector3.Dot(v[t[i]], Vector3.Cross(v[t[i + 1]], v[t[i + 2]])) / 6;
             }
             Assert.That(sum, Is.EqualTo(volume).Within(2).Percent);

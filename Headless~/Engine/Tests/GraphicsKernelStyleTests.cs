@@ -119,7 +119,9 @@ void Update(uint id : SV_DispatchThreadID)
     agents[id] = a;
 }";
             ComputeShader shader = ComputeOf(text);
-            var agents = Enumerable.Range(0, 5).Select(i => new Agent { Position = new Vector2(i, 1), Angle = i * 0.5f, Alive = i % 2, Cell = new Vector3Int(1, 2, i), Pose = Matrix4x4.identity }).ToArray();
+            var agents = Enumerable.Range(0, 5)
+                .Select(i => new Agent { Position = new Vector2(i, 1), Angle = i * 0.5f, Alive = i % 2, Cell = new Vector3Int(1, 2, i),
+                Pose = Matrix4x4.identity }).ToArray();
             using (var native = new NativeArray<Agent>(agents, Allocator.Temp))
             using (var buffer = new ComputeBuffer(5, Marshal.SizeOf<Agent>()))
             using (var poses = new ComputeBuffer(5, 64))
@@ -149,7 +151,8 @@ void Update(uint id : SV_DispatchThreadID)
         }
 
         [Test]
-        public void A_kernel_writes_and_reads_back_pictures_of_any_format([Values(RenderTextureFormat.ARGB32, RenderTextureFormat.ARGBHalf, RenderTextureFormat.ARGBFloat, RenderTextureFormat.Default)] RenderTextureFormat format)
+        public void A_kernel_writes_and_reads_back_pictures_of_any_format([Values(RenderTextureFormat.ARGB32, RenderTextureFormat.ARGBHalf,
+            RenderTextureFormat.ARGBFloat, RenderTextureFormat.Default)] RenderTextureFormat format)
         {
             const string text = @"#pragma kernel Fill
 #pragma kernel Fade
@@ -177,8 +180,11 @@ RWTexture2D<float4> Result;
 RWTexture2D<float> Height; RWTexture2D<int> Number; RWTexture2D<float2> Pair; RWTexture3D<float4> Volume;
 [numthreads(8,8,1)] void Main(uint3 id : SV_DispatchThreadID) { Height[id.xy] = id.x + Height[id.xy]; InterlockedAdd(Number[id.xy], 5); Pair[id.xy] = id.xy; Volume[id] = float4(id, 1); }";
             ComputeShader shader = ComputeOf(text);
-            RenderTexture height = Writable(RenderTextureFormat.RFloat), number = Writable(RenderTextureFormat.RInt), pair = Writable(RenderTextureFormat.RGHalf);
-            var volume = new RenderTexture(8, 8, 0, RenderTextureFormat.ARGBHalf) { dimension = UnityEngine.Rendering.TextureDimension.Tex3D, volumeDepth = 2, enableRandomWrite = true };
+            RenderTexture height = Writable(RenderTextureFormat.RFloat), number = Writable(RenderTextureFormat.RInt),
+                pair = Writable(RenderTextureFormat.RGHalf);
+            var volume = new RenderTexture(8, 8, 0,
+                RenderTextureFormat.ARGBHalf) { dimension = UnityEngine.Rendering.TextureDimension.Tex3D, volumeDepth = 2,
+                enableRandomWrite = true };
             volume.Create();
             shader.SetTexture(0, "Height", height);
             shader.SetTexture(0, "Number", number);
@@ -187,7 +193,9 @@ RWTexture2D<float> Height; RWTexture2D<int> Number; RWTexture2D<float2> Pair; RW
             shader.Dispatch(0, 1, 1, 2);
             Assert.That(Read(height)[5].x, Is.GreaterThanOrEqualTo(5));
             Assert.That(Read(pair)[8 * 3 + 5], Is.EqualTo(new Vector4(5, 3, 0, 1)));
-            float[] values = Run("#pragma kernel Main\nTexture2D<int> Number; Texture3D<float4> Volume; RWStructuredBuffer<float> Result; [numthreads(1,1,1)] void Main() { Result[0] = Number[int2(1, 1)]; Result[1] = Number.Load(int3(1, 1, 0)); Result[2] = Volume[int3(3, 4, 1)].z + Volume[int3(3, 4, 1)].x; }", 3, s =>
+            float[] values = Run("#pragma kernel Main\nTexture2D<int> Number; Texture3D<float4> Volume; RWStructuredBuffer<float> " +
+                "Result; [numthreads(1,1,1)] void Main() { Result[0] = Number[int2(1, 1)]; Result[1] = Number.Load(int3(1, 1, 0)); " +
+                "Result[2] = Volume[int3(3, 4, 1)].z + Volume[int3(3, 4, 1)].x; }", 3, s =>
             {
                 s.SetTexture(0, "Number", number);
                 s.SetTexture(0, "Volume", volume);
@@ -200,7 +208,8 @@ RWTexture2D<float> Height; RWTexture2D<int> Number; RWTexture2D<float2> Pair; RW
         [Test]
         public void Textures_are_sampled_by_their_own_and_by_inline_samplers()
         {
-            var texture = new Texture2D(2, 2, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp, filterMode = FilterMode.Point };
+            var texture = new Texture2D(2, 2, TextureFormat.RGBAFloat, false, true) { wrapMode = TextureWrapMode.Clamp,
+                filterMode = FilterMode.Point };
             texture.SetPixels(new[] { new Color(0, 0, 0, 1), new Color(1, 0, 0, 1), new Color(0, 1, 0, 1), new Color(1, 1, 0, 1) });
             texture.Apply();
             float[] values = Run(@"#pragma kernel Main
@@ -221,12 +230,16 @@ RWStructuredBuffer<float> Result; float4 Source_TexelSize;
         [Test]
         public void A_mip_level_is_bound_for_writing()
         {
-            var texture = new RenderTexture(8, 8, 0, RenderTextureFormat.ARGBFloat) { enableRandomWrite = true, useMipMap = true, autoGenerateMips = false };
+            var texture = new RenderTexture(8, 8, 0, RenderTextureFormat.ARGBFloat) { enableRandomWrite = true, useMipMap = true,
+                autoGenerateMips = false };
             texture.Create();
-            ComputeShader shader = ComputeOf("#pragma kernel Main\nRWTexture2D<float4> Result;\n[numthreads(1,1,1)] void Main(uint3 id : SV_DispatchThreadID) { Result[id.xy] = 3; }");
+            ComputeShader shader = ComputeOf("#pragma kernel Main\nRWTexture2D<float4> Result;\n[numthreads(1,1,1)] void Main(uint3 id " +
+                ": SV_DispatchThreadID) { Result[id.xy] = 3; }");
             shader.SetTexture(0, "Result", texture, 2);
             shader.Dispatch(0, 2, 2, 1);
-            float[] values = Run("#pragma kernel Main\nTexture2D<float4> Source; RWStructuredBuffer<float> Result; [numthreads(1,1,1)] void Main() { Result[0] = Source.Load(int3(1, 1, 2)).r; Result[1] = Source.mips[2][uint2(0, 0)].r; Result[2] = Source.Load(int3(0, 0, 0)).r; }", 3, s => s.SetTexture(0, "Source", texture));
+            float[] values = Run("#pragma kernel Main\nTexture2D<float4> Source; RWStructuredBuffer<float> Result; [numthreads(1,1,1)] " +
+                "void Main() { Result[0] = Source.Load(int3(1, 1, 2)).r; Result[1] = Source.mips[2][uint2(0, 0)].r; Result[2] = " +
+                "Source.Load(int3(0, 0, 0)).r; }", 3, s => s.SetTexture(0, "Source", texture));
             Object.DestroyImmediate(texture);
             Assert.That(values, Is.EqualTo(new float[] { 3, 3, 0 }));
         }
@@ -234,7 +247,9 @@ RWStructuredBuffer<float> Result; float4 Source_TexelSize;
         [Test]
         public void Kernels_may_use_the_editors_include_files()
         {
-            float[] values = Run("#pragma kernel Main\n#include \"UnityCG.cginc\"\nRWStructuredBuffer<float> Result;\n[numthreads(1,1,1)] void Main() { fixed4 c = fixed4(1, 1, 1, 1); Result[0] = UNITY_PI + Luminance(c.rgb) * 0; Result[1] = _Time.y * 0 + 2; }", 2);
+            float[] values = Run("#pragma kernel Main\n#include \"UnityCG.cginc\"\nRWStructuredBuffer<float> " +
+                "Result;\n[numthreads(1,1,1)] void Main() { fixed4 c = fixed4(1, 1, 1, 1); Result[0] = UNITY_PI + Luminance(c.rgb) * " +
+                "0; Result[1] = _Time.y * 0 + 2; }", 2);
             Assert.That(values[0], Is.EqualTo(Mathf.PI).Within(1e-5f));
         }
     }

@@ -38,9 +38,11 @@ namespace Host.Tests
         {
             Player.Strict = false;
             Mesh mesh = Sealed();
-            LogAssert.Expect(LogType.Error, "Not allowed to access vertices on mesh 'Sealed' (isReadable is false; Read/Write must be enabled in import settings)");
+            LogAssert.Expect(LogType.Error,
+                "Not allowed to access vertices on mesh 'Sealed' (isReadable is false; Read/Write must be enabled in import settings)");
             Assert.That(mesh.vertices, Is.Empty);
-            LogAssert.Expect(LogType.Error, "Not allowed to access indices on mesh 'Sealed' (isReadable is false; Read/Write must be enabled in import settings)");
+            LogAssert.Expect(LogType.Error,
+                "Not allowed to access indices on mesh 'Sealed' (isReadable is false; Read/Write must be enabled in import settings)");
             Assert.That(mesh.GetIndices(0), Is.Empty);
             Object.DestroyImmediate(mesh);
         }
@@ -49,7 +51,8 @@ namespace Host.Tests
         public void The_editor_reads_what_scripts_may_not()
         {
             Mesh mesh = Sealed();
-            Assert.That(Assert.Throws<System.InvalidOperationException>(() => Mesh.AcquireReadOnlyMeshData(mesh)).Message, Does.Contain("'Sealed'").And.Contain("Read/Write"));
+            Assert.That(Assert.Throws<System.InvalidOperationException>(() => Mesh.AcquireReadOnlyMeshData(mesh)).Message,
+                Does.Contain("'Sealed'").And.Contain("Read/Write"));
             Mesh.MeshDataArray array = UnityEditor.MeshUtility.AcquireReadOnlyMeshData(mesh);
             Mesh.MeshData data = array[0];
             using (var vertices = new NativeArray<Vector3>(3, Allocator.Temp))

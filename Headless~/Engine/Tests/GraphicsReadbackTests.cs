@@ -34,7 +34,8 @@ namespace Host.Tests
             });
             Player.Device.WaitIdle();
             Assert.That(request.done, Is.False, "in its own frame");
-            Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message, Does.Contain("Source").And.Contain("second frame"));
+            Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message,
+                Does.Contain("Source").And.Contain("second frame"));
             Frame();
             Assert.That(request.done, Is.False, "in the next frame");
             Frame();
@@ -45,7 +46,8 @@ namespace Host.Tests
             Assert.That(data.ToArray(), Is.EqualTo(new uint[] { 0, 1, 2, 3, 4, 5, 6, 7 }));
             Frame();
             Assert.That(request.hasError, Is.True);
-            Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message, Does.Contain("Source").And.Contain("frame in which it arrived"));
+            Assert.That(Assert.Throws<InvalidOperationException>(() => request.GetData<uint>()).Message,
+                Does.Contain("Source").And.Contain("frame in which it arrived"));
             Assert.That(() => data[0], Throws.Exception, "the array's memory went with the frame");
             Assert.That(called, Is.EqualTo(1));
         }
@@ -107,7 +109,8 @@ namespace Host.Tests
             request.WaitForCompletion();
             Assert.That(request.GetData<uint>().ToArray(), Is.EqualTo(new uint[] { 3, 4 }));
             Assert.That(request.layerDataSize, Is.EqualTo(8));
-            Assert.That(Assert.Throws<ArgumentException>(() => AsyncGPUReadback.Request(buffer, 8, 28)).Message, Does.Contain("Source").And.Contain("32"));
+            Assert.That(Assert.Throws<ArgumentException>(() => AsyncGPUReadback.Request(buffer, 8, 28)).Message,
+                Does.Contain("Source").And.Contain("32"));
         }
 
         [Test]

@@ -11,7 +11,8 @@ namespace Host.Tests
     /// <summary>Every misuse that strict mode refuses: the message names the buffer or kernel, the limit and the call.</summary>
     public class GraphicsStrictTests : GraphicsFixture
     {
-        static GraphicsBuffer Buffer(string name, int count = 16, int stride = 4, GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured, bool written = true)
+        static GraphicsBuffer Buffer(string name, int count = 16, int stride = 4,
+            GraphicsBuffer.Target target = GraphicsBuffer.Target.Structured, bool written = true)
         {
             var buffer = new GraphicsBuffer(target, count, stride) { name = name };
             if (written)
@@ -32,11 +33,17 @@ namespace Host.Tests
         // ---- creation
 
         [Test] public void A_buffer_of_no_elements() => Refused<ArgumentException>(() => Buffer("None", 0), "GraphicsBuffer", "0 elements");
-        [Test] public void A_buffer_of_fewer_than_no_elements() => Refused<ArgumentException>(() => new ComputeBuffer(-1, 4), "ComputeBuffer", "-1 elements");
-        [Test] public void A_stride_that_is_no_multiple_of_four() => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Structured, 4, 6), "6 bytes", "multiple of 4");
-        [Test] public void A_stride_above_2048() => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Structured, 4, 2052), "2052", "2048");
-        [Test] public void A_raw_buffer_of_another_stride_than_four() => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Raw, 4, 16), "raw", "16 bytes");
-        [Test] public void A_resource_above_two_gigabytes() => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Structured, (1 << 20) + 1, 2048), "2,147,485,696", "2,147,483,648");
+        [Test] public void A_buffer_of_fewer_than_no_elements()
+            => Refused<ArgumentException>(() => new ComputeBuffer(-1, 4), "ComputeBuffer", "-1 elements");
+        [Test] public void A_stride_that_is_no_multiple_of_four()
+            => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Structured, 4, 6), "6 bytes", "multiple of 4");
+        [Test] public void A_stride_above_2048()
+            => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Structured, 4, 2052), "2052", "2048");
+        [Test] public void A_raw_buffer_of_another_stride_than_four()
+            => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Raw, 4, 16), "raw", "16 bytes");
+        [Test] public void A_resource_above_two_gigabytes()
+            => Refused<ArgumentException>(() => new GraphicsBuffer(GraphicsBuffer.Target.Structured, (1 << 20) + 1, 2048), "2,147,485,696",
+            "2,147,483,648");
 
         // ---- reading and writing
 
@@ -249,7 +256,8 @@ namespace Host.Tests
         {
             ComputeShader shader = Compute("Faults");
             int raw = shader.FindKernel("Raw"), structured = shader.FindKernel("ReadsAndWrites");
-            using (GraphicsBuffer bytes = Buffer("Bytes", target: GraphicsBuffer.Target.Raw), elements = Buffer("Elements"), target = Buffer("Target"))
+            using (GraphicsBuffer bytes = Buffer("Bytes", target: GraphicsBuffer.Target.Raw), elements = Buffer("Elements"),
+                target = Buffer("Target"))
             {
                 shader.SetBuffer(raw, "_Bytes", elements);
                 shader.SetBuffer(raw, "_U0", target);
@@ -336,7 +344,8 @@ namespace Host.Tests
         {
             ComputeShader shader = Compute("Faults");
             int kernel = shader.FindKernel("WholeConstants");
-            using (GraphicsBuffer constants = Buffer("Constants", 4, 16, GraphicsBuffer.Target.Constant), plain = Buffer("Plain", 4, 16), target = Buffer("Target"))
+            using (GraphicsBuffer constants = Buffer("Constants", 4, 16, GraphicsBuffer.Target.Constant), plain = Buffer("Plain", 4, 16),
+                target = Buffer("Target"))
             {
                 shader.SetBuffer(kernel, "_U0", target);
                 shader.SetConstantBuffer("Block", constants, 0, 16);
@@ -391,7 +400,9 @@ namespace Host.Tests
         {
             ComputeShader shader = Compute("Work");
             int write = shader.FindKernel("WriteArguments"), nothing = shader.FindKernel("WriteArguments");
-            using (GraphicsBuffer arguments = Buffer("Arguments", 4, target: GraphicsBuffer.Target.Raw | GraphicsBuffer.Target.IndirectArguments), other = Buffer("Other", 4, target: GraphicsBuffer.Target.Raw))
+            using (GraphicsBuffer arguments = Buffer("Arguments", 4,
+                target: GraphicsBuffer.Target.Raw | GraphicsBuffer.Target.IndirectArguments),
+                other = Buffer("Other", 4, target: GraphicsBuffer.Target.Raw))
             {
                 shader.SetBuffer(write, "_Arguments", arguments);
                 shader.SetInt("_GroupsX", 1);
@@ -435,7 +446,8 @@ namespace Host.Tests
         [Test]
         public void Draws_without_a_material_or_with_a_wrong_pass()
         {
-            Refused<ArgumentNullException>(() => Graphics.RenderPrimitives(new RenderParams(), MeshTopology.Triangles, 3), "RenderPrimitives", "material");
+            Refused<ArgumentNullException>(() => Graphics.RenderPrimitives(new RenderParams(), MeshTopology.Triangles, 3),
+                "RenderPrimitives", "material");
             Refused<ArgumentNullException>(() => new Material((Shader)null), "shader");
             using (var cmd = new CommandBuffer())
             {
@@ -451,8 +463,10 @@ namespace Host.Tests
             var parameters = new RenderParams(new Material(DrawShader("Triangle")));
             using (GraphicsBuffer plain = Buffer("Plain"), arguments = Buffer("Arguments", 4, target: GraphicsBuffer.Target.IndirectArguments))
             {
-                Refused(() => Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, plain), "RenderPrimitivesIndirect", "Plain", "IndirectArguments");
-                Refused<ArgumentException>(() => Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, arguments, 2), "RenderPrimitivesIndirect", "Arguments", "32 bytes");
+                Refused(() => Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, plain), "RenderPrimitivesIndirect",
+                    "Plain", "IndirectArguments");
+                Refused<ArgumentException>(() => Graphics.RenderPrimitivesIndirect(parameters, MeshTopology.Triangles, arguments, 2),
+                    "RenderPrimitivesIndirect", "Arguments", "32 bytes");
             }
         }
 

@@ -60,7 +60,9 @@ ENDCG } } }";
             var source = new Texture2D(2, 2, TextureFormat.RGBAFloat, false, true) { filterMode = FilterMode.Point };
             source.SetPixels(new[] { Color.red, Color.green, Color.blue, Color.white });
             source.Apply();
-            var add = new Material(ShaderOf(Effect("sampler2D _MainTex; float4 frag(v2f_img i) : SV_Target { return tex2D(_MainTex, i.uv) + 0.5; }")));
+            var add =
+                new Material(ShaderOf(Effect(
+                "sampler2D _MainTex; float4 frag(v2f_img i) : SV_Target { return tex2D(_MainTex, i.uv) + 0.5; }")));
             for (int length = 1; length <= 4; length++)
             {
                 RenderTexture from = RenderTexture.GetTemporary(2, 2, 0, RenderTextureFormat.ARGBHalf);
@@ -105,9 +107,13 @@ ENDCG } } }";
         public void Image_effects_stack_in_the_order_of_the_components_and_choose_their_passes()
         {
             Camera camera = NewCamera();
-            var halve = new Material(ShaderOf(Effect("sampler2D _MainTex; float4 frag(v2f_img i) : SV_Target { float4 c = tex2D(_MainTex, i.uv); c.r = i.uv.y > 0.5; return c; }")));
-            string pass = "Pass {\nCGPROGRAM\n#pragma vertex vert_img\n#pragma fragment frag\n#include \"UnityCG.cginc\"\nsampler2D _MainTex; fixed4 frag(v2f_img i) : SV_Target { return tex2D(_MainTex, i.uv).CHANNELS; }\nENDCG\n}";
-            var swap = new Material(ShaderOf($"Shader \"T\" {{ SubShader {{ ZTest Always {pass.Replace("CHANNELS", "rrra")} {pass.Replace("CHANNELS", "brga")} }} }}"));
+            var halve = new Material(ShaderOf(
+                Effect(
+                "sampler2D _MainTex; float4 frag(v2f_img i) : SV_Target { float4 c = tex2D(_MainTex, i.uv); c.r = i.uv.y > 0.5; return c; }")));
+            string pass = "Pass {\nCGPROGRAM\n#pragma vertex vert_img\n#pragma fragment frag\n#include \"UnityCG.cginc\"\nsampler2D " +
+                "_MainTex; fixed4 frag(v2f_img i) : SV_Target { return tex2D(_MainTex, i.uv).CHANNELS; }\nENDCG\n}";
+            var swap = new Material(ShaderOf(
+                $"Shader \"T\" {{ SubShader {{ ZTest Always {pass.Replace("CHANNELS", "rrra")} {pass.Replace("CHANNELS", "brga")} }} }}"));
             camera.gameObject.AddComponent<Halve>().Material = halve;
             camera.gameObject.AddComponent<SwapChannels>().Material = swap;
             Frame();
@@ -118,7 +124,8 @@ ENDCG } } }";
         [Test]
         public void Two_targets_are_written_by_one_pass()
         {
-            string code = "struct Out { float4 a : SV_Target0; float4 b : SV_Target1; };\nOut frag(v2f_img i) { Out o; o.a = float4(1, 0, 0, 1); o.b = float4(0, i.uv.y, 0, 1); return o; }";
+            string code = "struct Out { float4 a : SV_Target0; float4 b : SV_Target1; };\nOut frag(v2f_img i) { Out o; o.a = float4(1, " +
+                "0, 0, 1); o.b = float4(0, i.uv.y, 0, 1); return o; }";
             var first = new RenderTexture(2, 2, 0, RenderTextureFormat.ARGBFloat);
             var second = new RenderTexture(2, 2, 0, RenderTextureFormat.ARGBFloat);
             first.Create();
@@ -152,7 +159,8 @@ ENDCG } } }";
             GL.PushMatrix();
             GL.modelview = camera.worldToCameraMatrix;
             GL.LoadProjectionMatrix(camera.projectionMatrix);
-            Graphics.DrawMeshNow(Resources.GetBuiltinResource<Mesh>("Quad.fbx"), Matrix4x4.TRS(new Vector3(-4, 0, 0), Quaternion.identity, Vector3.one * 2));
+            Graphics.DrawMeshNow(Resources.GetBuiltinResource<Mesh>("Quad.fbx"),
+                Matrix4x4.TRS(new Vector3(-4, 0, 0), Quaternion.identity, Vector3.one * 2));
             GL.PopMatrix();
             RenderTexture.active = null;
             Assert.That(Pixel(24, 16, target), Is.EqualTo(new Color32(255, 0, 0, 255)));
@@ -170,7 +178,8 @@ ENDCG } } }";
             camera.farClipPlane = 21;
             camera.depthTextureMode = DepthTextureMode.Depth;
             camera.gameObject.AddComponent<Halve>().Material = new Material(ShaderOf(Effect(
-                "UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture); float4 frag(v2f_img i) : SV_Target { float d = LinearEyeDepth(SAMPLE_DEPTH_TEXTURE(_CameraDepthTexture, i.uv)); return float4(abs(d - 5) < 0.01, d > 20.9, 0, 1); }")));
+                "UNITY_DECLARE_DEPTH_TEXTURE(_CameraDepthTexture); float4 frag(v2f_img i) : SV_Target { float d = " +
+                "LinearEyeDepth(SAMPLE_DEPTH_TEXTURE(_CameraDepthTexture, i.uv)); return float4(abs(d - 5) < 0.01, d > 20.9, 0, 1); }")));
             GameObject quad = GameObject.CreatePrimitive(PrimitiveType.Quad);
             quad.transform.position = new Vector3(0, 1.5f, 0);
             Frame();
@@ -192,8 +201,10 @@ ENDCG } } }";
             Assert.That(Value("float4(IsGammaSpace(), unity_ColorSpaceGrey.r, 0, 0)"), Is.EqualTo(new Vector4(1, 0.5f, 0, 0)));
         }
 
-        static Shader Masked(string state) => ShaderOf("Shader \"T\" { Properties { _Color (\"C\", Color) = (1,1,1,1) _Ref (\"R\", Int) = 1 } SubShader { Pass { " + state +
-            "\nCGPROGRAM\n#pragma vertex vert\n#pragma fragment frag\n#include \"UnityCG.cginc\"\nfixed4 _Color; float4 vert(float4 v : POSITION) : SV_POSITION { return UnityObjectToClipPos(v); } fixed4 frag() : SV_Target { return _Color; }\nENDCG } } }");
+        static Shader Masked(string state) => ShaderOf(
+            "Shader \"T\" { Properties { _Color (\"C\", Color) = (1,1,1,1) _Ref (\"R\", Int) = 1 } SubShader { Pass { " + state +
+            "\nCGPROGRAM\n#pragma vertex vert\n#pragma fragment frag\n#include \"UnityCG.cginc\"\nfixed4 _Color; float4 vert(float4 v " +
+            ": POSITION) : SV_POSITION { return UnityObjectToClipPos(v); } fixed4 frag() : SV_Target { return _Color; }\nENDCG } } }");
 
         [Test]
         public void A_stencil_lets_through_where_it_was_written([Values(false, true)] bool intoTexture)
@@ -223,8 +234,11 @@ ENDCG } } }";
         {
             Player.Strict = false;
             NewCamera();
-            var broken = new Material(ShaderOf("Shader \"Broken\" { SubShader { Pass {\nCGPROGRAM\n#pragma vertex vert\n#pragma fragment frag\nfloat4 vert(float4 v : POSITION) : SV_POSITION { return nonsense; }\nfloat4 frag() : SV_Target { return 1; }\nENDCG } } }"));
-            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex(@"Shader error in 'Broken': Test\.shader\(5\): error: .*nonsense"));
+            var broken = new Material(ShaderOf("Shader \"Broken\" { SubShader { Pass {\nCGPROGRAM\n#pragma vertex vert\n#pragma " +
+                "fragment frag\nfloat4 vert(float4 v : POSITION) : SV_POSITION { return nonsense; }\nfloat4 frag() : SV_Target { " +
+                "return 1; }\nENDCG } } }"));
+            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex(
+                @"Shader error in 'Broken': Test\.shader\(5\): error: .*nonsense"));
             for (int i = 0; i < 2; i++)
             {
                 Graphics.DrawMesh(Resources.GetBuiltinResource<Mesh>("Quad.fbx"), Matrix4x4.Scale(Vector3.one * 4), broken, 0);

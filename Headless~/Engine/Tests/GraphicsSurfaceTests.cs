@@ -12,7 +12,8 @@ namespace Host.Tests
         static readonly Color32 clear = new Color32(0, 0, 255, 255);
         static readonly Bounds everywhere = new Bounds(Vector3.zero, Vector3.one * 1000);
 
-        static Shader Surface(string pragma, string body, string before = "", string input = "float2 uv_MainTex;", string output = "SurfaceOutput", string properties = "", string tags = "", string model = "") =>
+        static Shader Surface(string pragma, string body, string before = "", string input = "float2 uv_MainTex;",
+            string output = "SurfaceOutput", string properties = "", string tags = "", string model = "") =>
             ShaderOf($@"Shader ""Test/Surface"" {{
 Properties {{ _MainTex (""Texture"", 2D) = ""white"" {{}} _Color (""Colour"", Color) = (1,1,1,1) {properties} }}
 SubShader {{ Tags {{ ""RenderType"" = ""Opaque"" {tags} }} LOD 200
@@ -51,7 +52,8 @@ ENDCG
         }
 
         static void AssertNear(Color32 actual, int r, int g, int b, int within = 2) =>
-            Assert.That(Mathf.Max(Mathf.Abs(actual.r - r), Mathf.Abs(actual.g - g), Mathf.Abs(actual.b - b)), Is.LessThanOrEqualTo(within), $"{actual}, expected ({r}, {g}, {b})");
+            Assert.That(Mathf.Max(Mathf.Abs(actual.r - r), Mathf.Abs(actual.g - g), Mathf.Abs(actual.b - b)), Is.LessThanOrEqualTo(within),
+            $"{actual}, expected ({r}, {g}, {b})");
 
         [TestCase("Lambert", "SurfaceOutput")]
         [TestCase("Lambert fullforwardshadows addshadow nolightmap noforwardadd", "SurfaceOutput")]
@@ -87,7 +89,8 @@ ENDCG
         public void Standard_models_give_a_rough_surface_about_its_albedo(string model, string output, string set)
         {
             NewLight(Vector3.forward);
-            Color32 pixel = Draw(Surface(model + " fullforwardshadows", "o.Albedo = _Color.rgb; " + set, output: output), m => m.color = new Color(0.5f, 0, 0));
+            Color32 pixel = Draw(Surface(model + " fullforwardshadows", "o.Albedo = _Color.rgb; " + set, output: output),
+                m => m.color = new Color(0.5f, 0, 0));
             Assert.That(pixel.r, Is.InRange(118, 140));
             Assert.That(pixel.g, Is.LessThan(60), "a highlight of 4 %, spread wide");
         }
@@ -108,7 +111,8 @@ ENDCG
         {
             NewLight(Vector3.forward);
             var texture = new Texture2D(2, 2, TextureFormat.RGBA32, false) { filterMode = FilterMode.Point };
-            texture.SetPixels32(new[] { new Color32(255, 0, 0, 255), new Color32(255, 255, 0, 255), new Color32(0, 255, 0, 255), new Color32(255, 255, 255, 255) });
+            texture.SetPixels32(new[] { new Color32(255, 0, 0, 255), new Color32(255, 255, 0, 255), new Color32(0, 255, 0, 255),
+                new Color32(255, 255, 255, 255) });
             texture.Apply();
             Shader shader = Surface("Lambert", "o.Albedo = tex2D(_MainTex, IN.uv_MainTex).rgb * _Color.rgb;");
             Draw(shader, m => m.mainTexture = texture);
@@ -116,7 +120,8 @@ ENDCG
             AssertNear(Pixel(33, 17), 255, 255, 0);
             AssertNear(Pixel(30, 14), 0, 255, 0);
             AssertNear(Pixel(33, 14), 255, 255, 255);
-            Draw(shader, m => { m.mainTexture = texture; m.mainTextureScale = Vector2.one * 0.25f; m.mainTextureOffset = new Vector2(0.5f, 0); m.color = Color.red; });
+            Draw(shader, m => { m.mainTexture = texture; m.mainTextureScale = Vector2.one * 0.25f;
+                m.mainTextureOffset = new Vector2(0.5f, 0); m.color = Color.red; });
             AssertNear(Pixel(33, 14), 255, 0, 0);
             AssertNear(Pixel(30, 17), 255, 0, 0);
             Object.DestroyImmediate(texture);
@@ -135,9 +140,12 @@ ENDCG
         public void Everything_that_an_input_may_ask_for_is_there()
         {
             NewLight(Vector3.forward);
-            const string input = "float2 uv_MainTex; float2 uv2_MainTex; float3 worldPos; float3 viewDir; float4 screenPos; float3 worldNormal; float3 worldRefl; float4 color : COLOR; INTERNAL_DATA";
-            const string body = "float2 screen = IN.screenPos.xy / IN.screenPos.w; float3 n = WorldNormalVector(IN, float3(0, 0, 1)); float3 r = WorldReflectionVector(IN, float3(0, 0, 1));" +
-                "bool ok = distance(IN.worldPos, float3(0, 0, 0)) < 0.8 && dot(IN.viewDir, float3(0, 0, 1)) > 0.9 && distance(screen, 0.5) < 0.05 && distance(n, float3(0, 0, -1)) < 1e-3 && r.z < -0.9 && IN.color.a == 1;" +
+            const string input = "float2 uv_MainTex; float2 uv2_MainTex; float3 worldPos; float3 viewDir; float4 screenPos; float3 " +
+                "worldNormal; float3 worldRefl; float4 color : COLOR; INTERNAL_DATA";
+            const string body = "float2 screen = IN.screenPos.xy / IN.screenPos.w; float3 n = WorldNormalVector(IN, float3(0, 0, 1)); " +
+                "float3 r = WorldReflectionVector(IN, float3(0, 0, 1));" +
+                "bool ok = distance(IN.worldPos, float3(0, 0, 0)) < 0.8 && dot(IN.viewDir, float3(0, 0, 1)) > 0.9 && distance(screen, " +
+                "0.5) < 0.05 && distance(n, float3(0, 0, -1)) < 1e-3 && r.z < -0.9 && IN.color.a == 1;" +
                 "o.Emission = ok ? float3(0, 1, 0) : float3(1, 0, 0);";
             AssertNear(Draw(Surface("Lambert", body, input: input)), 0, 255, 0);
         }
@@ -147,7 +155,8 @@ ENDCG
         {
             NewLight(Vector3.forward);
             const string before = "";
-            const string model = "void vert(inout appdata_full v, out Input o) { UNITY_INITIALIZE_OUTPUT(Input, o); v.vertex.x += 2; o.shade = float3(0, v.texcoord.x * 0 + 1, 0); }";
+            const string model = "void vert(inout appdata_full v, out Input o) { UNITY_INITIALIZE_OUTPUT(Input, o); v.vertex.x += 2; " +
+                "o.shade = float3(0, v.texcoord.x * 0 + 1, 0); }";
             Draw(Surface("Lambert vertex:vert", "o.Emission = IN.shade;", before, "float2 uv_MainTex; float3 shade;", model: model));
             AssertNear(Pixel(32 + 8, 16), 0, 255, 0);
             Assert.That(Pixel(32, 16), Is.EqualTo(clear), "it went two of its own units, four of the world's, to the right");
@@ -159,9 +168,13 @@ ENDCG
             NewLight(Vector3.forward, 0.5f);
             string[] forms =
             {
-                "half4 LightingMine(SurfaceOutput s, half3 lightDir, half atten) { return half4(s.Albedo * _LightColor0.rgb * (lightDir.z < -0.9 ? 1 : 0) * atten, s.Alpha); }",
-                "half4 LightingMine(SurfaceOutput s, half3 lightDir, half3 viewDir, half atten) { return half4(s.Albedo * _LightColor0.rgb * (viewDir.z < -0.9 ? 1 : 0), s.Alpha); }",
-                "half4 LightingMine(SurfaceOutput s, UnityGI gi) { return half4(s.Albedo * gi.light.color, s.Alpha); } void LightingMine_GI(SurfaceOutput s, UnityGIInput data, inout UnityGI gi) { gi = UnityGlobalIllumination(data, 1, s.Normal); }",
+                "half4 LightingMine(SurfaceOutput s, half3 lightDir, half atten) { return half4(s.Albedo * _LightColor0.rgb * " +
+                    "(lightDir.z < -0.9 ? 1 : 0) * atten, s.Alpha); }",
+                "half4 LightingMine(SurfaceOutput s, half3 lightDir, half3 viewDir, half atten) { return half4(s.Albedo * " +
+                    "_LightColor0.rgb * (viewDir.z < -0.9 ? 1 : 0), s.Alpha); }",
+                "half4 LightingMine(SurfaceOutput s, UnityGI gi) { return half4(s.Albedo * gi.light.color, s.Alpha); } void " +
+                    "LightingMine_GI(SurfaceOutput s, UnityGIInput data, inout UnityGI gi) { gi = UnityGlobalIllumination(data, 1, " +
+                    "s.Normal); }",
             };
             AssertNear(Draw(Surface("Mine", "o.Albedo = float3(1, 0, 0);", model: forms[form])), 188, 0, 0);
         }
@@ -170,8 +183,10 @@ ENDCG
         public void Alpha_blends_over_what_is_behind_and_alphatest_cuts()
         {
             NewLight(Vector3.forward);
-            AssertNear(Draw(Surface("Lambert alpha:fade", "o.Albedo = float3(1, 0, 0); o.Alpha = 0.5;", tags: "\"Queue\" = \"Transparent\"")), 188, 0, 188);
-            Assert.That(Draw(Surface("Lambert alphatest:_Cutoff", "o.Albedo = 1; o.Alpha = 0.4;", properties: "_Cutoff (\"Cutoff\", Range(0, 1)) = 0.5")), Is.EqualTo(clear));
+            AssertNear(Draw(Surface("Lambert alpha:fade", "o.Albedo = float3(1, 0, 0); o.Alpha = 0.5;",
+                tags: "\"Queue\" = \"Transparent\"")), 188, 0, 188);
+            Assert.That(Draw(Surface("Lambert alphatest:_Cutoff", "o.Albedo = 1; o.Alpha = 0.4;",
+                properties: "_Cutoff (\"Cutoff\", Range(0, 1)) = 0.5")), Is.EqualTo(clear));
             AssertNear(Draw(Surface("Lambert", "o.Albedo = 1; o.Alpha = 0.4;")), 255, 255, 255);
         }
 
@@ -193,7 +208,8 @@ void setup()
     unity_WorldToObject._11_22_33 = 1.0f / unity_WorldToObject._11_22_33;
 #endif
 }";
-        const string ProceduralBody = "float4 c = float4(1, 1, 1, 1);\n#ifdef UNITY_PROCEDURAL_INSTANCING_ENABLED\nc = unity_InstanceID == 1 ? float4(1, 0, 0, 1) : float4(0, 1, 0, 1);\n#endif\no.Albedo = c.rgb;";
+        const string ProceduralBody = "float4 c = float4(1, 1, 1, 1);\n#ifdef UNITY_PROCEDURAL_INSTANCING_ENABLED\nc = " +
+            "unity_InstanceID == 1 ? float4(1, 0, 0, 1) : float4(0, 1, 0, 1);\n#endif\no.Albedo = c.rgb;";
 
         [Test]
         public void Procedural_instances_are_placed_by_the_shaders_own_function([Values("indirect", "procedural", "command")] string call)
@@ -240,7 +256,8 @@ void setup()
             NewLight(Vector3.forward);
             NewCamera();
             var material = new Material(Surface("Lambert", "o.Albedo = UNITY_ACCESS_INSTANCED_PROP(Props, _Shade).rgb;",
-                "UNITY_INSTANCING_BUFFER_START(Props)\nUNITY_DEFINE_INSTANCED_PROP(fixed4, _Shade)\nUNITY_INSTANCING_BUFFER_END(Props)", properties: "_Shade (\"Shade\", Color) = (1,1,1,1)")) { enableInstancing = true };
+                "UNITY_INSTANCING_BUFFER_START(Props)\nUNITY_DEFINE_INSTANCED_PROP(fixed4, _Shade)\nUNITY_INSTANCING_BUFFER_END(Props)",
+                    properties: "_Shade (\"Shade\", Color) = (1,1,1,1)")) { enableInstancing = true };
             Mesh quad = Resources.GetBuiltinResource<Mesh>("Quad.fbx");
             // More than one batch of 500: the last two are the ones looked at.
             var matrices = new Matrix4x4[602];
@@ -268,8 +285,10 @@ void setup()
         [TestCase("#pragma surface surf", 8, "needs a function and a lighting model")]
         public void What_a_surface_shader_lacks_is_named_with_file_and_line(string pragma, int line, string what)
         {
-            string text = $"Shader \"T\"\n{{\nSubShader\n{{\nTags {{ \"Queue\" = \"Geometry\" }}\n\nCGPROGRAM\n{pragma}\nstruct Input {{ float3 worldPos; }};\nvoid surf(Input IN, inout SurfaceOutput o) {{ o.Albedo = 1; }}\nENDCG\n}}\n}}";
-            var error = Assert.Throws<ShaderCompileException>(() => ShaderOf(text).Source.Passes.Single().Compile(ShaderStage.Fragment, new string[0]));
+            string text = $"Shader \"T\"\n{{\nSubShader\n{{\nTags {{ \"Queue\" = \"Geometry\" }}\n\nCGPROGRAM\n{pragma}\nstruct Input " +
+                $"{{ float3 worldPos; }};\nvoid surf(Input IN, inout SurfaceOutput o) {{ o.Albedo = 1; }}\nENDCG\n}}\n}}";
+            var error = Assert.Throws<ShaderCompileException>(() => ShaderOf(text).Source.Passes.Single().Compile(ShaderStage.Fragment,
+                new string[0]));
             Assert.That(error.Message, Does.StartWith($"Test.shader({line}): error: ").And.Contain(what));
         }
     }

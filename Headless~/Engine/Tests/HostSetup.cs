@@ -32,7 +32,8 @@ namespace Host.Tests
         }
     }
 
-    /// <summary>The engine on the device, strict, at the start of a run; afterwards nothing may be left alive and the validation layer must have kept silent.</summary>
+    /// <summary>The engine on the device, strict, at the start of a run; afterwards nothing may be left alive and the validation layer must
+    /// have kept silent.</summary>
     public abstract class GraphicsFixture
     {
         int liveBefore, messagesBefore;
@@ -88,14 +89,18 @@ namespace Host.Tests
         protected static ComputeShader Compute(string name)
         {
             if (!computeSources.TryGetValue(ShaderBackend.Current.Name + name, out ComputeShaderSource source))
-                computeSources.Add(ShaderBackend.Current.Name + name, source = ShaderImporter.ImportCompute(Path.Combine(Folder(), name + ".compute"), name + ".compute", _ => null, new ShaderCache()));
+                computeSources.Add(ShaderBackend.Current.Name + name,
+                    source = ShaderImporter.ImportCompute(Path.Combine(Folder(), name + ".compute"), name + ".compute", _ => null,
+                    new ShaderCache()));
             return ComputeShader.Create(source);
         }
 
         protected static Shader DrawShader(string name)
         {
             if (!shaderSources.TryGetValue(ShaderBackend.Current.Name + name, out ShaderSource source))
-                shaderSources.Add(ShaderBackend.Current.Name + name, source = ShaderImporter.ImportShader(Path.Combine(Folder(), name + ".shader"), name + ".shader", _ => null, new ShaderCache()));
+                shaderSources.Add(ShaderBackend.Current.Name + name,
+                    source = ShaderImporter.ImportShader(Path.Combine(Folder(), name + ".shader"), name + ".shader", _ => null,
+                    new ShaderCache()));
             return Shader.Create(source);
         }
 

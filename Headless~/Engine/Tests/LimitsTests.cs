@@ -60,7 +60,9 @@ namespace Host.Tests
                 if (holds)
                     shader.Dispatch(index, 1, 1, 1);
                 else
-                    Assert.That(() => shader.Dispatch(index, 1, 1, 1), Throws.TypeOf<GpuUsageException>().With.Message.Contains($"({kernel}) is more than {Player.Limits.Title} holds: "), kernel);
+                    Assert.That(() => shader.Dispatch(index, 1, 1, 1),
+                    Throws.TypeOf<GpuUsageException>().With.Message.Contains($"({kernel}) is more than {Player.Limits.Title} holds: "),
+                    kernel);
             }
         }
 

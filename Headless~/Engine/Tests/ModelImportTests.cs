@@ -27,7 +27,8 @@ namespace Host.Tests
         // Ids that Unity gave, as public projects' files have them: the mesh and the material of an .obj file without groups.
         [TestCase("Mesh", "default", -2432090755550338912)]
         [TestCase("Material", "defaultMat", -3033667219593020291)]
-        public void Parts_of_a_model_have_the_file_ids_that_unity_hashes(string type, string name, long id) => Assert.That(ModelReader.HashedId(type, name), Is.EqualTo(id));
+        public void Parts_of_a_model_have_the_file_ids_that_unity_hashes(string type, string name, long id)
+            => Assert.That(ModelReader.HashedId(type, name), Is.EqualTo(id));
 
         // The hash's own test vectors, seed 0: below and above the 32 bytes from which it works in lanes.
         [TestCase("", 0xEF46DB3751D8E999)]
@@ -41,7 +42,8 @@ namespace Host.Tests
         {
             Mesh mesh = Import(Square);
             Assert.That(mesh.name, Is.EqualTo("default"));
-            Assert.That(mesh.vertices, Is.EquivalentTo(new[] { new Vector3(0, 0, 0), new Vector3(0, 2, 0), new Vector3(-3, 2, 0), new Vector3(-3, 0, 0) }));
+            Assert.That(mesh.vertices, Is.EquivalentTo(new[] { new Vector3(0, 0, 0), new Vector3(0, 2, 0), new Vector3(-3, 2, 0),
+                new Vector3(-3, 0, 0) }));
             Assert.That(mesh.normals, Is.EqualTo(Enumerable.Repeat(Vector3.back, 4)));
             int[] triangles = mesh.triangles;
             for (int i = 0; i < 6; i += 3)
@@ -55,7 +57,9 @@ namespace Host.Tests
         [Test]
         public void A_corner_with_another_normal_or_texture_coordinate_is_a_vertex_of_its_own()
         {
-            Mesh mesh = Import("v 0 0 0\nv 0 2 0\nv 3 2 0\nv 3 0 0\nvn 0 0 -1\nvn 2 0 0\nvt 0.25 0.5\nvt 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/2/2\n");
+            Mesh mesh =
+                Import(
+                "v 0 0 0\nv 0 2 0\nv 3 2 0\nv 3 0 0\nvn 0 0 -1\nvn 2 0 0\nvt 0.25 0.5\nvt 1 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/2/2\n");
             Assert.That(mesh.vertexCount, Is.EqualTo(4));
             mesh = Import("v 0 0 0\nv 0 2 0\nv 3 2 0\nv 3 0 0\nvn 0 0 -1\nvn 2 0 0\nvt 0.25 0.5\nf 1/1/1 2/1/1 3/1/1\nf 1/1/2 3/1/2 4/1/2\n");
             Assert.That(mesh.vertexCount, Is.EqualTo(6));
@@ -67,7 +71,9 @@ namespace Host.Tests
         [Test]
         public void Settings_scale_it_and_take_or_leave_normals()
         {
-            Mesh mesh = Import(Square, "  animations:\n    isReadable: 1\n  meshes:\n    globalScale: 0.5\n  tangentSpace:\n    normalImportMode: 2\n");
+            Mesh mesh =
+                Import(Square,
+                "  animations:\n    isReadable: 1\n  meshes:\n    globalScale: 0.5\n  tangentSpace:\n    normalImportMode: 2\n");
             Assert.That(mesh.bounds.size, Is.EqualTo(new Vector3(1.5f, 1, 0)));
             Assert.That(mesh.normals, Is.Empty);
             Assert.That(Import(Square, "").isReadable, Is.False, "as the editor imports it, unless Read/Write is on");
@@ -83,7 +89,8 @@ namespace Host.Tests
         [Test]
         public void The_meta_file_may_state_the_file_id()
         {
-            const string table = "  internalIDToNameTable:\n  - first:\n      43: 4300000\n    second: default\n  meshes:\n    fileIdsGeneration: 1\n";
+            const string table =
+                "  internalIDToNameTable:\n  - first:\n      43: 4300000\n    second: default\n  meshes:\n    fileIdsGeneration: 1\n";
             Assert.That(Project(Square, table).LoadAsset(Guid, 4300000, typeof(Mesh))?.name, Is.EqualTo("default"));
         }
 
@@ -98,7 +105,8 @@ namespace Host.Tests
         public void What_the_host_does_not_do_is_refused_by_name(string facesBefore, string settings, string message, string between)
         {
             string vertices = Square.Substring(0, Square.IndexOf('f')), faces = Square.Substring(Square.IndexOf('f'));
-            Assert.That(Refusal(vertices + facesBefore + between + faces, settings), Does.StartWith(Path).And.Contains(message).And.Contains("the host does not do that"));
+            Assert.That(Refusal(vertices + facesBefore + between + faces, settings),
+                Does.StartWith(Path).And.Contains(message).And.Contains("the host does not do that"));
         }
 
         [TestCase("v 0 0 0\nv 0 2 0\nv 3 2 0\nf 1 2 3\n", "corners without a normal")]

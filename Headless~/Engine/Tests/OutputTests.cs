@@ -55,7 +55,8 @@ namespace Host.Tests
         [TestCase(1, 12, new[] { 0 })]
         [TestCase(5, 3, new[] { 0, 2, 4 })]
         [TestCase(151, 4, new[] { 0, 50, 100, 150 })]
-        public void A_contact_sheet_shows_the_first_and_the_last_frame(int count, int wanted, int[] expected) => Assert.That(Video.Spread(count, wanted), Is.EqualTo(expected));
+        public void A_contact_sheet_shows_the_first_and_the_last_frame(int count, int wanted, int[] expected)
+            => Assert.That(Video.Spread(count, wanted), Is.EqualTo(expected));
 
         [Test]
         public void A_percentile_is_the_value_of_nearest_rank()
@@ -112,7 +113,8 @@ namespace Host.Tests
             for (int i = 1; i <= 50; i++)
                 statistics.Add(new[] { i / 50.0, Math.Exp(-i / 10.0), double.NaN });
             statistics.WriteCsv(Path.Combine(folder, "statistics.csv"));
-            var plots = new[] { new Plot("error", "Error's decay", "error", "error", "never") { Logarithmic = true }, new Plot("none", "Nothing", "none", "never") };
+            var plots = new[] { new Plot("error", "Error's decay", "error", "error", "never") { Logarithmic = true },
+                new Plot("none", "Nothing", "none", "never") };
             foreach (Plot plot in plots)
                 plot.Draw(folder, statistics, "time_s");
             new StatisticsPage { Title = "A <test>", Command = "rill run", Statistics = statistics, Plots = plots.ToList() }.Write(folder);

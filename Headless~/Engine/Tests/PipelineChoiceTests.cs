@@ -26,10 +26,13 @@ namespace Host.Tests
         [TestCase("hdrp")]
         [TestCase("")]
         public void A_name_that_is_none_is_refused_with_those_that_are(string name) =>
-            Assert.That(() => PipelineChoice.Of(name), Throws.TypeOf<HostException>().With.Message.EqualTo($"--pipeline {name}: there are universal-14, universal-17, universal-17-compatibility, high-definition-14, high-definition-17."));
+            Assert.That(() => PipelineChoice.Of(name),
+            Throws.TypeOf<HostException>().With.Message.EqualTo(
+            $"--pipeline {name}: there are universal-14, universal-17, universal-17-compatibility, high-definition-14, high-definition-17."));
 
         [Test]
         public void A_project_of_its_own_is_drawn_by_the_Built_in_pipeline() =>
-            Assert.That(() => PipelineChoice.Of("universal-17", "nowhere"), Throws.TypeOf<HostException>().With.Message.StartsWith("--pipeline plays scenes of this package; a project under --project"));
+            Assert.That(() => PipelineChoice.Of("universal-17", "nowhere"),
+            Throws.TypeOf<HostException>().With.Message.StartsWith("--pipeline plays scenes of this package; a project under --project"));
     }
 }

@@ -8,12 +8,14 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>A folder of assemblies that a test compiles from a few lines each: a UnityEngine that offers what Unity does not, and code that falls for it.</summary>
+    /// <summary>A folder of assemblies that a test compiles from a few lines each: a UnityEngine that offers what Unity does not, and code
+    /// that falls for it.</summary>
     sealed class PlantedAssemblies : IDisposable
     {
         // Those that run here: the ones beside System.Private.CoreLib.
         static readonly List<MetadataReference> platform = Directory.GetFiles(Path.GetDirectoryName(typeof(object).Assembly.Location), "*.dll")
-            .Where(path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal) && !path.EndsWith(".Native.dll", StringComparison.Ordinal) || Path.GetFileName(path) == "netstandard.dll")
+            .Where(path => Path.GetFileName(path).StartsWith("System.", StringComparison.Ordinal)
+                && !path.EndsWith(".Native.dll", StringComparison.Ordinal) || Path.GetFileName(path) == "netstandard.dll")
             .Select(path => (MetadataReference)MetadataReference.CreateFromFile(path)).ToList();
 
         readonly List<MetadataReference> compiled = new List<MetadataReference>();
@@ -27,7 +29,8 @@ namespace Host.Tests
         public void Compile(string name, string source)
         {
             var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary);
-            CSharpCompilation compilation = CSharpCompilation.Create(name, new[] { CSharpSyntaxTree.ParseText(source) }, platform.Concat(compiled), options);
+            CSharpCompilation compilation = CSharpCompilation.Create(name, new[] { CSharpSyntaxTree.ParseText(source) },
+                platform.Concat(compiled), options);
             string path = Path.Combine(Assemblies, name + ".dll");
             using (FileStream file = File.Create(path))
             {

@@ -18,7 +18,8 @@ namespace Host.Tests
         {
             var arguments = new List<string> { Assembly.GetEntryAssembly().Location, "test", "--no-validation", "--project", project };
             arguments.AddRange(more);
-            using var process = Process.Start(new ProcessStartInfo("dotnet", arguments) { RedirectStandardOutput = true, RedirectStandardError = true });
+            using var process = Process.Start(new ProcessStartInfo("dotnet", arguments) { RedirectStandardOutput = true,
+                RedirectStandardError = true });
             var errors = process.StandardError.ReadToEndAsync();
             Output = Lines(process.StandardOutput.ReadToEnd());
             Errors = Lines(errors.Result);

@@ -45,7 +45,8 @@ namespace Host.Tests
         }
 
         /// <param name="more">Further keys of the definition.</param>
-        void Define(string folder, string name, string more = "", string guid = null) => Write($"{folder}/{name}.asmdef", $"{{ \"name\": \"{name}\"{(more.Length > 0 ? ", " + more : "")} }}", guid);
+        void Define(string folder, string name, string more = "", string guid = null)
+            => Write($"{folder}/{name}.asmdef", $"{{ \"name\": \"{name}\"{(more.Length > 0 ? ", " + more : "")} }}", guid);
 
         ProjectIndex Index()
         {
@@ -141,13 +142,16 @@ namespace Host.Tests
         [TestCase("2.0.0", "(2.0.0,)", false)]
         [TestCase("1.0.0-preview.2", "1.0.0", false)]
         [TestCase("3.1.4", "[3.1.4]", true)]
-        public void A_version_lies_in_a_range_or_not(string version, string range, bool expected) => Assert.That(Host.Shaders.VersionRange.Contains(range, version), Is.EqualTo(expected));
+        public void A_version_lies_in_a_range_or_not(string version, string range, bool expected)
+            => Assert.That(Host.Shaders.VersionRange.Contains(range, version), Is.EqualTo(expected));
 
         [Test]
         public void Version_defines_look_at_packages_and_at_Unity()
         {
             Manifest("\"com.unity.mathematics\": \"1.2.6\", \"com.unity.burst\": \"1.8.4\"");
-            Define("Assets/Part", "Part", "\"versionDefines\": [ { \"name\": \"com.unity.burst\", \"expression\": \"1.8\", \"define\": \"BURST\" }, { \"name\": \"com.unity.timeline\", \"expression\": \"\", \"define\": \"TIMELINE\" }, { \"name\": \"Unity\", \"expression\": \"[2022.1,2023.1)\", \"define\": \"YEAR\" } ]");
+            Define("Assets/Part", "Part", "\"versionDefines\": [ { \"name\": \"com.unity.burst\", \"expression\": \"1.8\", \"define\": " +
+                "\"BURST\" }, { \"name\": \"com.unity.timeline\", \"expression\": \"\", \"define\": \"TIMELINE\" }, { \"name\": " +
+                "\"Unity\", \"expression\": \"[2022.1,2023.1)\", \"define\": \"YEAR\" } ]");
             Write("Assets/Part/A.cs", "");
             Assert.That(Plan().Assemblies.Single().Defines, Does.Contain("BURST").And.Contain("YEAR").And.Not.Contain("TIMELINE"));
         }
@@ -155,19 +159,25 @@ namespace Host.Tests
         [Test]
         public void The_projects_own_symbols_count()
         {
-            File.WriteAllText(Path.Combine(root, "ProjectSettings", "ProjectSettings.asset"), "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!129 &1\nPlayerSettings:\n  scriptingDefineSymbols:\n    Standalone: MY_SYMBOL;OTHER\n    Android: PHONE\n  activeInputHandler: 1\n");
-            Assert.That(Defines.Of(root), Does.Contain("MY_SYMBOL").And.Contain("OTHER").And.Not.Contain("PHONE").And.Contain("ENABLE_INPUT_SYSTEM").And.Not.Contain("ENABLE_LEGACY_INPUT_MANAGER"));
+            File.WriteAllText(Path.Combine(root, "ProjectSettings", "ProjectSettings.asset"),
+                "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!129 &1\nPlayerSettings:\n  scriptingDefineSymbols:\n    Standalone: " +
+                "MY_SYMBOL;OTHER\n    Android: PHONE\n  activeInputHandler: 1\n");
+            Assert.That(Defines.Of(root), Does.Contain("MY_SYMBOL").And.Contain("OTHER").And.Not.Contain("PHONE").And.Contain(
+                "ENABLE_INPUT_SYSTEM").And.Not.Contain("ENABLE_LEGACY_INPUT_MANAGER"));
         }
 
         [Test]
         public void A_reference_to_an_assembly_that_is_not_there_is_said()
         {
-            Define("Assets/Part", "Part", "\"references\": [ \"Unity.RenderPipelines.Universal.Runtime\", \"GUID:6055be8ebefd69e48b49212b09b47b2f\" ]");
+            Define("Assets/Part", "Part",
+                "\"references\": [ \"Unity.RenderPipelines.Universal.Runtime\", \"GUID:6055be8ebefd69e48b49212b09b47b2f\" ]");
             Write("Assets/Part/A.cs", "");
             Assert.That(Plan().Notes, Is.EqualTo(new[]
             {
-                "Assets/Part/Part.asmdef refers to the assembly 'Unity.RenderPipelines.Universal.Runtime', which is not in the project: the scripts that use it will not compile",
-                "Assets/Part/Part.asmdef refers to the assembly 'Unity.TextMeshPro' (GUID:6055be8ebefd69e48b49212b09b47b2f), which is not in the project: the scripts that use it will not compile",
+                "Assets/Part/Part.asmdef refers to the assembly 'Unity.RenderPipelines.Universal.Runtime', which is not in the " +
+                    "project: the scripts that use it will not compile",
+                "Assets/Part/Part.asmdef refers to the assembly 'Unity.TextMeshPro' (GUID:6055be8ebefd69e48b49212b09b47b2f), which is " +
+                    "not in the project: the scripts that use it will not compile",
             }));
         }
 
@@ -188,7 +198,8 @@ namespace Host.Tests
         {
             Define("Assets/A", "Part");
             Define("Assets/B", "Part");
-            Assert.That(Assert.Throws<ScriptException>(() => Plan()).Message, Does.Contain("Assets/B/Part.asmdef and Assets/A/Part.asmdef both define the assembly 'Part'"));
+            Assert.That(Assert.Throws<ScriptException>(() => Plan()).Message,
+                Does.Contain("Assets/B/Part.asmdef and Assets/A/Part.asmdef both define the assembly 'Part'"));
         }
 
         [Test]
@@ -201,7 +212,8 @@ namespace Host.Tests
         [Test]
         public void Packages_that_are_not_here_are_listed_and_the_engines_modules_are_not()
         {
-            Manifest("\"com.unity.render-pipelines.universal\": \"14.0.8\", \"com.unity.modules.physics\": \"1.0.0\", \"com.unity.mathematics\": \"1.2.6\"");
+            Manifest("\"com.unity.render-pipelines.universal\": \"14.0.8\", \"com.unity.modules.physics\": \"1.0.0\", " +
+                "\"com.unity.mathematics\": \"1.2.6\"");
             Assert.That(new Packages(root, ProjectFolders.Of(root)).Missing, Is.EqualTo(new[] { "com.unity.render-pipelines.universal 14.0.8" }));
         }
 
@@ -220,7 +232,8 @@ namespace Host.Tests
         public void The_language_is_Unitys_CSharp_9()
         {
             Write("Assets/New.cs", "namespace A;\npublic class New { }");
-            Assert.That(Assert.Throws<ScriptException>(() => Compile()).Message, Does.Contain("Assets/New.cs(1,1): error CS8773").And.Contain("C# 9.0"));
+            Assert.That(Assert.Throws<ScriptException>(() => Compile()).Message,
+                Does.Contain("Assets/New.cs(1,1): error CS8773").And.Contain("C# 9.0"));
         }
 
         [Test]
@@ -233,7 +246,8 @@ namespace Host.Tests
             List<string> said = scripts.LeftOut.Select(f => f.Error).ToList();
             Assert.That(said.Count, Is.EqualTo(2));
             Assert.That(said[0], Does.StartWith("Assets/Broken.cs(1,").And.Contain("CS1061").And.Not.Contain("Unity 2022.3 has it"));
-            Assert.That(said[1], Does.StartWith("Assets/User.cs(1,").And.Contain("CS0246").And.EndWith("(it was in Assets/Broken.cs, which is left out)"));
+            Assert.That(said[1], Does.StartWith("Assets/User.cs(1,").And.Contain("CS0246").And.EndWith(
+                "(it was in Assets/Broken.cs, which is left out)"));
             Assert.That(scripts.Assemblies.Single().GetType("Fine"), Is.Not.Null);
             Assert.That(scripts.WhyMissing("Assets/User.cs"), Does.StartWith("it does not compile against the host: Assets/User.cs(1,"));
         }
@@ -261,17 +275,22 @@ namespace Host.Tests
         public void A_component_whose_script_was_left_out_is_missing_and_the_reason_is_said()
         {
             const string guid = "aaaabbbbccccddddeeeeffff00002222";
-            Write("Assets/Broken.cs", "public class Broken : UnityEngine.MonoBehaviour { void Update() => UnityEngine.Camera.main.NoSuchThing(); }", guid);
-            Write("Assets/Main.unity", "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!1 &1\nGameObject:\n  m_Component:\n  - component: {fileID: 2}\n  - component: {fileID: 3}\n  m_Name: Thing\n  m_IsActive: 1\n"
+            Write("Assets/Broken.cs",
+                "public class Broken : UnityEngine.MonoBehaviour { void Update() => UnityEngine.Camera.main.NoSuchThing(); }", guid);
+            Write("Assets/Main.unity", "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!1 &1\nGameObject:\n  m_Component:\n  - " +
+                "component: {fileID: 2}\n  - component: {fileID: 3}\n  m_Name: Thing\n  m_IsActive: 1\n"
                 + "--- !u!4 &2\nTransform:\n  m_GameObject: {fileID: 1}\n  m_Father: {fileID: 0}\n"
-                + $"--- !u!114 &3\nMonoBehaviour:\n  m_GameObject: {{fileID: 1}}\n  m_Enabled: 1\n  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n");
+                + $"--- !u!114 &3\nMonoBehaviour:\n  m_GameObject: {{fileID: 1}}\n  m_Enabled: 1\n  m_Script: {{fileID: 11500000, " +
+                $"guid: {guid}, type: 3}}\n");
             ProjectScripts scripts = Compile();
             var assets = new ProjectAssets(ProjectFolders.Of(root), scripts.Assemblies, strict: false, foreign: scripts);
             try
             {
                 assets.ReadScene(assets.Index.ByPath("Assets/Main.unity"));
                 Assert.That(assets.MissingScripts, Is.EqualTo(1));
-                Assert.That(assets.Warnings.Single(), Does.Match(@"^Assets/Main\.unity\(\d+\): the script of a component on 'Thing', Assets/Broken\.cs, cannot be loaded, so the component is missing: it does not compile against the host: Assets/Broken\.cs\(1,\d+\): error CS1061"));
+                Assert.That(assets.Warnings.Single(),
+                    Does.Match(
+                    @"^Assets/Main\.unity\(\d+\): the script of a component on 'Thing', Assets/Broken\.cs, cannot be loaded, so the component is missing: it does not compile against the host: Assets/Broken\.cs\(1,\d+\): error CS1061"));
             }
             finally
             {
@@ -288,16 +307,19 @@ namespace Host.Tests
             Assert.That(stubs.Types, Is.GreaterThan(1500));
             Assert.That(stubs.Members, Is.GreaterThan(10000));
             Assert.That(stubs.Dropped, Is.LessThan(150), "members of the lists that are no C# by themselves");
-            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy fixes.txt from {Path.GetDirectoryName(stubs.File)} to Headless~/Engine/Scripts/Stubs/Sources");
+            Assert.That(stubs.Refused, Is.Empty, $"a first use takes longer than it must: copy fixes.txt from " +
+                $"{Path.GetDirectoryName(stubs.File)} to Headless~/Engine/Scripts/Stubs/Sources");
         }
 
         [Test]
         public void A_stub_throws_its_own_name_and_is_counted()
         {
-            Write("Assets/Shooter.cs", "using UnityEngine;\npublic static class Shooter { public static bool Shoot() => Physics.Raycast(Vector3.zero, Vector3.forward); }");
+            Write("Assets/Shooter.cs", "using UnityEngine;\npublic static class Shooter { public static bool Shoot() => " +
+                "Physics.Raycast(Vector3.zero, Vector3.forward); }");
             ProjectScripts scripts = Compile();
             Assert.That(scripts.LeftOut, Is.Empty);
-            var thrown = Assert.Throws<TargetInvocationException>(() => scripts.Assemblies.Single().GetType("Shooter").GetMethod("Shoot").Invoke(null, null)).InnerException;
+            var thrown = Assert.Throws<TargetInvocationException>(() => scripts.Assemblies.Single().GetType("Shooter").GetMethod("Shoot")
+                .Invoke(null, null)).InnerException;
             Assert.That(thrown, Is.InstanceOf<NotSupportedException>());
             Assert.That(thrown.Message, Is.EqualTo("UnityEngine.Physics.Raycast is not part of the headless host"));
             Assert.That(scripts.StubCalls, Does.Contain(new KeyValuePair<string, int>("UnityEngine.Physics.Raycast", 1)));
@@ -306,7 +328,8 @@ namespace Host.Tests
         [Test]
         public void Bodies_are_the_hosts_own_and_fall_by_the_stubs_gravity()
         {
-            Write("Assets/Moon.cs", "using UnityEngine;\npublic static class Moon { public static float Land(Rigidbody body) { Physics.gravity = new Vector3(0f, -1.6f, 0f); body.velocity = Vector3.up; return body.mass; } }");
+            Write("Assets/Moon.cs", "using UnityEngine;\npublic static class Moon { public static float Land(Rigidbody body) { " +
+                "Physics.gravity = new Vector3(0f, -1.6f, 0f); body.velocity = Vector3.up; return body.mass; } }");
             ProjectScripts scripts = Compile();
             Assert.That(scripts.LeftOut, Is.Empty);
             var owner = new GameObject("lander");
@@ -326,14 +349,18 @@ namespace Host.Tests
         [Test]
         public void No_one_touches_the_keyboard_and_no_one_hears_a_sound()
         {
-            Write("Assets/Quiet.cs", "using UnityEngine;\npublic static class Quiet { public static string Ask(AudioSource source) { source.volume = 0.25f; source.Play(); return $\"{Input.GetKey(KeyCode.A)} {Input.GetAxis(\"Horizontal\")} {Input.mousePosition} {Input.inputString.Length} {Input.touchCount} {Input.GetJoystickNames().Length} {source.volume}\"; } }");
+            Write("Assets/Quiet.cs", "using UnityEngine;\npublic static class Quiet { public static string Ask(AudioSource source) { " +
+                "source.volume = 0.25f; source.Play(); return $\"{Input.GetKey(KeyCode.A)} {Input.GetAxis(\"Horizontal\")} " +
+                "{Input.mousePosition} {Input.inputString.Length} {Input.touchCount} {Input.GetJoystickNames().Length} " +
+                "{source.volume}\"; } }");
             ProjectScripts scripts = Compile();
             Assert.That(scripts.LeftOut, Is.Empty);
             var owner = new GameObject("speaker");
             try
             {
                 Component source = owner.AddComponent(scripts.StubComponent("AudioSource"));
-                Assert.That(scripts.Assemblies.Single().GetType("Quiet").GetMethod("Ask").Invoke(null, new object[] { source }), Is.EqualTo("False 0 (0.00, 0.00, 0.00) 0 0 0 0.25"));
+                Assert.That(scripts.Assemblies.Single().GetType("Quiet").GetMethod("Ask").Invoke(null, new object[] { source }),
+                    Is.EqualTo("False 0 (0.00, 0.00, 0.00) 0 0 0 0.25"));
             }
             finally
             {

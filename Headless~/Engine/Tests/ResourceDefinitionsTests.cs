@@ -10,7 +10,8 @@ namespace Host.Tests
     public class ResourceDefinitionsTests
     {
         const string Text = @"struct S { float3 p; uint n; float2x3 m; };
-StructuredBuffer<S> _Elements; RWStructuredBuffer<float3> _Out; AppendStructuredBuffer<uint2> _List; ByteAddressBuffer _Raw; RWStructuredBuffer<uint> _Counted;
+StructuredBuffer<S> _Elements; RWStructuredBuffer<float3> _Out; AppendStructuredBuffer<uint2> _List; ByteAddressBuffer _Raw;
+    RWStructuredBuffer<uint> _Counted;
 Texture3D<float> _Volume; SamplerState linearClampSampler; Buffer<uint2> _Texels; RWTexture2D<float4> _Image;
 float4 _Tint = float4(1, 2, 3, 4); float3x4 _Turn; row_major float2x4 _Rows[2];
 cbuffer Named { int _Count; bool _Is; S _One; float _Unused; }
@@ -35,7 +36,8 @@ groupshared uint g_A[64];
         {
             FxcResult result = new FxcCompiler().Compile(new FxcRequest
             {
-                Name = "test", Source = new PreprocessedSource { Text = text }, EntryPoint = entry, EntryLine = new SourceLine("test", 1), Profile = profile, Flags = FxcFlags.OptimizationLevel3,
+                Name = "test", Source = new PreprocessedSource { Text = text }, EntryPoint = entry, EntryLine = new SourceLine("test", 1),
+                    Profile = profile, Flags = FxcFlags.OptimizationLevel3,
             });
             Assert.That(result.Errors, Is.Empty);
             return result.Dxbc;
@@ -44,7 +46,8 @@ groupshared uint g_A[64];
         [Test]
         public void Resources_have_their_kinds_registers_and_strides()
         {
-            IEnumerable<string> resources = new ResourceDefinitions(kernel.Value).Resources.Select(r => $"{r.Name} {r.Type} {r.Register} {r.Stride} {r.Dimension} {r.Components}");
+            IEnumerable<string> resources = new ResourceDefinitions(kernel.Value).Resources.Select(r =>
+                $"{r.Name} {r.Type} {r.Register} {r.Stride} {r.Dimension} {r.Components}");
             Assert.That(resources, Is.EquivalentTo(new[]
             {
                 "linearClampSampler Sampler 0 0 Unknown 1",
@@ -64,14 +67,20 @@ groupshared uint g_A[64];
         [Test]
         public void Constants_have_their_offsets_sizes_and_types()
         {
-            DefinedBuffer globals = new ResourceDefinitions(kernel.Value).ConstantBuffers.Single(b => b.Name == "$Globals"), named = new ResourceDefinitions(kernel.Value).ConstantBuffers.Single(b => b.Name == "Named");
-            string Line(DefinedVariable v) => $"{v.Name} {v.Offset} {v.Bytes} {v.Type.Class} {v.Type.Rows}x{v.Type.Columns} [{v.Type.Elements}]{(v.IsUsed ? "" : " unused")}";
-            Assert.That(globals.Variables.Select(Line), Is.EqualTo(new[] { "_Tint 0 16 Vector 1x4 [0]", "_Turn 16 60 MatrixColumns 3x4 [0]", "_Rows 80 64 MatrixRows 2x4 [2]" }));
+            DefinedBuffer globals = new ResourceDefinitions(kernel.Value).ConstantBuffers.Single(b => b.Name == "$Globals"),
+                named = new ResourceDefinitions(kernel.Value).ConstantBuffers.Single(b => b.Name == "Named");
+            string Line(DefinedVariable v) => $"{v.Name} {v.Offset} {v.Bytes} {v.Type.Class} {v.Type.Rows}x{v.Type.Columns} " +
+                $"[{v.Type.Elements}]{(v.IsUsed ? "" : " unused")}";
+            Assert.That(globals.Variables.Select(Line),
+                Is.EqualTo(new[] { "_Tint 0 16 Vector 1x4 [0]", "_Turn 16 60 MatrixColumns 3x4 [0]", "_Rows 80 64 MatrixRows 2x4 [2]" }));
             Assert.That(globals.Bytes, Is.EqualTo(144));
-            Assert.That(named.Variables.Select(Line), Is.EqualTo(new[] { "_Count 0 4 Scalar 1x1 [0]", "_Is 4 4 Scalar 1x1 [0]", "_One 16 56 Struct 1x10 [0]", "_Unused 72 4 Scalar 1x1 [0] unused" }));
+            Assert.That(named.Variables.Select(Line),
+                Is.EqualTo(new[] { "_Count 0 4 Scalar 1x1 [0]", "_Is 4 4 Scalar 1x1 [0]", "_One 16 56 Struct 1x10 [0]",
+                "_Unused 72 4 Scalar 1x1 [0] unused" }));
             Assert.That(named.Variables.Take(2).Select(v => v.Type.Type), Is.EqualTo(new[] { ShaderVariableType.Int, ShaderVariableType.Bool }));
             Assert.That(named.Variables[2].Type.Members.Select(m => $"{m.Name} {m.Offset}"), Is.EqualTo(new[] { "p 0", "n 12", "m 16" }));
-            Assert.That(Enumerable.Range(0, 4).Select(i => BitConverter.ToSingle(globals.Variables[0].Default, 4 * i)), Is.EqualTo(new[] { 1, 2, 3, 4 }));
+            Assert.That(Enumerable.Range(0, 4).Select(i => BitConverter.ToSingle(globals.Variables[0].Default, 4 * i)),
+                Is.EqualTo(new[] { 1, 2, 3, 4 }));
             Assert.That(globals.Variables[1].Default, Is.Null);
         }
 
@@ -87,7 +96,8 @@ groupshared uint g_A[64];
         public void Barriers_and_groups_are_those_of_the_source()
         {
             var order = new DxbcBarriers(kernel.Value);
-            Assert.That(order.Barriers, Is.EqualTo(new[] { SyncFlags.ThreadsInGroup | SyncFlags.Groupshared, SyncFlags.Groupshared | SyncFlags.UavGlobal }));
+            Assert.That(order.Barriers, Is.EqualTo(new[] { SyncFlags.ThreadsInGroup | SyncFlags.Groupshared,
+                SyncFlags.Groupshared | SyncFlags.UavGlobal }));
             Assert.That(order.ShareUavs, Is.True);
             Assert.That(new DxbcDeclarations(kernel.Value).GroupSize, Is.EqualTo((8, 4, 2)));
         }
@@ -109,17 +119,21 @@ groupshared uint g_A[64];
             string Line(SignatureElement e) => $"{e.Semantic.Full} {e.SystemValue} r{e.Register} {e.Mask}";
             var vertex = new DxbcContainer(Compile(text, "vert", "vs_5_0"));
             Assert.That(Signature.Inputs(vertex).Select(Line), Is.EqualTo(new[] { "POSITION0 0 r0 15", "SV_INSTANCEID0 8 r1 1" }));
-            Assert.That(Signature.Outputs(vertex).Select(Line), Is.EqualTo(new[] { "SV_POSITION0 1 r0 15", "TEXCOORD0 0 r1 3", "FOG0 0 r1 4", "ID7 0 r2 1" }));
-            Assert.That(Signature.Inputs(new DxbcContainer(Compile(text, "frag", "ps_5_0"))).Where(e => e.ReadMask != 0).Select(e => e.Semantic.Short), Is.EqualTo(new[] { "FOG", "ID7" }));
+            Assert.That(Signature.Outputs(vertex).Select(Line),
+                Is.EqualTo(new[] { "SV_POSITION0 1 r0 15", "TEXCOORD0 0 r1 3", "FOG0 0 r1 4", "ID7 0 r2 1" }));
+            Assert.That(Signature.Inputs(new DxbcContainer(Compile(text, "frag", "ps_5_0"))).Where(e => e.ReadMask != 0)
+                .Select(e => e.Semantic.Short), Is.EqualTo(new[] { "FOG", "ID7" }));
         }
 
         [Test]
         public void A_chunk_that_is_cut_off_is_named()
         {
             byte[] dxbc = Compile(Text, "K", "cs_5_0");
-            int rdef = Enumerable.Range(0, dxbc.Length - 4).First(i => dxbc[i] == 'R' && dxbc[i + 1] == 'D' && dxbc[i + 2] == 'E' && dxbc[i + 3] == 'F');
+            int rdef = Enumerable.Range(0, dxbc.Length - 4).First(i => dxbc[i] == 'R' && dxbc[i + 1] == 'D' && dxbc[i + 2] == 'E'
+                && dxbc[i + 3] == 'F');
             BitConverter.GetBytes(0x7FFFFFF0).CopyTo(dxbc, rdef + 8 + 12);     // where the resources stand
-            Assert.That(Assert.Throws<FormatException>(() => new ResourceDefinitions(new DxbcContainer(dxbc))).Message, Does.StartWith("The RDEF chunk has"));
+            Assert.That(Assert.Throws<FormatException>(() => new ResourceDefinitions(new DxbcContainer(dxbc))).Message,
+            Does.StartWith("The RDEF chunk has"));
         }
     }
 }

@@ -75,7 +75,8 @@ namespace Host.Tests
         [Test]
         public void A_coroutine_test_takes_a_value_source_and_refuses_test_cases()
         {
-            Assert.That(Build(typeof(Parametrized<int>), nameof(Parametrized<int>.From_a_source)).Tests.Select(test => test.Name), Is.EqualTo(new[] { "From_a_source(3)", "From_a_source(5)" }));
+            Assert.That(Build(typeof(Parametrized<int>), nameof(Parametrized<int>.From_a_source)).Tests.Select(test => test.Name),
+                Is.EqualTo(new[] { "From_a_source(3)", "From_a_source(5)" }));
             ITest refused = Build(typeof(Parametrized<int>), nameof(Parametrized<int>.From_cases)).Tests.First();
             Assert.That(refused.RunState, Is.EqualTo(RunState.NotRunnable));
             Assert.That((string)refused.Properties.Get(PropertyNames.SkipReason), Does.Contain("non-void return value"));
@@ -107,7 +108,8 @@ namespace Host.Tests
             try
             {
                 var work = WorkItem.CreateWorkItem(test, TestFilter.Empty);
-                work.InitializeContext(new TestExecutionContext { Dispatcher = new SimpleWorkItemDispatcher(), TestObject = Activator.CreateInstance(fixture) });
+                work.InitializeContext(new TestExecutionContext { Dispatcher = new SimpleWorkItemDispatcher(),
+                    TestObject = Activator.CreateInstance(fixture) });
                 work.Execute();
                 return work.Result.HasChildren ? work.Result.Children.Single() : work.Result;
             }
@@ -118,7 +120,8 @@ namespace Host.Tests
             }
         }
 
-        static Test Build(Type fixture, string method) => new DefaultTestCaseBuilder().BuildFrom(new MethodWrapper(fixture, method), new TestFixture(new TypeWrapper(fixture)));
+        static Test Build(Type fixture, string method)
+            => new DefaultTestCaseBuilder().BuildFrom(new MethodWrapper(fixture, method), new TestFixture(new TypeWrapper(fixture)));
 
         // NUnit passes over generic classes that no attribute closes, so the suite does not run what is planted in these.
         class Planted<T>

@@ -30,7 +30,8 @@ namespace Host.Tests
         // "Packages/name/..." and "Assets/..." lie in folders of those names.
         string Resolve(string path) => File.Exists(Path.Combine(folder, path)) ? Path.Combine(folder, path) : null;
 
-        public ComputeShaderSource Compute(string name) => ShaderImporter.ImportCompute(Path.Combine(folder, name), name, Resolve, new ShaderCache(CachePath));
+        public ComputeShaderSource Compute(string name)
+            => ShaderImporter.ImportCompute(Path.Combine(folder, name), name, Resolve, new ShaderCache(CachePath));
         public ShaderSource Shader(string name) => ShaderImporter.ImportShader(Path.Combine(folder, name), name, Resolve, new ShaderCache(CachePath));
 
         /// <summary>The first kernel of a file made of that text.</summary>
@@ -46,7 +47,8 @@ namespace Host.Tests
             try
             {
                 File.WriteAllBytes(path, program.Spirv);
-                var start = new ProcessStartInfo("spirv-val", "--target-env vulkan1.1 --scalar-block-layout " + path) { RedirectStandardError = true, RedirectStandardOutput = true };
+                var start = new ProcessStartInfo("spirv-val", "--target-env vulkan1.1 --scalar-block-layout " + path) {
+                    RedirectStandardError = true, RedirectStandardOutput = true };
                 using (Process process = Process.Start(start))
                 {
                     string log = process.StandardError.ReadToEnd() + process.StandardOutput.ReadToEnd();
@@ -88,7 +90,8 @@ namespace Host.Tests
         [TestCase("float2x3", 24)]
         public void A_structured_buffers_stride_is_the_sum_of_its_scalars(string type, int stride)
         {
-            ShaderProgram program = ShaderFolder.Compile($"#pragma kernel K\nStructuredBuffer<{type}> _In; RWStructuredBuffer<{type}> _Out;\n{Threads}void K(uint3 id : SV_DispatchThreadID) {{ _Out[id.x] = _In[id.x]; }}");
+            ShaderProgram program = ShaderFolder.Compile($"#pragma kernel K\nStructuredBuffer<{type}> _In; RWStructuredBuffer<{type}> " +
+                $"_Out;\n{Threads}void K(uint3 id : SV_DispatchThreadID) {{ _Out[id.x] = _In[id.x]; }}");
             Assert.That(Find(program, "_In").Stride, Is.EqualTo(stride));
             Assert.That(Find(program, "_Out").Stride, Is.EqualTo(stride));
             Assert.That(Find(program, "_In").Kind, Is.EqualTo(ShaderResourceKind.StructuredBuffer));
@@ -127,7 +130,8 @@ RWStructuredBuffer<Element> _Out;
 [numthreads(1,1,1)] void K() { Element e = (Element)0; _Out[0] = e; }";
             SpirvModule module = SpirvModule.Read(ShaderFolder.Compile(text).Spirv);
             var types = new SpirvTypes(module);
-            Instruction element = module.Instructions.Single(i => i.Op == Op.TypeStruct && types.Name(i[0]) == "Element" && types.Decorated(i[0], 0, Decoration.Offset) != null);
+            Instruction element = module.Instructions.Single(i => i.Op == Op.TypeStruct && types.Name(i[0]) == "Element"
+                && types.Decorated(i[0], 0, Decoration.Offset) != null);
             int[] offsets = Enumerable.Range(0, 4).Select(m => (int)types.Decorated(element[0], m, Decoration.Offset)[3]).ToArray();
             Assert.That(offsets, Is.EqualTo(new[] { 0, 12, 24, 48 }));
             Assert.That(types.Decorated(element[0], 2, Decoration.MatrixStride)[3], Is.EqualTo(12), "two columns of three floats");
@@ -142,7 +146,8 @@ RWStructuredBuffer<float2> _Out;
 [numthreads(1,1,1)] void K() { _Out[0] = mul(_Columns, float3(1, 2, 3)) + mul(_Rows, float3(1, 2, 3)); }";
             ShaderProgram program = ShaderFolder.Compile(text);
             ConstantField columns = Field(program, "_Columns"), rows = Field(program, "_Rows");
-            Assert.That(new[] { columns.Rows, columns.Columns, columns.Bytes, columns.MatrixStride }, Is.EqualTo(new[] { 2, 3, 40, 16 }), "three columns of two");
+            Assert.That(new[] { columns.Rows, columns.Columns, columns.Bytes, columns.MatrixStride }, Is.EqualTo(new[] { 2, 3, 40, 16 }),
+                "three columns of two");
             Assert.That(columns.RowMajor, Is.False);
             Assert.That(new[] { rows.Rows, rows.Columns, rows.Bytes, rows.MatrixStride }, Is.EqualTo(new[] { 2, 3, 28, 16 }), "two rows of three");
             Assert.That(rows.RowMajor, Is.True);
@@ -172,7 +177,8 @@ RWStructuredBuffer<float2> _Out;
         {
             foreach (string declaration in new[] { "cbuffer Params { " + members + " };", members })
             {
-                ShaderProgram program = ShaderFolder.Compile($"#pragma kernel K\n{declaration}\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K() {{ _Out[0] = ((float[1])b)[0] + (float)a; }}"
+                ShaderProgram program = ShaderFolder.Compile($"#pragma kernel K\n{declaration}\nRWStructuredBuffer<float> " +
+                    $"_Out;\n[numthreads(1,1,1)] void K() {{ _Out[0] = ((float[1])b)[0] + (float)a; }}"
                     .Replace("((float[1])b)[0] + (float)a", Use(members, "b") + " + " + Use(members, "a")));
                 Assert.That(new[] { Field(program, "a").Offset, Field(program, "b").Offset }, Is.EqualTo(new[] { a, b }), declaration);
             }
@@ -287,7 +293,8 @@ RWStructuredBuffer<uint> _Out;
 #endif
 )] void K() { _Out[0] = 1; }";
             ShaderProgram program = ShaderFolder.Compile(text, enabled.Split(' '));
-            string found = string.Join(" ", new[] { "OFF", "SLOW", "FAST" }[program.GroupX - 1], program.GroupY == 1 ? "ONE" : "TWO", program.GroupZ == 2 ? "FEATURE" : "").Trim();
+            string found = string.Join(" ", new[] { "OFF", "SLOW", "FAST" }[program.GroupX - 1], program.GroupY == 1 ? "ONE" : "TWO",
+                program.GroupZ == 2 ? "FEATURE" : "").Trim();
             Assert.That(found, Is.EqualTo(expected));
         }
 
@@ -295,7 +302,8 @@ RWStructuredBuffer<uint> _Out;
         public void Keywords_are_those_of_the_file_and_of_includes_with_pragmas()
         {
             using (var files = new ShaderFolder()
-                .Add("A.compute", "#pragma kernel K\n#pragma multi_compile __ A B\n#include \"plain.hlsl\"\n#include_with_pragmas \"more.hlsl\"\n[numthreads(1,1,1)] void K() {}")
+                .Add("A.compute", "#pragma kernel K\n#pragma multi_compile __ A B\n#include \"plain.hlsl\"\n#include_with_pragmas " +
+                    "\"more.hlsl\"\n[numthreads(1,1,1)] void K() {}")
                 .Add("plain.hlsl", "#pragma multi_compile _ HIDDEN\n#pragma kernel Hidden\n")
                 .Add("more.hlsl", "#pragma shader_feature C\n"))
             {
@@ -322,13 +330,16 @@ RWStructuredBuffer<uint> _Out;
         public void Includes_are_found_beside_the_file_and_in_packages_in_any_encoding()
         {
             using (var files = new ShaderFolder()
-                .Add("Assets/S/A.compute", "#pragma kernel K\r\n#include \"../Common/b.hlsl\"\r\n#include \"Packages/com.x/Shaders/c.hlsl\"\r\nRWStructuredBuffer<float> _Out;\r\n[numthreads(1,1,1)] void K() { _Out[0] = Twice(Thrice(1)) + D; }\r\n", new UTF8Encoding(true))
+                .Add("Assets/S/A.compute", "#pragma kernel K\r\n#include \"../Common/b.hlsl\"\r\n#include " +
+                    "\"Packages/com.x/Shaders/c.hlsl\"\r\nRWStructuredBuffer<float> _Out;\r\n[numthreads(1,1,1)] void K() { _Out[0] = " +
+                    "Twice(Thrice(1)) + D; }\r\n", new UTF8Encoding(true))
                 .Add("Assets/Common/b.hlsl", "float Twice(float x) { return 2 * x; }", Encoding.Unicode)
                 .Add("Packages/com.x/Shaders/c.hlsl", "#include \"d.hlsl\"\nfloat Thrice(float x) { return 3 * x; }", Encoding.BigEndianUnicode)
                 .Add("Packages/com.x/Shaders/d.hlsl", "#pragma once\n#include \"d.hlsl\"\n#include \"c.hlsl\"\n#define D 4", new UTF8Encoding(true)))
             {
                 // c includes itself by way of d, which keeps it to once; c's own second turn defines Thrice again.
-                files.Add("Packages/com.x/Shaders/c.hlsl", "#ifndef C\n#define C\n#include \"d.hlsl\"\nfloat Thrice(float x) { return 3 * x; }\n#endif\n");
+                files.Add("Packages/com.x/Shaders/c.hlsl",
+                    "#ifndef C\n#define C\n#include \"d.hlsl\"\nfloat Thrice(float x) { return 3 * x; }\n#endif\n");
                 Assert.DoesNotThrow(() => ShaderFolder.Checked(files.Compute("Assets/S/A.compute").Compile(0, null)));
             }
         }
@@ -336,20 +347,23 @@ RWStructuredBuffer<uint> _Out;
         [Test]
         public void An_include_that_no_variant_needs_may_be_missing()
         {
-            Assert.DoesNotThrow(() => ShaderFolder.Compile("#pragma kernel K\n#if defined(SHADER_API_METAL)\n#include \"none.hlsl\"\n#endif\n[numthreads(1,1,1)] void K() {}"));
+            Assert.DoesNotThrow(() => ShaderFolder.Compile(
+                "#pragma kernel K\n#if defined(SHADER_API_METAL)\n#include \"none.hlsl\"\n#endif\n[numthreads(1,1,1)] void K() {}"));
         }
 
         [Test]
         public void A_missing_include_is_named_with_file_and_line()
         {
-            var error = Assert.Throws<ShaderCompileException>(() => ShaderFolder.Compile("#pragma kernel K\n\n#include \"none.hlsl\"\n[numthreads(1,1,1)] void K() {}"));
+            var error = Assert.Throws<ShaderCompileException>(() =>
+                ShaderFolder.Compile("#pragma kernel K\n\n#include \"none.hlsl\"\n[numthreads(1,1,1)] void K() {}"));
             Assert.That(error.Message, Is.EqualTo("Test.compute(3): error: Couldn't open include file 'none.hlsl'"));
         }
 
         [Test]
         public void An_include_that_includes_itself_without_end_is_refused()
         {
-            using (var files = new ShaderFolder().Add("A.compute", "#pragma kernel K\n#include \"b.hlsl\"\n").Add("b.hlsl", "\n#include \"b.hlsl\"\n"))
+            using (var files = new ShaderFolder().Add("A.compute", "#pragma kernel K\n#include \"b.hlsl\"\n")
+                .Add("b.hlsl", "\n#include \"b.hlsl\"\n"))
             {
                 var error = Assert.Throws<ShaderCompileException>(() => files.Compute("A.compute"));
                 Assert.That(error.Message, Does.StartWith("b.hlsl(2): error:").And.Contain("include guard"));
@@ -362,7 +376,8 @@ RWStructuredBuffer<uint> _Out;
         public void An_error_inside_an_include_names_its_file_and_line()
         {
             using (var files = new ShaderFolder()
-                .Add("S/A.compute", "#pragma kernel K\n#include \"../Inc/b.hlsl\"\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K() { _Out[0] = Twice(1); }")
+                .Add("S/A.compute", "#pragma kernel K\n#include \"../Inc/b.hlsl\"\nRWStructuredBuffer<float> " +
+                    "_Out;\n[numthreads(1,1,1)] void K() { _Out[0] = Twice(1); }")
                 .Add("Inc/b.hlsl", "/* a comment\n   of two lines */\n#define TWO \\\n    2\nfloat Twice(float x)\n{\n    return x * tow;\n}\n"))
             {
                 var error = Assert.Throws<ShaderCompileException>(() => files.Compute("S/A.compute").Compile(0, null));
@@ -376,7 +391,8 @@ RWStructuredBuffer<uint> _Out;
         [TestCase("#pragma kernel K\n#if 1\n[numthreads(1,1,1)] void K() {}", 0, 2, "no #endif")]
         [TestCase("#pragma kernel K\n#error no such thing\n", 0, 2, "no such thing")]
         [TestCase("#pragma kernel K\n#define TWO(a, b) a\nstatic float x = TWO(1);\n", 0, 3, "macro 'TWO' takes 2 arguments, got 1")]
-        [TestCase("#pragma kernel K\nTexture2D _T; SamplerState MySampler; RWStructuredBuffer<float4> _A;\n[numthreads(1,1,1)] void K() { _A[0] = _T.SampleLevel(MySampler, float2(0, 0), 0); }", 0, 1, "unrecognized sampler 'MySampler'")]
+        [TestCase("#pragma kernel K\nTexture2D _T; SamplerState MySampler; RWStructuredBuffer<float4> _A;\n[numthreads(1,1,1)] void " +
+            "K() { _A[0] = _T.SampleLevel(MySampler, float2(0, 0), 0); }", 0, 1, "unrecognized sampler 'MySampler'")]
         public void Faults_are_named_with_file_and_line(string text, int kernel, int line, string what)
         {
             using (var files = new ShaderFolder().Add("Test.compute", text))
@@ -388,15 +404,19 @@ RWStructuredBuffer<uint> _Out;
 
         [TestCase("#pragma kernel K\nvoid K() {}", 0, 1, "[numthreads(x,y,z)]")]
         [TestCase("#pragma kernel K\nRWStructuredBuffer<float> _A;\n[numthreads(1,1,1)] void K()\n{\n    _A[0] = ;\n}", 0, 5, "Expected")]
-        [TestCase("#pragma kernel K\nStructuredBuffer<float3> _A; RWStructuredBuffer<uint> _B;\n[numthreads(1,1,1)] void K() { uint n, s; _A.GetDimensions(n, s); _B[0] = n * s; }", 0, 1, "_A.GetDimensions")]
-        [TestCase("#pragma kernel K\nRWStructuredBuffer<float4x4> _A;\n[numthreads(1,1,1)] void K()\n{\n    float4x4 m = 0;\n    float2 v = (m._m03_m13 = float2(1, 2)); _A[0] = m;\n}", 0, 6, "make that a statement of its own")]
+        [TestCase("#pragma kernel K\nStructuredBuffer<float3> _A; RWStructuredBuffer<uint> _B;\n[numthreads(1,1,1)] void K() { uint n, " +
+            "s; _A.GetDimensions(n, s); _B[0] = n * s; }", 0, 1, "_A.GetDimensions")]
+        [TestCase("#pragma kernel K\nRWStructuredBuffer<float4x4> _A;\n[numthreads(1,1,1)] void K()\n{\n    float4x4 m = 0;\n    " +
+            "float2 v = (m._m03_m13 = float2(1, 2)); _A[0] = m;\n}", 0, 6, "make that a statement of its own")]
         [ByGlslang("the words and limits of glslang; FXC has its own")]
-        public void Faults_of_glslang_are_named_with_file_and_line(string text, int kernel, int line, string what) => Faults_are_named_with_file_and_line(text, kernel, line, what);
+        public void Faults_of_glslang_are_named_with_file_and_line(string text, int kernel, int line, string what)
+            => Faults_are_named_with_file_and_line(text, kernel, line, what);
 
         [Test]
         public void A_kernel_that_is_not_asked_for_may_be_wrong()
         {
-            const string text = "#pragma kernel Good\n#pragma kernel Missing\nRWStructuredBuffer<float> _A;\n[numthreads(1,1,1)] void Good() { _A[0] = 1; }";
+            const string text =
+                "#pragma kernel Good\n#pragma kernel Missing\nRWStructuredBuffer<float> _A;\n[numthreads(1,1,1)] void Good() { _A[0] = 1; }";
             Assert.DoesNotThrow(() => ShaderFolder.Compile(text));
         }
 
@@ -407,7 +427,8 @@ RWStructuredBuffer<uint> _Out;
         {
             const string text = @"#pragma kernel A
 #pragma kernel B
-StructuredBuffer<float> _One, _Two; RWStructuredBuffer<float> _Out; Texture2D<float4> _Tex; SamplerState sampler_Tex; float _Scale; cbuffer Other { float _OtherScale; };
+StructuredBuffer<float> _One, _Two; RWStructuredBuffer<float> _Out; Texture2D<float4> _Tex; SamplerState sampler_Tex; float _Scale;
+    cbuffer Other { float _OtherScale; };
 groupshared float g_Shared[100];
 float Helper(uint i) { return _Two[i] * _Scale; }
 [numthreads(1,1,1)] void A(uint3 id : SV_DispatchThreadID) { _Out[id.x] = _One[id.x]; }
@@ -435,7 +456,8 @@ AppendStructuredBuffer<P> _Append; ConsumeStructuredBuffer<P> _Consume; RWStruct
             ShaderProgram program = ShaderFolder.Compile(text);
             foreach (string name in new[] { "_Append", "_Consume", "_Counted" })
             {
-                ShaderResource buffer = Find(program, name, ShaderResourceKind.RWStructuredBuffer), counter = Find(program, name, ShaderResourceKind.Counter);
+                ShaderResource buffer = Find(program, name, ShaderResourceKind.RWStructuredBuffer),
+                    counter = Find(program, name, ShaderResourceKind.Counter);
                 Assert.That(buffer.Stride, Is.EqualTo(name == "_Counted" ? 4 : 16));
                 Assert.That(buffer.IsAppendConsume, Is.EqualTo(name != "_Counted"), name);
                 Assert.That(counter.Binding, Is.Not.EqualTo(buffer.Binding));
@@ -477,7 +499,8 @@ RWTexture2D<float4> _W2; RWTexture3D<float> _W3; RWTexture2DArray<uint> _WA; RWT
 Buffer<float4> _B; RWBuffer<uint> _RB;
 [numthreads(1,1,1)] void K(uint3 id : SV_DispatchThreadID)
 {
-    float4 s = _T2.SampleLevel(linearClampSampler, float2(0, 0), 0) + _T3[id] + _TA[id] + _TC.SampleLevel(linearClampSampler, float3(1, 0, 0), 0) + _B[id.x];
+    float4 s = _T2.SampleLevel(linearClampSampler, float2(0, 0), 0) + _T3[id] + _TA[id] + _TC.SampleLevel(linearClampSampler,
+        float3(1, 0, 0), 0) + _B[id.x];
     _W2[id.xy] = s; _W3[id] = s.x; _WA[id] = 3; _ReadBack[id] += s.y; _RB[id.x] = 1;
     uint old; InterlockedAdd(_Atomic[id.xy], 1, old);
 }";
@@ -509,10 +532,12 @@ Buffer<float4> _B; RWBuffer<uint> _RB;
         [TestCase("sampler_LinearClampU_RepeatV", true, false, DeviceWrap.Clamp, DeviceWrap.Repeat, false, 0)]
         [TestCase("sampler_LinearClampCompare", true, false, DeviceWrap.Clamp, DeviceWrap.Clamp, true, 0)]
         [TestCase("sampler_linear_repeat_aniso8", true, false, DeviceWrap.Repeat, DeviceWrap.Repeat, false, 8)]
-        public void Inline_samplers_are_read_from_their_names(string name, bool linear, bool linearMip, object u, object v, bool compare, int anisotropy)
+        public void Inline_samplers_are_read_from_their_names(string name, bool linear, bool linearMip, object u, object v, bool compare,
+            int anisotropy)
         {
             DeviceSampler sampler = InlineSampler.Parse(name).Value;
-            Assert.That(new object[] { sampler.Linear, sampler.LinearMip, sampler.U, sampler.V, sampler.Comparison, sampler.Anisotropy }, Is.EqualTo(new[] { linear, linearMip, u, v, compare, anisotropy }));
+            Assert.That(new object[] { sampler.Linear, sampler.LinearMip, sampler.U, sampler.V, sampler.Comparison, sampler.Anisotropy },
+                Is.EqualTo(new[] { linear, linearMip, u, v, compare, anisotropy }));
         }
 
         [Test]
@@ -565,7 +590,8 @@ float3 Load(uint i, out float w) { w = 1; return _Points[i]; }
     float3 sum = Load(id.x, w);
     LOOP(3) sum += kOffsets[i] * w;
     [loop] for (uint k = 0; k < g_Max; k++) { if (k == 5) break; sum += k * kOffsets[k % 3]; }
-    Store(_Points, id.x, normalize(sum) + rcp(w) + saturate(sum.yzx) + float3(countbits(old), firstbitlow(old), reversebits(old)) + asfloat(0x3f800000u) + f16tof32(f32tof16(w)) + mad(w, w, w));
+    Store(_Points, id.x, normalize(sum) + rcp(w) + saturate(sum.yzx) + float3(countbits(old), firstbitlow(old), reversebits(old))
+        + asfloat(0x3f800000u) + f16tof32(f32tof16(w)) + mad(w, w, w));
     bool3 b = sum > 0;
     _Sums[id.x] = any(b) ? g_Max : (uint)all(b) + (uint)isnan(w);
     switch (index & 3) { case 0: _Sums[id.x + 64] = 1; break; case 1: case 2: _Sums[id.x + 64] = 2; break; default: break; }
@@ -591,7 +617,8 @@ Texture2D<float4> _T; SamplerState linearClampU_pointSampler; AppendStructuredBu
                 Assert.That(Directory.GetFiles(files.CachePath).Length, Is.EqualTo(1), "the same text is the same program");
                 Assert.That(again.Name, Is.EqualTo("B.compute (K)"));
                 Assert.That(again.Spirv, Is.EqualTo(first.Spirv));
-                Assert.That(again.Resources.Select(r => (r.Name, r.Kind, r.Binding, r.Stride, r.IsAppendConsume, r.InlineSampler)), Is.EqualTo(first.Resources.Select(r => (r.Name, r.Kind, r.Binding, r.Stride, r.IsAppendConsume, r.InlineSampler))));
+                Assert.That(again.Resources.Select(r => (r.Name, r.Kind, r.Binding, r.Stride, r.IsAppendConsume, r.InlineSampler)),
+                    Is.EqualTo(first.Resources.Select(r => (r.Name, r.Kind, r.Binding, r.Stride, r.IsAppendConsume, r.InlineSampler))));
                 Assert.That(Field(again, "_M"), Is.EqualTo(Field(first, "_M")));
                 files.Add("A.compute", text + "\n");
                 files.Compute("A.compute").Compile(0, null);

@@ -22,7 +22,8 @@ ENDHLSL";
         }
 
         static DeviceRasterState State(string commands, Func<string, float> property = null)
-            => Import($"Shader \"T\" {{ SubShader {{ Pass {{ {commands}\n{Program} }} }} }}").Passes[0].ResolveState(property ?? (n => throw new Exception(n)));
+            => Import($"Shader \"T\" {{ SubShader {{ Pass {{ {commands}\n{Program} }} }} }}").Passes[0]
+                .ResolveState(property ?? (n => throw new Exception(n)));
 
         [Test]
         public void Properties_have_kinds_and_defaults()
@@ -49,7 +50,8 @@ Shader ""Water/Test"" /* and ""another"" */
             Assert.That(shader.Name, Is.EqualTo("Water/Test"));
             Assert.That(shader.Properties.Select(p => p.Name + " " + p.Kind), Is.EqualTo(new[]
             {
-                "_Color Color", "_MainTex Texture2D", "_Range Range", "_Cull Int", "_Vector Vector", "_Volume Texture3D", "_Sky TextureCube", "_Slices Texture2DArray", "_Float Float",
+                "_Color Color", "_MainTex Texture2D", "_Range Range", "_Cull Int", "_Vector Vector", "_Volume Texture3D",
+                    "_Sky TextureCube", "_Slices Texture2DArray", "_Float Float",
             }));
             Assert.That(shader.Properties[0].Default, Is.EqualTo(new[] { 1, 0.5f, 0.25f, 1 }));
             Assert.That(shader.Properties[1].DefaultTexture, Is.EqualTo("white"));
@@ -71,12 +73,14 @@ Shader ""Water/Test"" /* and ""another"" */
         [Test]
         public void State_is_read_as_written()
         {
-            DeviceRasterState state = State("Cull Off ZWrite Off ZTest Less Blend SrcAlpha OneMinusSrcAlpha, One Zero BlendOp RevSub, Max ColorMask RG Offset -1, 2 AlphaToMask Off");
+            DeviceRasterState state = State("Cull Off ZWrite Off ZTest Less Blend SrcAlpha OneMinusSrcAlpha, One Zero BlendOp RevSub, " +
+                "Max ColorMask RG Offset -1, 2 AlphaToMask Off");
             Assert.That(state.Cull, Is.EqualTo(DeviceCull.Off));
             Assert.That(state.DepthWrite, Is.False);
             Assert.That(state.DepthTest, Is.EqualTo(DeviceCompare.Greater));
             Assert.That(state.Blend, Is.True);
-            Assert.That(new[] { state.SrcColor, state.DstColor, state.SrcAlpha, state.DstAlpha }, Is.EqualTo(new[] { DeviceBlend.SrcAlpha, DeviceBlend.OneMinusSrcAlpha, DeviceBlend.One, DeviceBlend.Zero }));
+            Assert.That(new[] { state.SrcColor, state.DstColor, state.SrcAlpha, state.DstAlpha },
+                Is.EqualTo(new[] { DeviceBlend.SrcAlpha, DeviceBlend.OneMinusSrcAlpha, DeviceBlend.One, DeviceBlend.Zero }));
             Assert.That(new[] { state.ColorOp, state.AlphaOp }, Is.EqualTo(new[] { DeviceBlendOp.RevSub, DeviceBlendOp.Max }));
             Assert.That(state.ColorMask, Is.EqualTo(8 + 4));
             Assert.That(new[] { state.DepthBiasFactor, state.DepthBiasUnits }, Is.EqualTo(new[] { 1f, -2f }), "towards the viewer is up");
@@ -237,7 +241,8 @@ ENDHLSL } } }";
             {
                 ShaderSource shader = files.Shader("T.shader");
                 const uint depthReplacing = 12, depthGreater = 14;
-                uint[] Modes(int pass) => SpirvModule.Read(ShaderFolder.Checked(shader.Passes[pass].Compile(ShaderStage.Fragment, null)).Spirv).Instructions.Where(i => i.Op == Op.ExecutionMode).Select(i => i[1]).ToArray();
+                uint[] Modes(int pass) => SpirvModule.Read(ShaderFolder.Checked(shader.Passes[pass].Compile(ShaderStage.Fragment,
+                    null)).Spirv).Instructions.Where(i => i.Op == Op.ExecutionMode).Select(i => i[1]).ToArray();
                 Assert.That(Modes(0), Has.Member(depthReplacing).And.Member(depthGreater));
                 Assert.That(Modes(1), Has.No.Member(depthReplacing).And.No.Member(depthGreater));
             }
@@ -246,7 +251,8 @@ ENDHLSL } } }";
         [Test]
         public void An_error_in_a_program_names_the_line_of_the_shader_file()
         {
-            using (var files = new ShaderFolder().Add("Test.shader", "Shader \"T\"\n{\n SubShader { Pass {\n HLSLPROGRAM\n#pragma vertex vert\n#pragma fragment frag\nfloat4 vert() : SV_Position { return oops; }\nENDHLSL\n} } }"))
+            using (var files = new ShaderFolder().Add("Test.shader", "Shader \"T\"\n{\n SubShader { Pass {\n HLSLPROGRAM\n#pragma " +
+                "vertex vert\n#pragma fragment frag\nfloat4 vert() : SV_Position { return oops; }\nENDHLSL\n} } }"))
             {
                 var error = Assert.Throws<ShaderCompileException>(() => files.Shader("Test.shader").Passes[0].Compile(ShaderStage.Vertex, null));
                 Assert.That(error.Message, Does.StartWith("Test.shader(7): error:").And.Contain("oops"));
@@ -256,7 +262,8 @@ ENDHLSL } } }";
         [Test]
         public void A_missing_entry_point_is_named_with_its_pragma()
         {
-            using (var files = new ShaderFolder().Add("Test.shader", "Shader \"T\" { SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex vert\n#pragma fragment frag\nfloat4 vert() : SV_Position { return 1; }\nENDHLSL\n} } }"))
+            using (var files = new ShaderFolder().Add("Test.shader", "Shader \"T\" { SubShader { Pass {\nHLSLPROGRAM\n#pragma vertex " +
+                "vert\n#pragma fragment frag\nfloat4 vert() : SV_Position { return 1; }\nENDHLSL\n} } }"))
             {
                 var error = Assert.Throws<ShaderCompileException>(() => files.Shader("Test.shader").Passes[0].Compile(ShaderStage.Fragment, null));
                 Assert.That(error.Message, Is.EqualTo("Test.shader(4): error: entry point 'frag' not found"));
@@ -277,11 +284,15 @@ ENDHLSL } } }";
             Assert.That(error.Message, Does.StartWith($"Test.shader({line}): error: ").And.Contain(what));
         }
 
-        [TestCase("float4 vert() : SV_Position { return 0; } float4 frag(float2 uv : TEXCOORD3) : SV_Target { return uv.xyxy; }", "reads TEXCOORD3, which the vertex program does not write")]
-        [TestCase("float4 vert(out float2 uv : TEXCOORD0) : SV_Position { uv = 1; return 0; } float4 frag(float4 uv : TEXCOORD0) : SV_Target { return uv; }", "reads 4 components of TEXCOORD0, the vertex program writes 2")]
+        [TestCase("float4 vert() : SV_Position { return 0; } float4 frag(float2 uv : TEXCOORD3) : SV_Target { return uv.xyxy; }",
+            "reads TEXCOORD3, which the vertex program does not write")]
+        [TestCase("float4 vert(out float2 uv : TEXCOORD0) : SV_Position { uv = 1; return 0; } float4 frag(float4 uv : TEXCOORD0) : " +
+            "SV_Target { return uv; }", "reads 4 components of TEXCOORD0, the vertex program writes 2")]
         public void Stages_that_do_not_fit_are_refused(string code, string what)
         {
-            using (var files = new ShaderFolder().Add("Test.shader", $"Shader \"T\" {{ SubShader {{ Pass {{ HLSLPROGRAM\n#pragma vertex vert\n#pragma fragment frag\n{code}\nENDHLSL }} }} }}"))
+            using (var files = new ShaderFolder()
+                .Add("Test.shader",
+                $"Shader \"T\" {{ SubShader {{ Pass {{ HLSLPROGRAM\n#pragma vertex vert\n#pragma fragment frag\n{code}\nENDHLSL }} }} }}"))
             {
                 var error = Assert.Throws<ShaderCompileException>(() => files.Shader("Test.shader").Passes[0].Compile(ShaderStage.Fragment, null));
                 Assert.That(error.Message, Does.Contain(what));

@@ -49,7 +49,8 @@ namespace Host.Tests
 
         /// <summary>A pass of an image effect over UnityCG.cginc's vert_img; the code declares "frag".</summary>
         protected static string Effect(string code, string properties = "_MainTex (\"Texture\", 2D) = \"white\" {}") =>
-            $"Shader \"Hidden/Test\" {{ Properties {{ {properties} }} SubShader {{ Cull Off ZWrite Off ZTest Always Pass {{\nCGPROGRAM\n#pragma vertex vert_img\n#pragma fragment frag\n#include \"UnityCG.cginc\"\n{code}\nENDCG\n}} }} }}";
+            $"Shader \"Hidden/Test\" {{ Properties {{ {properties} }} SubShader {{ Cull Off ZWrite Off ZTest Always Pass " +
+            $"{{\nCGPROGRAM\n#pragma vertex vert_img\n#pragma fragment frag\n#include \"UnityCG.cginc\"\n{code}\nENDCG\n}} }} }}";
 
         /// <summary>What an expression of float4 gives in a fragment program, at the middle of a picture of one pixel.</summary>
         protected static Vector4 Value(string expression, string declarations = "", Texture source = null)

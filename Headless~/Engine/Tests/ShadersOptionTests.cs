@@ -24,6 +24,7 @@ namespace Host.Tests
 
         [Test]
         public void Another_name_is_refused_with_those_that_there_are()
-            => Assert.That(Assert.Throws<HostException>(() => ShadersOption.Use("dxc")).Message, Is.EqualTo("--shaders dxc: there are glslang and fxc."));
+            => Assert.That(Assert.Throws<HostException>(() => ShadersOption.Use("dxc")).Message,
+                Is.EqualTo("--shaders dxc: there are glslang and fxc."));
     }
 }

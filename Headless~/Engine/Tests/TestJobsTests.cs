@@ -32,11 +32,16 @@ namespace Planted
 {
     static class Notes
     {
-        public static void Write(string what) => File.WriteAllText(Path.Combine(Path.GetDirectoryName(typeof(Notes).Assembly.Location), ""note-"" + what + ""-"" + Guid.NewGuid().ToString(""N"")), Environment.GetEnvironmentVariable(""LP_NUM_THREADS"") + "" "" + Process.GetCurrentProcess().Id);
+        public static void Write(string what)
+            => File.WriteAllText(Path.Combine(Path.GetDirectoryName(typeof(Notes).Assembly.Location),
+            ""note-"" + what + ""-"" + Guid.NewGuid().ToString(""N"")), Environment.GetEnvironmentVariable(""LP_NUM_THREADS"") + "" ""
+            + Process.GetCurrentProcess().Id);
     }
 
-    public class Plain { [Test] public void One() { Assert.That(Around.Entered, Is.EqualTo(1)); Notes.Write(""plain""); } [Test] public void Two() { } [Test, Ignore(""planted"")] public void Three() { } }
-    public class Other { [Test] public void One() { Assert.That(Around.Entered, Is.EqualTo(1)); } [TestCase(1), TestCase(2)] public void Two(int n) { Console.Error.WriteLine(""noise""); } }
+    public class Plain { [Test] public void One() { Assert.That(Around.Entered, Is.EqualTo(1));
+        Notes.Write(""plain""); } [Test] public void Two() { } [Test, Ignore(""planted"")] public void Three() { } }
+    public class Other { [Test] public void One() { Assert.That(Around.Entered, Is.EqualTo(1)); } [TestCase(1),
+        TestCase(2)] public void Two(int n) { Console.Error.WriteLine(""noise""); } }
     [TestFixture(1), TestFixture(2)] public class Twice { public Twice(int n) { } [Test] public void One() { } }
     public class Third { [Test] public void One() { } }
     [Category(""RunsAlone"")] public class Last { [Test] public void One() { Notes.Write(""alone""); } }
@@ -78,7 +83,10 @@ namespace Waiting
         Process Start(params string[] more)
         {
             string host = Assembly.GetEntryAssembly().Location;
-            var start = new ProcessStartInfo("dotnet", new[] { host, "test", "--no-validation", "--assembly", Path.Combine(planted.Assemblies, "Planted.Tests.dll") }.Concat(more)) { RedirectStandardOutput = true, RedirectStandardError = true };
+            var start = new ProcessStartInfo("dotnet",
+                new[] { host, "test", "--no-validation", "--assembly",
+                Path.Combine(planted.Assemblies, "Planted.Tests.dll") }.Concat(more)) { RedirectStandardOutput = true,
+                RedirectStandardError = true };
             start.Environment.Remove("LP_NUM_THREADS");     // this may be a worker itself
             start.Environment["RILL_CACHE"] = planted.Root;
             return Process.Start(start);
@@ -96,7 +104,8 @@ namespace Waiting
             return process.ExitCode;
         }
 
-        string[] Notes(string what) => Directory.GetFiles(planted.Assemblies, $"note-{what}-*").Select(File.ReadAllText).Where(text => text.Contains(' ')).ToArray();
+        string[] Notes(string what) => Directory.GetFiles(planted.Assemblies, $"note-{what}-*").Select(File.ReadAllText)
+            .Where(text => text.Contains(' ')).ToArray();
 
         [Test]
         public void Two_processes_report_what_one_does()
@@ -106,7 +115,9 @@ namespace Waiting
                 File.Delete(note);
             Assert.That(Run(out string[] two, "--jobs", "2", "--filter", "Planted."), Is.EqualTo(0));
             // Fixtures end in another order, and take other times.
-            IEnumerable<string> Fixtures(string[] lines) => lines.Where(line => line.StartsWith("  ", StringComparison.Ordinal)).Select(line => line.Substring(0, line.LastIndexOf("  ", StringComparison.Ordinal))).OrderBy(line => line);
+            IEnumerable<string> Fixtures(string[] lines)
+                => lines.Where(line => line.StartsWith("  ", StringComparison.Ordinal))
+                .Select(line => line.Substring(0, line.LastIndexOf("  ", StringComparison.Ordinal))).OrderBy(line => line);
             Assert.That(Fixtures(two), Is.EqualTo(Fixtures(one)));
             Assert.That(two[0], Is.EqualTo("Planted.Tests"));
             Assert.That(two.TakeLast(4), Is.EqualTo(one.TakeLast(4)));
@@ -140,7 +151,8 @@ namespace Waiting
         [Test]
         public void A_failing_test_in_a_worker_fails_the_run_with_its_message()
         {
-            Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.Other", "--filter", "Planted.Third", "--filter", "Faulty."), Is.EqualTo(1));
+            Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.Other", "--filter", "Planted.Third", "--filter",
+                "Faulty."), Is.EqualTo(1));
             int at = Array.FindIndex(lines, line => line.Trim().StartsWith("Failing", StringComparison.Ordinal));
             Assert.That(lines[at], Does.Contain("1 passed, 1 FAILED"));
             Assert.That(lines[at + 1], Is.EqualTo("    FAILED One"));
@@ -152,7 +164,8 @@ namespace Waiting
         public void A_worker_that_dies_names_its_fixture_and_the_others_run()
         {
             Assert.That(Run(out string[] lines, "--jobs", "2", "--filter", "Planted.", "--filter", "Dying."), Is.EqualTo(1));
-            Assert.That(lines.Where(line => line.Contains("FAILED")).Select(line => line.Substring(line.IndexOf("FAILED", StringComparison.Ordinal))), Is.EquivalentTo(new[]
+            Assert.That(lines.Where(line => line.Contains("FAILED"))
+                .Select(line => line.Substring(line.IndexOf("FAILED", StringComparison.Ordinal))), Is.EquivalentTo(new[]
             {
                 "FAILED: its worker process ended with exit code 7 while it ran Dying.Exits",
                 "FAILED: its worker process was ended by signal 9 (SIGKILL) while it ran Dying.Killed",
@@ -191,7 +204,8 @@ namespace Waiting
         public void A_number_of_processes_that_cannot_be_is_refused(string jobs)
         {
             string host = Assembly.GetEntryAssembly().Location;
-            using Process process = Process.Start(new ProcessStartInfo("dotnet", new[] { host, "test", "--jobs", jobs }) { RedirectStandardError = true });
+            using Process process = Process.Start(new ProcessStartInfo("dotnet",
+                new[] { host, "test", "--jobs", jobs }) { RedirectStandardError = true });
             Assert.That(process.StandardError.ReadToEnd(), Does.StartWith($"{CommandLine.Name}: --jobs {jobs}: the number of processes is 1 to 64"));
             process.WaitForExit();
             Assert.That(process.ExitCode, Is.EqualTo(2));
@@ -205,7 +219,8 @@ namespace Waiting
             known.Note("Tests Long", 9.0);
             known.Save();
             var read = new TestDurations(planted.Root);
-            Assert.That(new[] { "Tests Short", "Tests New", "Tests Long" }.OrderByDescending(read.Of), Is.EqualTo(new[] { "Tests New", "Tests Long", "Tests Short" }));
+            Assert.That(new[] { "Tests Short", "Tests New", "Tests Long" }.OrderByDescending(read.Of),
+                Is.EqualTo(new[] { "Tests New", "Tests Long", "Tests Short" }));
             planted.Write("tests/durations.json", "{ \"Tests Lo");
             Assert.That(new TestDurations(planted.Root).Of("Tests Long"), Is.EqualTo(double.PositiveInfinity), "a file that was cut short");
         }

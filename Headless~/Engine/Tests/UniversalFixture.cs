@@ -59,18 +59,21 @@ namespace Host.Tests
         }
 
         /// <summary>A new object of the class Planted in these scripts.</summary>
-        private protected object Plant(string source) => Activator.CreateInstance(pipeline.AddScripts("Planted" + ++scripts, Prelude + source).GetType("Planted", true));
+        private protected object Plant(string source)
+            => Activator.CreateInstance(pipeline.AddScripts("Planted" + ++scripts, Prelude + source).GetType("Planted", true));
 
         /// <summary>A property or field of the asset, a component or a planted object.</summary>
         private protected static void Set(object of, string name, object value)
         {
-            const BindingFlags all = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.SetProperty | BindingFlags.SetField;
+            const BindingFlags all = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic
+                | BindingFlags.SetProperty | BindingFlags.SetField;
             of.GetType().InvokeMember(name, all, null, of, new[] { value });
         }
 
         private protected static object Get(object of, string name)
         {
-            const BindingFlags all = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.GetProperty | BindingFlags.GetField;
+            const BindingFlags all = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic
+                | BindingFlags.GetProperty | BindingFlags.GetField;
             return of.GetType().InvokeMember(name, all, null, of, null);
         }
 
@@ -82,6 +85,7 @@ namespace Host.Tests
         }
 
         /// <summary>What a frame logged as errors.</summary>
-        protected List<string> Errors => Logged.FindAll(line => line.StartsWith("Error", StringComparison.Ordinal) || line.StartsWith("Exception", StringComparison.Ordinal));
+        protected List<string> Errors => Logged.FindAll(line => line.StartsWith("Error", StringComparison.Ordinal)
+            || line.StartsWith("Exception", StringComparison.Ordinal));
     }
 }

@@ -7,7 +7,8 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>The stand-in of URP runs a frame's steps in URP's order, makes the textures that passes ask for, and refuses what URP would let pass in silence.</summary>
+    /// <summary>The stand-in of URP runs a frame's steps in URP's order, makes the textures that passes ask for, and refuses what URP would
+    /// let pass in silence.</summary>
     public class UniversalPipelineTests : UniversalFixture
     {
         // Notes at its event which camera and textures are there, and does one thing wrong if told so; a pass for every camera.
@@ -160,7 +161,8 @@ namespace Host.Tests
             Begin(version, "", Depth | Opaque);
             Frame();
             Assert.That(Errors, Is.Empty);
-            Assert.That(Said, Is.EqualTo(new[] { "450 Camera", "color 48 x 32", "depth _CameraDepthTexture 96 x 64" }), "the copy of the colour is of half size, as a new asset has it");
+            Assert.That(Said, Is.EqualTo(new[] { "450 Camera", "color 48 x 32", "depth _CameraDepthTexture 96 x 64" }),
+                "the copy of the colour is of half size, as a new asset has it");
         }
 
         [Test]
@@ -266,7 +268,8 @@ namespace Host.Tests
             Begin(version, "", Depth);
             Camera over = new GameObject("Over").AddComponent<Camera>();
             over.targetTexture = target;
-            System.Type type = pipeline[Pipelines.PipelineKind.Universal.Assembly].GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData");
+            System.Type type = pipeline[Pipelines.PipelineKind.Universal.Assembly]
+                .GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData");
             object overlay = over.gameObject.AddComponent(type), stack = camera.gameObject.AddComponent(type);
             Set(overlay, "renderType", System.Enum.Parse(type.Assembly.GetType("UnityEngine.Rendering.Universal.CameraRenderType"), "Overlay"));
             Frame();
@@ -287,7 +290,8 @@ namespace Host.Tests
                 {
                     public static List<string> Said = new List<string>();
                     public override void Create() => Said.Add(""create"");
-                    public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData data) => Said.Add(""add "" + data.cameraData.camera.name);
+                    public override void AddRenderPasses(ScriptableRenderer renderer, ref RenderingData data)
+                        => Said.Add(""add "" + data.cameraData.camera.name);
                 }");
             object data = ((System.Collections.IList)Get(pipeline.Asset, "m_RendererDataList"))[0];
             ((System.Collections.IList)Get(data, "rendererFeatures")).Add(feature);

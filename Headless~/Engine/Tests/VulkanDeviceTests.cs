@@ -10,7 +10,8 @@ using static UnityEngine.Headless.ShaderResourceKind;
 
 namespace Host.Tests
 {
-    /// <summary>The device below IGraphicsDevice. Every test runs under the validation layer, which must stay silent, and must leave nothing alive.</summary>
+    /// <summary>The device below IGraphicsDevice. Every test runs under the validation layer, which must stay silent, and must leave
+    /// nothing alive.</summary>
     [TestFixture]
     public class VulkanDeviceTests
     {
@@ -232,7 +233,8 @@ namespace Host.Tests
                     b[0] = a[1]; b[1] = floatBitsToUint(texelFetch(t, ivec2(0), 0).x); b[2] = floatBitsToUint(imageLoad(i, ivec2(1, 0)).x); b[3] = c;
                 }", Resource("A", RWStructuredBuffer), Resource("T", Texture), Resource("I", RWTexture), Resource("C", ConstantBuffer), Resource("B", RWStructuredBuffer)));
             var b = Buffer(16);
-            device.Dispatch(kernel, new[] { new DeviceBinding(), new DeviceBinding(), new DeviceBinding(), new DeviceBinding(), new DeviceBinding { Buffer = b } }, 1, 1, 1);
+            device.Dispatch(kernel, new[] { new DeviceBinding(), new DeviceBinding(), new DeviceBinding(), new DeviceBinding(),
+                new DeviceBinding { Buffer = b } }, 1, 1, 1);
             Assert.That(UInts(b), Is.All.EqualTo(0));
         }
 
@@ -249,7 +251,8 @@ namespace Host.Tests
             {
                 BitConverter.TryWriteBytes(constants, i);
                 BitConverter.TryWriteBytes(constants.AsSpan(4), i * i);
-                device.Dispatch(kernel, new[] { new DeviceBinding { Constants = constants, ConstantsLength = 8 }, new DeviceBinding { Buffer = b } }, 1, 1, 1);
+                device.Dispatch(kernel, new[] { new DeviceBinding { Constants = constants, ConstantsLength = 8 },
+                    new DeviceBinding { Buffer = b } }, 1, 1, 1);
             }
             Assert.That(UInts(b), Is.EqualTo(Enumerable.Range(0, 1000).Select(i => (uint)(i * i)).ToArray()));
         }
@@ -383,7 +386,8 @@ namespace Host.Tests
             var b = Buffer(8);
             device.Dispatch(write, new[] { new DeviceBinding { Texture = volume } }, 4, 4, 4);
             var sampler = new DeviceSampler { Linear = true, U = DeviceWrap.Clamp, V = DeviceWrap.Clamp, W = DeviceWrap.Clamp };
-            device.Dispatch(sample, new[] { new DeviceBinding { Texture = volume }, new DeviceBinding { Sampler = sampler }, new DeviceBinding { Buffer = b } }, 1, 1, 1);
+            device.Dispatch(sample, new[] { new DeviceBinding { Texture = volume }, new DeviceBinding { Sampler = sampler },
+                new DeviceBinding { Buffer = b } }, 1, 1, 1);
             float[] got = MemoryMarshal.Cast<uint, float>(UInts(b)).ToArray();
             Assert.That(got[0], Is.EqualTo(1.5f * 111).Within(0.5), "the mean of the eight texels around the centre");
             Assert.That(got[1], Is.EqualTo(0).Within(1e-5), "clamped to the first texel");
@@ -409,7 +413,8 @@ namespace Host.Tests
         {
             var array = Keep(device.CreateTexture(new DeviceTextureDescription
             {
-                Name = "Array", Dimension = DeviceTextureDimension.Tex2DArray, Format = DeviceFormat.R32_UInt, Width = 4, Height = 4, Slices = 3, Mips = 2,
+                Name = "Array", Dimension = DeviceTextureDimension.Tex2DArray, Format = DeviceFormat.R32_UInt, Width = 4, Height = 4,
+                    Slices = 3, Mips = 2,
             }));
             device.ClearTexture(array, new DeviceColor { R = 77 });
             for (int slice = 0; slice < 3; slice++)
@@ -449,7 +454,8 @@ namespace Host.Tests
         {
             var target = NewTexture(DeviceFormat.RGBA8_UNorm, 8, 8, target: true);
             var pass = Pass(Positions("vec2(-1, 1), vec2(3, 1), vec2(-1, -3)", "0.5"), White());
-            device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1, ClearColor = true, ViewportX = 2, ViewportY = 1, ViewportWidth = 3, ViewportHeight = 4 });
+            device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1, ClearColor = true, ViewportX = 2, ViewportY = 1,
+                ViewportWidth = 3, ViewportHeight = 4 });
             device.Draw(pass, State(DeviceCull.Off), Array.Empty<DeviceBinding>(), new DeviceDraw { VertexCount = 3, InstanceCount = 1 });
             device.EndPass();
             AssertPixels(target, (x, y) => x >= 2 && x < 5 && y >= 1 && y < 5);
@@ -460,7 +466,8 @@ namespace Host.Tests
         {
             var (target, depth) = (NewTexture(DeviceFormat.RGBA8_UNorm, 8, 8, target: true), NewTexture(DeviceFormat.D32_Float, 8, 8, target: true));
             var near = Pass(Positions("vec2(-1, 1), vec2(3, 1), vec2(-1, -3)", "0.75"), White());
-            var far = Pass(Positions("vec2(-1, 1), vec2(3, 1), vec2(-1, -3)", "0.25"), Fragment("Red", "layout(location = 0) out vec4 c; void main() { c = vec4(1, 0, 0, 1); }"));
+            var far = Pass(Positions("vec2(-1, 1), vec2(3, 1), vec2(-1, -3)", "0.25"),
+                Fragment("Red", "layout(location = 0) out vec4 c; void main() { c = vec4(1, 0, 0, 1); }"));
             var state = State(DeviceCull.Off);
             (state.DepthTest, state.DepthWrite) = (DeviceCompare.GreaterEqual, true);
             Begin(target, depth);
@@ -511,7 +518,8 @@ namespace Host.Tests
             device.Draw(pass, State(DeviceCull.Back), Array.Empty<DeviceBinding>(), new DeviceDraw
             {
                 VertexCount = 3, InstanceCount = 1, FirstVertex = 1, Indices = indices,
-                Streams = new[] { new DeviceVertexStream { Location = 0, Buffer = vertices, Offset = 12, Stride = 12, Format = DeviceFormat.RGB32_Float } },
+                Streams = new[] { new DeviceVertexStream { Location = 0, Buffer = vertices, Offset = 12, Stride = 12,
+                    Format = DeviceFormat.RGB32_Float } },
             });
             device.EndPass();
             AssertPixels(target, (x, y) => true);
@@ -521,7 +529,8 @@ namespace Host.Tests
         public void Points_whose_program_writes_no_size_cover_a_pixel_each()
         {
             var target = NewTexture(DeviceFormat.RGBA8_UNorm, 8, 8, target: true);
-            var pass = Pass(Vertex("Points", "out gl_PerVertex { vec4 gl_Position; }; void main() { gl_Position = vec4((gl_VertexIndex * 2 + 0.5) / 4 - 1, 0.875, 0.5, 1); }", new int[0]), White());
+            var pass = Pass(Vertex("Points", "out gl_PerVertex { vec4 gl_Position; }; void main() { gl_Position = vec4((gl_VertexIndex " +
+                "* 2 + 0.5) / 4 - 1, 0.875, 0.5, 1); }", new int[0]), White());
             var state = State(DeviceCull.Back);
             state.Topology = DeviceTopology.Points;
             Begin(target, null);
@@ -564,7 +573,8 @@ namespace Host.Tests
             device.Draw(first, State(DeviceCull.Off), Array.Empty<DeviceBinding>(), new DeviceDraw { VertexCount = 6, InstanceCount = 1 });
             device.EndPass();
             Begin(b, null);
-            device.Draw(second, State(DeviceCull.Off), new[] { new DeviceBinding { Texture = a } }, new DeviceDraw { VertexCount = 3, InstanceCount = 1 });
+            device.Draw(second, State(DeviceCull.Off), new[] { new DeviceBinding { Texture = a } },
+                new DeviceDraw { VertexCount = 3, InstanceCount = 1 });
             device.EndPass();
             AssertPixels(b, (x, y) => x < 4 && y < 4);
             var count = Kernel(Compute("CountWhite", 1, @"
@@ -586,7 +596,8 @@ namespace Host.Tests
                 layout(binding = 32) uniform texture2D t; layout(location = 0) out vec4 o;
                 void main() { o = vec4(texelFetch(t, ivec2(gl_FragCoord.xy), 0).xyz, 1); }", Resource("T", Texture)));
             device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1 });
-            device.Draw(pass, State(DeviceCull.Off), new[] { new DeviceBinding { Texture = target } }, new DeviceDraw { VertexCount = 3, InstanceCount = 1 });
+            device.Draw(pass, State(DeviceCull.Off), new[] { new DeviceBinding { Texture = target } },
+                new DeviceDraw { VertexCount = 3, InstanceCount = 1 });
             device.EndPass();
             AssertPixels(target, (x, y) => false);
         }
@@ -595,7 +606,8 @@ namespace Host.Tests
         public void A_pass_without_draws_clears_its_targets()
         {
             var target = NewTexture(DeviceFormat.RGBA8_UNorm, 8, 8, target: true);
-            device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1, ClearColor = true, ClearValue = new DeviceColor { R = 1, G = 1, B = 1, A = 1 } });
+            device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1, ClearColor = true,
+                ClearValue = new DeviceColor { R = 1, G = 1, B = 1, A = 1 } });
             device.EndPass();
             AssertPixels(target, (x, y) => true);
         }
@@ -604,9 +616,11 @@ namespace Host.Tests
         public void Blending_adds_where_it_is_asked_to_and_the_mask_spares_a_channel()
         {
             var target = NewTexture(DeviceFormat.RGBA8_UNorm, 8, 8, target: true);
-            var pass = Pass(Positions("vec2(-1, 1), vec2(3, 1), vec2(-1, -3)", "0.5"), Fragment("Fifth", "layout(location = 0) out vec4 c; void main() { c = vec4(0.2); }"));
+            var pass = Pass(Positions("vec2(-1, 1), vec2(3, 1), vec2(-1, -3)", "0.5"),
+                Fragment("Fifth", "layout(location = 0) out vec4 c; void main() { c = vec4(0.2); }"));
             var state = State(DeviceCull.Off);
-            (state.Blend, state.SrcColor, state.DstColor, state.SrcAlpha, state.DstAlpha, state.ColorMask) = (true, DeviceBlend.One, DeviceBlend.One, DeviceBlend.One, DeviceBlend.One, 8 | 4 | 1);
+            (state.Blend, state.SrcColor, state.DstColor, state.SrcAlpha, state.DstAlpha, state.ColorMask) =
+                (true, DeviceBlend.One, DeviceBlend.One, DeviceBlend.One, DeviceBlend.One, 8 | 4 | 1);
             Begin(target, null);
             for (int i = 0; i < 3; i++) device.Draw(pass, state, Array.Empty<DeviceBinding>(), new DeviceDraw { VertexCount = 3, InstanceCount = 1 });
             device.EndPass();
@@ -651,7 +665,8 @@ namespace Host.Tests
 
         // ---- helpers
 
-        static ShaderProgram Add() => Compute("Add", 1, "layout(std430, binding = 0) buffer A { uint a[]; }; void main() { a[0] += 1; }", Resource("A", RWStructuredBuffer));
+        static ShaderProgram Add() => Compute("Add", 1, "layout(std430, binding = 0) buffer A { uint a[]; }; void main() { a[0] += 1; }",
+            Resource("A", RWStructuredBuffer));
 
         static ShaderProgram Positions(string corners, string depth)
             => Vertex("Corners", $"vec2 at[] = vec2[]({corners}); void main() {{ gl_Position = vec4(at[gl_VertexIndex], {depth}, 1); }}", new int[0]);
@@ -663,7 +678,8 @@ namespace Host.Tests
         static DeviceBinding[] Bind(params DeviceBuffer[] buffers) => Array.ConvertAll(buffers, b => new DeviceBinding { Buffer = b });
 
         void Begin(DeviceTexture target, DeviceTexture depth)
-            => device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1, Depth = depth, ClearColor = true, ClearDepth = depth != null, ClearValue = new DeviceColor { A = 1 } });
+            => device.BeginPass(new DeviceTargets { Color0 = target, ColorCount = 1, Depth = depth, ClearColor = true,
+                ClearDepth = depth != null, ClearValue = new DeviceColor { A = 1 } });
 
         T Keep<T>(T resource) where T : DeviceResource
         {
@@ -681,7 +697,8 @@ namespace Host.Tests
             return buffer;
         }
 
-        DeviceTexture NewTexture(DeviceFormat format, int width, int height, int depth = 0, int mips = 1, bool randomWrite = false, bool target = false)
+        DeviceTexture NewTexture(DeviceFormat format, int width, int height, int depth = 0, int mips = 1, bool randomWrite = false,
+            bool target = false)
             => Keep(device.CreateTexture(new DeviceTextureDescription
             {
                 Name = "Texture", Dimension = depth > 0 ? DeviceTextureDimension.Tex3D : DeviceTextureDimension.Tex2D, Format = format,

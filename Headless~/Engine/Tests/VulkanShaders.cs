@@ -28,7 +28,8 @@ namespace Host.Tests
 
         /// <summary>Resources in the order of their bindings, from 32.</summary>
         public static ShaderProgram Fragment(string name, string glsl, params ShaderResource[] resources)
-            => new ShaderProgram { Name = name, Stage = ShaderStage.Fragment, EntryPoint = "main", Spirv = Compile("frag", glsl), Resources = Number(resources, 32) };
+            => new ShaderProgram { Name = name, Stage = ShaderStage.Fragment, EntryPoint = "main", Spirv = Compile("frag", glsl),
+                Resources = Number(resources, 32) };
 
         public static ShaderResource Resource(string name, ShaderResourceKind kind, DeviceTextureDimension dimension = DeviceTextureDimension.Tex2D)
             => new ShaderResource { Name = name, Kind = kind, Stride = kind == ShaderResourceKind.Texture ? 0 : 4, Dimension = dimension };
@@ -46,7 +47,8 @@ namespace Host.Tests
             File.WriteAllText(source, "#version 460\n#extension GL_EXT_samplerless_texture_functions : require\n" + glsl);
             try
             {
-                var start = new ProcessStartInfo("glslangValidator", $"-V --target-env vulkan1.1 -S {stage} -o {target} {source}") { RedirectStandardOutput = true };
+                var start = new ProcessStartInfo("glslangValidator", $"-V --target-env vulkan1.1 -S {stage} -o {target} {source}") {
+                    RedirectStandardOutput = true };
                 using (var glslang = Process.Start(start))
                 {
                     string said = glslang.StandardOutput.ReadToEnd();

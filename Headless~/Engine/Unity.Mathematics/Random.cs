@@ -65,10 +65,12 @@ namespace Unity.Mathematics
 
         public int NextInt() => (int)NextState() ^ int.MinValue;
         public int NextInt(int max) => max >= 0 ? (int)(NextState() * (ulong)max >> 32) : throw new ArgumentException("max must be positive");
-        public int NextInt(int min, int max) => min <= max ? (int)(uint)(NextState() * (ulong)((long)max - min) >> 32) + min : throw new ArgumentException("min must be less than or equal to max");
+        public int NextInt(int min, int max) => min <= max ? (int)(uint)(NextState() * (ulong)((long)max - min) >> 32) + min
+            : throw new ArgumentException("min must be less than or equal to max");
         public uint NextUInt() => NextState() - 1;
         public uint NextUInt(uint max) => (uint)(NextState() * (ulong)max >> 32);
-        public uint NextUInt(uint min, uint max) => min <= max ? (uint)(NextState() * (ulong)(max - min) >> 32) + min : throw new ArgumentException("min must be less than or equal to max");
+        public uint NextUInt(uint min, uint max) => min <= max ? (uint)(NextState() * (ulong)(max - min) >> 32) + min
+            : throw new ArgumentException("min must be less than or equal to max");
 
         public int2 NextInt2() => new int2(NextInt(), NextInt());
         public int3 NextInt3() => new int3(NextInt(), NextInt(), NextInt());

@@ -23,7 +23,9 @@ namespace Unity.Mathematics
 
     public partial struct float4x4
     {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator Matrix4x4(float4x4 m) => new Matrix4x4(m.c0, m.c1, m.c2, m.c3);
-        [MethodImpl(MethodImplOptions.AggressiveInlining)] public static implicit operator float4x4(Matrix4x4 m) => new float4x4(m.GetColumn(0), m.GetColumn(1), m.GetColumn(2), m.GetColumn(3));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static implicit operator Matrix4x4(float4x4 m) => new Matrix4x4(m.c0, m.c1, m.c2, m.c3);
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static implicit operator float4x4(Matrix4x4 m) => new float4x4(m.GetColumn(0), m.GetColumn(1), m.GetColumn(2), m.GetColumn(3));
     }
 }

@@ -159,7 +159,8 @@ namespace Unity.Mathematics
         public static float angle(quaternion q1, quaternion q2) => 2 * asin(min(1, length(normalize(mul(conjugate(q1), q2)).value.xyz)));
 
         public static quaternion mul(quaternion a, quaternion b)
-            => new quaternion(new float4(a.value.w * b.value.xyz + b.value.w * a.value.xyz + cross(a.value.xyz, b.value.xyz), a.value.w * b.value.w - dot(a.value.xyz, b.value.xyz)));
+            => new quaternion(new float4(a.value.w * b.value.xyz + b.value.w * a.value.xyz + cross(a.value.xyz, b.value.xyz),
+                a.value.w * b.value.w - dot(a.value.xyz, b.value.xyz)));
 
         public static float3 mul(quaternion q, float3 v)
         {

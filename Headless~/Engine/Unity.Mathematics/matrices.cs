@@ -75,9 +75,13 @@ namespace Unity.Mathematics
         public static float4x4 LookAt(float3 eye, float3 target, float3 up) => new float4x4(float3x3.LookRotation(normalize(target - eye), up), eye);
 
         // OpenGL's clip space: -1 to 1, looking down -z.
-        public static float4x4 Ortho(float width, float height, float near, float far) => OrthoOffCenter(-width / 2, width / 2, -height / 2, height / 2, near, far);
-        public static float4x4 OrthoOffCenter(float left, float right, float bottom, float top, float near, float far) => UnityEngine.Matrix4x4.Ortho(left, right, bottom, top, near, far);
-        public static float4x4 PerspectiveFov(float verticalFov, float aspect, float near, float far) => UnityEngine.Matrix4x4.Perspective(math.degrees(verticalFov), aspect, near, far);
-        public static float4x4 PerspectiveOffCenter(float left, float right, float bottom, float top, float near, float far) => UnityEngine.Matrix4x4.Frustum(left, right, bottom, top, near, far);
+        public static float4x4 Ortho(float width, float height, float near, float far)
+            => OrthoOffCenter(-width / 2, width / 2, -height / 2, height / 2, near, far);
+        public static float4x4 OrthoOffCenter(float left, float right, float bottom, float top, float near, float far)
+            => UnityEngine.Matrix4x4.Ortho(left, right, bottom, top, near, far);
+        public static float4x4 PerspectiveFov(float verticalFov, float aspect, float near, float far)
+            => UnityEngine.Matrix4x4.Perspective(math.degrees(verticalFov), aspect, near, far);
+        public static float4x4 PerspectiveOffCenter(float left, float right, float bottom, float top, float near, float far)
+            => UnityEngine.Matrix4x4.Frustum(left, right, bottom, top, near, far);
     }
 }

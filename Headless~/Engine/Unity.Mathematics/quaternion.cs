@@ -80,6 +80,7 @@ namespace Unity.Mathematics
         public override int GetHashCode() => (int)hash(this);
         public override string ToString() => ToString(null, CultureInfo.InvariantCulture);
         public string ToString(string format, IFormatProvider formatProvider)
-            => $"quaternion({value.x.ToString(format, formatProvider)}f, {value.y.ToString(format, formatProvider)}f, {value.z.ToString(format, formatProvider)}f, {value.w.ToString(format, formatProvider)}f)";
+            => $"quaternion({value.x.ToString(format, formatProvider)}f, {value.y.ToString(format, formatProvider)}f, " +
+                $"{value.z.ToString(format, formatProvider)}f, {value.w.ToString(format, formatProvider)}f)";
     }
 }

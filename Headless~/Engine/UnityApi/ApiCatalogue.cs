@@ -28,7 +28,8 @@ namespace Host.UnityApi
         {
             Version = version;
             var members = new List<(ApiType type, ApiMember member)>();
-            foreach (IGrouping<string, ApiLine> group in (more == null ? lists.In(version) : lists.In(version).Concat(more.In(version))).GroupBy(line => line.Type))
+            foreach (IGrouping<string, ApiLine> group in (more == null ? lists.In(version) : lists.In(version).Concat(more.In(version)))
+                .GroupBy(line => line.Type))
             {
                 ApiType type = Declare(group.Key);
                 foreach (ApiLine line in group)
@@ -65,7 +66,8 @@ namespace Host.UnityApi
 
         public ApiType Find(string key) => types.GetValueOrDefault(key);
 
-        /// <summary>The types that a type inherits from, itself first, each with the arguments that it is inherited with (in terms of the first type's parameters). What no list holds is left out.</summary>
+        /// <summary>The types that a type inherits from, itself first, each with the arguments that it is inherited with (in terms of the
+        /// first type's parameters). What no list holds is left out.</summary>
         public IEnumerable<(ApiType Type, IReadOnlyList<ApiTypeName> Arguments)> Lineage(ApiType type)
         {
             var seen = new HashSet<string>();
@@ -85,7 +87,8 @@ namespace Host.UnityApi
 
         /// <summary>With a type's arguments instead of its parameters.</summary>
         public static ApiTypeName Substitute(ApiTypeName type, IReadOnlyList<ApiTypeName> arguments) => type.Map(part =>
-            part.Form == ApiTypeForm.Parameter && part.Name[0] == '!' && part.Name[1] != '!' && int.TryParse(part.Name.AsSpan(1), out int place) && place < arguments.Count ? arguments[place] : part);
+            part.Form == ApiTypeForm.Parameter && part.Name[0] == '!' && part.Name[1] != '!'
+            && int.TryParse(part.Name.AsSpan(1), out int place) && place < arguments.Count ? arguments[place] : part);
 
         ApiType Declare(string name)
         {

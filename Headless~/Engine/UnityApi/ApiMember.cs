@@ -13,7 +13,8 @@ namespace Host.UnityApi
     {
         public bool ByReference => Pass != ApiPass.ByValue;
 
-        public override string ToString() => (Params ? "params " : "") + (Pass == ApiPass.ByValue ? "" : Pass.ToString().ToLowerInvariant() + " ") + Type;
+        public override string ToString() => (Params ? "params " : "") + (Pass == ApiPass.ByValue ? ""
+            : Pass.ToString().ToLowerInvariant() + " ") + Type;
     }
 
     /// <summary>A line of the lists, parsed.</summary>
@@ -57,7 +58,8 @@ namespace Host.UnityApi
             ApiKind.Property => $"{(Static ? "static " : "")}{Type} {Name}",
             ApiKind.Constructor => $".ctor({string.Join(", ", Parameters)})",
             ApiKind.Class or ApiKind.Struct or ApiKind.Interface or ApiKind.Enum => Kind.ToString().ToLowerInvariant(),
-            _ => $"{(Static ? "static " : "")}{Type} {Name}{(TypeParameters.Count == 0 ? "" : $"<{string.Join(", ", TypeParameters)}>")}({string.Join(", ", Parameters)})",
+            _ => $"{(Static ? "static " : "")}{Type} " +
+                $"{Name}{(TypeParameters.Count == 0 ? "" : $"<{string.Join(", ", TypeParameters)}>")}({string.Join(", ", Parameters)})",
         };
     }
 }

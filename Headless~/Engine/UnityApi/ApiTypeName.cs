@@ -13,7 +13,8 @@ namespace Host.UnityApi
     sealed class ApiTypeName
     {
         public readonly ApiTypeForm Form;
-        /// <summary>Of a named type, each part with the number of its own type parameters as metadata has it: "System", "Collections", "Generic", "List`1". Of a type parameter its name or place.</summary>
+        /// <summary>Of a named type, each part with the number of its own type parameters as metadata has it: "System", "Collections",
+        /// "Generic", "List`1". Of a type parameter its name or place.</summary>
         public readonly IReadOnlyList<string> Path;
         /// <summary>Type arguments, those of outer types first; of an array, pointer or reference the element.</summary>
         public readonly IReadOnlyList<ApiTypeName> Arguments;
@@ -43,14 +44,17 @@ namespace Host.UnityApi
 
         /// <summary>As written: a keyword, a name, a part of a full name.</summary>
         public static ApiTypeName Written(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null) =>
-            path.Count == 1 && Keywords.TryGetValue(path[0], out string name) ? Named(new[] { "System", name }) : new ApiTypeName(ApiTypeForm.Named, path, arguments ?? None);
+            path.Count == 1 && Keywords.TryGetValue(path[0], out string name) ? Named(new[] { "System", name })
+            : new ApiTypeName(ApiTypeForm.Named, path, arguments ?? None);
 
         /// <summary>By full name.</summary>
-        public static ApiTypeName Named(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null) => new(ApiTypeForm.Named, path, arguments ?? None, full: true);
+        public static ApiTypeName Named(IReadOnlyList<string> path, IReadOnlyList<ApiTypeName> arguments = null)
+            => new(ApiTypeForm.Named, path, arguments ?? None, full: true);
 
         /// <summary>Type parameters are compared by place, not by name: "!0" of the type, "!!0" of the method.</summary>
         public static ApiTypeName Parameter(string name) => new(ApiTypeForm.Parameter, new[] { name }, None);
-        public static ApiTypeName ArrayOf(ApiTypeName element, int rank = 1) => new(ApiTypeForm.Array, Array.Empty<string>(), new[] { element }, rank);
+        public static ApiTypeName ArrayOf(ApiTypeName element, int rank = 1)
+            => new(ApiTypeForm.Array, Array.Empty<string>(), new[] { element }, rank);
         public static ApiTypeName PointerTo(ApiTypeName element) => new(ApiTypeForm.Pointer, Array.Empty<string>(), new[] { element });
         public static ApiTypeName ReferenceTo(ApiTypeName element) => new(ApiTypeForm.Reference, Array.Empty<string>(), new[] { element });
         public static ApiTypeName NullableOf(ApiTypeName element) => Named(new[] { "System", "Nullable`1" }, new[] { element });
@@ -67,7 +71,8 @@ namespace Host.UnityApi
         /// <summary>The same with every named type or parameter in it replaced; arguments first.</summary>
         public ApiTypeName Map(Func<ApiTypeName, ApiTypeName> replace)
         {
-            ApiTypeName mapped = Arguments.Count == 0 ? this : new ApiTypeName(Form, Path, Arguments.Select(argument => argument.Map(replace)).ToList(), Rank, Full);
+            ApiTypeName mapped = Arguments.Count == 0 ? this
+                : new ApiTypeName(Form, Path, Arguments.Select(argument => argument.Map(replace)).ToList(), Rank, Full);
             return Form is ApiTypeForm.Named or ApiTypeForm.Parameter ? replace(mapped) : mapped;
         }
 

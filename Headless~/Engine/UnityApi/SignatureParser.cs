@@ -7,14 +7,17 @@ namespace Host.UnityApi
     /// <summary>Reads the lists' signatures. What it does not know is an error, never a guess.</summary>
     sealed class SignatureParser
     {
-        static readonly HashSet<string> Modifiers = new() { "static", "protected", "abstract", "virtual", "override", "sealed", "readonly", "const", "event", "ref", "new", "unsafe", "extern", "volatile" };
+        static readonly HashSet<string> Modifiers = new() { "static", "protected", "abstract", "virtual", "override", "sealed", "readonly",
+            "const", "event", "ref", "new", "unsafe", "extern", "volatile" };
 
         static readonly Dictionary<string, (string Unary, string Binary)> Operators = new()
         {
-            ["+"] = ("op_UnaryPlus", "op_Addition"), ["-"] = ("op_UnaryNegation", "op_Subtraction"), ["*"] = (null, "op_Multiply"), ["/"] = (null, "op_Division"),
+            ["+"] = ("op_UnaryPlus", "op_Addition"), ["-"] = ("op_UnaryNegation", "op_Subtraction"), ["*"] = (null, "op_Multiply"),
+                ["/"] = (null, "op_Division"),
             ["%"] = (null, "op_Modulus"), ["&"] = (null, "op_BitwiseAnd"), ["|"] = (null, "op_BitwiseOr"), ["^"] = (null, "op_ExclusiveOr"),
             ["<<"] = (null, "op_LeftShift"), [">>"] = (null, "op_RightShift"), ["=="] = (null, "op_Equality"), ["!="] = (null, "op_Inequality"),
-            ["<"] = (null, "op_LessThan"), [">"] = (null, "op_GreaterThan"), ["<="] = (null, "op_LessThanOrEqual"), [">="] = (null, "op_GreaterThanOrEqual"),
+            ["<"] = (null, "op_LessThan"), [">"] = (null, "op_GreaterThan"), ["<="] = (null, "op_LessThanOrEqual"),
+                [">="] = (null, "op_GreaterThanOrEqual"),
             ["!"] = ("op_LogicalNot", null), ["~"] = ("op_OnesComplement", null), ["++"] = ("op_Increment", null), ["--"] = ("op_Decrement", null),
             ["true"] = ("op_True", null), ["false"] = ("op_False", null),
         };
@@ -117,7 +120,8 @@ namespace Host.UnityApi
             member.Parameters = Parameters("(", ")");
             tokens.Expect(":");
             member.Type = TypeReader.Read(tokens);
-            if (!Operators.TryGetValue(symbol, out (string Unary, string Binary) name) || (member.Parameters.Count == 1 ? name.Unary : name.Binary) == null)
+            if (!Operators.TryGetValue(symbol, out (string Unary, string Binary) name)
+                || (member.Parameters.Count == 1 ? name.Unary : name.Binary) == null)
                 throw new FormatException($"unknown operator '{symbol}'");
             member.Name = member.Parameters.Count == 1 ? name.Unary : name.Binary;
         }

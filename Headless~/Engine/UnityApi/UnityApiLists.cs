@@ -72,13 +72,15 @@ namespace Host.UnityApi
 
         static Stream Resource(string name) => typeof(UnityApiLists).Assembly.GetManifestResourceStream(name);
 
-        /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that hold them.</summary>
+        /// <summary>What tools/pack-unity-api packs: the lists' names, then types, below each its members with the bits of the lists that
+        /// hold them.</summary>
         /// <param name="supplement">A list as it is before packing, "type | signature", that counts for every version; or null.</param>
         public static UnityApiLists Read(TextReader text, TextReader supplement = null)
         {
             string head = text.ReadLine() ?? "";
             if (!head.StartsWith(Head + " ", StringComparison.Ordinal))
-                throw new InvalidDataException($"The API lists do not start with \"{Head}\" but with \"{head}\": pack them again with Headless~/Engine/tools/pack-unity-api.");
+                throw new InvalidDataException($"The API lists do not start with \"{Head}\" but with \"{head}\": pack them again with " +
+                    $"Headless~/Engine/tools/pack-unity-api.");
             string[] lists = head.Substring(Head.Length + 1).Split(' ');
             List<string> versions = lists.Where(IsEditor).Select(list => list.Substring(Editor.Length)).ToList();
             uint every = (1u << versions.Count) - 1;
@@ -123,6 +125,7 @@ namespace Host.UnityApi
             return new ApiLine(type, obsolete ? signature.Substring(0, signature.Length - Obsolete.Length) : signature, obsolete, versions);
         }
 
-        static bool IsEditor(string list) => list.StartsWith(Editor, StringComparison.Ordinal) && list.Length > Editor.Length && char.IsDigit(list[Editor.Length]);
+        static bool IsEditor(string list) => list.StartsWith(Editor, StringComparison.Ordinal) && list.Length > Editor.Length
+            && char.IsDigit(list[Editor.Length]);
     }
 }

@@ -15,7 +15,8 @@ namespace Host.UnityApi
         /// <summary>The list that the host carries.</summary>
         public static UnityModules Load()
         {
-            using var text = new StreamReader(typeof(UnityModules).Assembly.GetManifestResourceStream("modules.txt") ?? throw new InvalidOperationException("modules.txt is not in the assembly"));
+            using var text = new StreamReader(typeof(UnityModules).Assembly.GetManifestResourceStream("modules.txt")
+                ?? throw new InvalidOperationException("modules.txt is not in the assembly"));
             return Read(text);
         }
 
@@ -33,7 +34,8 @@ namespace Host.UnityApi
                 if (line[0] != '\t')
                 {
                     string[] words = line.Split(' ');
-                    at = words.Length == 2 ? (words[0], words[1]) : throw new InvalidDataException($"modules.txt({number}): \"{line}\" is not of the form \"assembly package\"");
+                    at = words.Length == 2 ? (words[0], words[1])
+                        : throw new InvalidDataException($"modules.txt({number}): \"{line}\" is not of the form \"assembly package\"");
                 }
                 else if (at.Assembly == null || !modules.types.TryAdd(line.Substring(1), at))
                     throw new InvalidDataException($"modules.txt({number}): {line.Substring(1)} stands below no assembly, or below two");

@@ -28,19 +28,24 @@ namespace UnityEditor
         public static T LoadAssetAtPath<T>(string assetPath) where T : Object => (T)LoadAssetAtPath(assetPath, typeof(T));
 
         public static Object LoadAssetAtPath(string assetPath, Type type) =>
-            made.TryGetValue(assetPath ?? "", out Made asset) ? asset.Parts.Find(part => Object.IsAlive(part) && type.IsInstanceOfType(part)) : Player.Assets?.LoadAtPath(assetPath, type);
+            made.TryGetValue(assetPath ?? "", out Made asset)
+            ? asset.Parts.Find(part => Object.IsAlive(part) && type.IsInstanceOfType(part)) : Player.Assets?.LoadAtPath(assetPath, type);
 
         public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath(assetPath, typeof(Object));
 
         public static Object[] LoadAllAssetsAtPath(string assetPath) =>
-            made.TryGetValue(assetPath ?? "", out Made asset) ? asset.Parts.Where(Object.IsAlive).ToArray() : Player.Assets?.LoadAllAtPath(assetPath).ToArray() ?? Array.Empty<Object>();
+            made.TryGetValue(assetPath ?? "", out Made asset) ? asset.Parts.Where(Object.IsAlive).ToArray()
+            : Player.Assets?.LoadAllAtPath(assetPath).ToArray() ?? Array.Empty<Object>();
 
-        public static string AssetPathToGUID(string path) => made.TryGetValue(path ?? "", out Made asset) ? asset.Guid : Player.Assets?.GuidOfPath(path) ?? "";
-        public static string GUIDToAssetPath(string guid) => made.FirstOrDefault(pair => pair.Value.Guid == guid).Key ?? Player.Assets?.PathOfGuid(guid) ?? "";
+        public static string AssetPathToGUID(string path) => made.TryGetValue(path ?? "", out Made asset) ? asset.Guid
+            : Player.Assets?.GuidOfPath(path) ?? "";
+        public static string GUIDToAssetPath(string guid) => made.FirstOrDefault(pair => pair.Value.Guid == guid).Key
+            ?? Player.Assets?.PathOfGuid(guid) ?? "";
         public static string GetAssetPath(Object assetObject) => TryFind(assetObject, out string path, out _, out _) ? path : "";
         /// <summary>Nothing is imported again here: the same for as long as the asset is there.</summary>
         public static Hash128 GetAssetDependencyHash(string path) => Hash128.Parse(AssetPathToGUID(path));
-        public static bool TryGetGUIDAndLocalFileIdentifier(Object obj, out string guid, out long localId) => TryFind(obj, out _, out guid, out localId);
+        public static bool TryGetGUIDAndLocalFileIdentifier(Object obj, out string guid, out long localId)
+            => TryFind(obj, out _, out guid, out localId);
         public static bool Contains(Object obj) => Object.IsAlive(obj) && obj.IsAsset;
         public static bool IsMainAsset(Object obj) => made.Values.Any(asset => ReferenceEquals(asset.Parts[0], obj));
         public static bool IsSubAsset(Object obj) => made.Values.Any(asset => asset.Parts.IndexOf(obj) > 0);
@@ -64,7 +69,8 @@ namespace UnityEditor
             if (!Object.IsAlive(asset))
                 throw new ArgumentNullException(nameof(asset));
             if (asset.IsAsset)
-                throw new UnityException($"Couldn't add object to asset file because the {asset.GetType().Name} '{asset.name}' is already an asset at '{GetAssetPath(asset)}'!");
+                throw new UnityException($"Couldn't add object to asset file because the {asset.GetType().Name} '{asset.name}' is " +
+                    $"already an asset at '{GetAssetPath(asset)}'!");
             string folder = path.Contains('/') ? path.Substring(0, path.LastIndexOf('/')) : "";
             if (!IsValidFolder(folder))
                 throw new UnityException($"Creating asset at path {path} failed: parent folder not found.");
@@ -80,7 +86,8 @@ namespace UnityEditor
             if (!made.TryGetValue(path, out Made asset))
                 throw new UnityException($"AddObjectToAsset: there is no asset at '{path}' that a script made.");
             if (objectToAdd.IsAsset)
-                throw new UnityException($"AddObjectToAssetFile failed because the {objectToAdd.GetType().Name} '{objectToAdd.name}' is already an asset at '{GetAssetPath(objectToAdd)}'!");
+                throw new UnityException($"AddObjectToAssetFile failed because the {objectToAdd.GetType().Name} '{objectToAdd.name}' " +
+                    $"is already an asset at '{GetAssetPath(objectToAdd)}'!");
             Add(objectToAdd, asset);
         }
 
@@ -116,7 +123,8 @@ namespace UnityEditor
             return found;
         }
 
-        public static bool IsValidFolder(string path) => path == "Assets" || folders.Contains(path) || Player.Assets?.ResolvePath(path) is string file && System.IO.Directory.Exists(file);
+        public static bool IsValidFolder(string path) => path == "Assets" || folders.Contains(path)
+            || Player.Assets?.ResolvePath(path) is string file && System.IO.Directory.Exists(file);
 
         public static string CreateFolder(string parentFolder, string newFolderName)
         {
@@ -142,7 +150,8 @@ namespace UnityEditor
         {
             if (filter != "t:Prefab")
                 throw new NotSupportedException($"AssetDatabase.FindAssets(\"{filter}\"): the host finds \"t:Prefab\" alone.");
-            return Player.Assets?.AllPaths().Where(path => path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase)).Select(AssetPathToGUID).ToArray() ?? Array.Empty<string>();
+            return Player.Assets?.AllPaths().Where(path => path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase))
+                .Select(AssetPathToGUID).ToArray() ?? Array.Empty<string>();
         }
 
         /// <summary>Files that a file refers to as it is stored, scripts too; with all that those refer to and itself where recursive.</summary>

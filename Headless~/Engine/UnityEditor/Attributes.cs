@@ -10,7 +10,8 @@ namespace UnityEditor
         public int priority;
         public MenuItem(string itemName) : this(itemName, false) { }
         public MenuItem(string itemName, bool isValidateFunction) : this(itemName, isValidateFunction, 1000) { }
-        public MenuItem(string itemName, bool isValidateFunction, int priority) { menuItem = itemName; validate = isValidateFunction; this.priority = priority; }
+        public MenuItem(string itemName, bool isValidateFunction, int priority) { menuItem = itemName; validate = isValidateFunction;
+            this.priority = priority; }
     }
 
     [AttributeUsage(AttributeTargets.Method)]

@@ -65,11 +65,13 @@ namespace UnityEditor
             return editor;
         }
 
-        public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor) => CreateCachedEditor(new[] { targetObject }, editorType, ref previousEditor);
+        public static void CreateCachedEditor(Object targetObject, Type editorType, ref Editor previousEditor)
+            => CreateCachedEditor(new[] { targetObject }, editorType, ref previousEditor);
 
         public static void CreateCachedEditor(Object[] targetObjects, Type editorType, ref Editor previousEditor)
         {
-            if (previousEditor && previousEditor.edited.SequenceEqual(targetObjects) && (editorType == null || editorType == previousEditor.GetType()))
+            if (previousEditor && previousEditor.edited.SequenceEqual(targetObjects)
+                && (editorType == null || editorType == previousEditor.GetType()))
                 return;
             if (previousEditor)
                 DestroyImmediate(previousEditor);

@@ -66,7 +66,8 @@ namespace UnityEditor
         public static string SaveFilePanelInProject(string title, string defaultName, string extension, string message) => "";
         public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => "";
         public static string OpenFilePanel(string title, string directory, string extension) => "";
-        public static string FormatBytes(long bytes) => bytes < 1024 ? $"{bytes} B" : bytes < 1048576 ? $"{bytes / 1024.0:F1} KB" : $"{bytes / 1048576.0:F1} MB";
+        public static string FormatBytes(long bytes) => bytes < 1024 ? $"{bytes} B" : bytes < 1048576 ? $"{bytes / 1024.0:F1} KB"
+            : $"{bytes / 1048576.0:F1} MB";
     }
 
     public sealed class Selection
@@ -87,7 +88,8 @@ namespace UnityEditor
 
         public static Object activeObject { get => objects.FirstOrDefault(); set => objects = value ? new[] { value } : null; }
         public static GameObject activeGameObject { get => activeObject as GameObject; set => activeObject = value; }
-        public static Transform activeTransform { get => activeGameObject ? activeGameObject.transform : null; set => activeObject = value ? value.gameObject : null; }
+        public static Transform activeTransform { get => activeGameObject ? activeGameObject.transform : null; set => activeObject = value
+            ? value.gameObject : null; }
         public static GameObject[] gameObjects => objects.OfType<GameObject>().ToArray();
         public static int count => objects.Length;
         public static bool Contains(Object obj) => Array.IndexOf(objects, obj) >= 0;

@@ -28,7 +28,8 @@ namespace UnityEditor
             if (assembly.IsDynamic || assembly.GetReferencedAssemblies().All(reference => reference.Name != own) || !known.Add(assembly))
                 return;
             foreach (Type type in assembly.GetTypes())
-                foreach (MethodInfo method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                foreach (MethodInfo method in type.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic
+                    | BindingFlags.DeclaredOnly))
                     if (method.IsDefined(typeof(InitializeOnLoadMethodAttribute), false))
                         Messages.Invoke(null, method);
         }

@@ -84,18 +84,22 @@ namespace UnityEditor
             protected override void CloseScope() => EndVertical();
         }
 
-        public static bool BeginFoldoutHeaderGroup(bool foldout, string content, GUIStyle style = null, Action<Rect> menuAction = null, GUIStyle menuIcon = null)
+        public static bool BeginFoldoutHeaderGroup(bool foldout, string content, GUIStyle style = null, Action<Rect> menuAction = null,
+            GUIStyle menuIcon = null)
         {
             GuiGroups.Begin("FoldoutHeaderGroup");
             return foldout;
         }
 
-        public static bool BeginFoldoutHeaderGroup(bool foldout, GUIContent content, GUIStyle style = null, Action<Rect> menuAction = null, GUIStyle menuIcon = null)
+        public static bool BeginFoldoutHeaderGroup(bool foldout, GUIContent content, GUIStyle style = null, Action<Rect> menuAction = null,
+            GUIStyle menuIcon = null)
             => BeginFoldoutHeaderGroup(foldout, content.text, style, menuAction, menuIcon);
 
         public static bool PropertyField(SerializedProperty property, params GUILayoutOption[] options) => PropertyField(property, null, options);
-        public static bool PropertyField(SerializedProperty property, bool includeChildren, params GUILayoutOption[] options) => PropertyField(property, null, includeChildren, options);
-        public static bool PropertyField(SerializedProperty property, GUIContent label, params GUILayoutOption[] options) => PropertyField(property, label, IsVectorLike(property), options);
+        public static bool PropertyField(SerializedProperty property, bool includeChildren, params GUILayoutOption[] options)
+            => PropertyField(property, null, includeChildren, options);
+        public static bool PropertyField(SerializedProperty property, GUIContent label, params GUILayoutOption[] options)
+            => PropertyField(property, label, IsVectorLike(property), options);
 
         /// <summary>Says what it would draw to <see cref="GuiTrace"/>; as in Unity, a property that is not there throws.</summary>
         public static bool PropertyField(SerializedProperty property, GUIContent label, bool includeChildren, params GUILayoutOption[] options)

@@ -25,7 +25,8 @@ namespace UnityEditor
 
         static string Unique(Transform parent, string name, GameObject self)
         {
-            IEnumerable<GameObject> siblings = parent ? parent.Cast<Transform>().Select(t => t.gameObject) : UnityEngine.SceneManagement.SceneManager.GetActiveScene().GetRootGameObjects();
+            IEnumerable<GameObject> siblings = parent ? parent.Cast<Transform>().Select(t => t.gameObject)
+                : UnityEngine.SceneManagement.SceneManager.GetActiveScene().GetRootGameObjects();
             var taken = new HashSet<string>(siblings.Where(o => o != self).Select(o => o.name));
             string unique = name;
             for (int number = 1; taken.Contains(unique); number++)

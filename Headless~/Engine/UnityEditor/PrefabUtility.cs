@@ -21,7 +21,8 @@ namespace UnityEditor
         }
 
         /// <summary>Of packages that the project does not own.</summary>
-        public static bool IsPartOfImmutablePrefab(Object componentOrGameObject) => AssetDatabase.GetAssetPath(componentOrGameObject).StartsWith("Packages/", StringComparison.Ordinal);
+        public static bool IsPartOfImmutablePrefab(Object componentOrGameObject)
+            => AssetDatabase.GetAssetPath(componentOrGameObject).StartsWith("Packages/", StringComparison.Ordinal);
 
         /// <summary>The host expands instances where they stand: there is nothing to ask.</summary>
         public static bool IsPartOfPrefabInstance(Object componentOrGameObject) => false;

@@ -9,7 +9,8 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor
 {
-    /// <summary>A copy of the serialized fields of one or more objects of a type: written to it, they reach the objects with ApplyModifiedProperties.</summary>
+    /// <summary>A copy of the serialized fields of one or more objects of a type: written to it, they reach the objects with
+    /// ApplyModifiedProperties.</summary>
     public class SerializedObject : IDisposable
     {
         readonly Object[] edited;
@@ -193,7 +194,9 @@ namespace UnityEditor
             }
         }
 
-        T Get<T>() => First is T value ? value : throw new InvalidOperationException($"type is not a supported {typeof(T).Name} value: '{propertyPath}' is a {valueType.Name}.");
+        T Get<T>() => First is T value ? value
+            : throw new InvalidOperationException(
+            $"type is not a supported {typeof(T).Name} value: '{propertyPath}' is a {valueType.Name}.");
 
         void Set<T>(T value)
         {
@@ -219,7 +222,8 @@ namespace UnityEditor
         public float floatValue { get => Convert.ToSingle(First); set => SetNumber(value); }
         public double doubleValue { get => Convert.ToDouble(First); set => SetNumber(value); }
         public int enumValueFlag { get => Convert.ToInt32(First); set => SetNumber(value); }
-        public int enumValueIndex { get => Array.IndexOf(Enum.GetValues(valueType), First); set => SetAll(Enum.GetValues(valueType).GetValue(value)); }
+        public int enumValueIndex { get => Array.IndexOf(Enum.GetValues(valueType), First);
+            set => SetAll(Enum.GetValues(valueType).GetValue(value)); }
         public string[] enumNames => Enum.GetNames(valueType);
         public string[] enumDisplayNames => Enum.GetNames(valueType);
         public string stringValue { get => (string)First ?? ""; set => Set(value); }
@@ -253,7 +257,8 @@ namespace UnityEditor
         {
             if (index < 0 || index >= arraySize)
                 throw new IndexOutOfRangeException($"Retrieving array element that was out of bounds: {index} of {arraySize} in '{propertyPath}'.");
-            return new SerializedProperty(serializedObject, $"data[{index}]", $"{propertyPath}.Array.data[{index}]", SerializedFields.ElementType(valueType),
+            return new SerializedProperty(serializedObject, $"data[{index}]", $"{propertyPath}.Array.data[{index}]",
+                SerializedFields.ElementType(valueType),
                 i => ((IList)get(i))[index],
                 (i, value) =>
                 {
@@ -311,6 +316,7 @@ namespace UnityEditor
     {
         Generic = -1, Integer = 0, Boolean = 1, Float = 2, String = 3, Color = 4, ObjectReference = 5, LayerMask = 6, Enum = 7, Vector2 = 8,
         Vector3 = 9, Vector4 = 10, Rect = 11, ArraySize = 12, Character = 13, AnimationCurve = 14, Bounds = 15, Gradient = 16, Quaternion = 17,
-        ExposedReference = 18, FixedBufferSize = 19, Vector2Int = 20, Vector3Int = 21, RectInt = 22, BoundsInt = 23, ManagedReference = 24, Hash128 = 25,
+        ExposedReference = 18, FixedBufferSize = 19, Vector2Int = 20, Vector3Int = 21, RectInt = 22, BoundsInt = 23, ManagedReference = 24,
+            Hash128 = 25,
     }
 }

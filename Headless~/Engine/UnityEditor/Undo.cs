@@ -135,7 +135,8 @@ namespace UnityEditor
         }
 
         public static void DestroyObjectImmediate(Object objectToUndo) => Object.DestroyImmediate(objectToUndo, true);
-        public static void SetTransformParent(Transform transform, Transform newParent, string name) => SetTransformParent(transform, newParent, true, name);
+        public static void SetTransformParent(Transform transform, Transform newParent, string name)
+            => SetTransformParent(transform, newParent, true, name);
 
         public static void SetTransformParent(Transform transform, Transform newParent, bool worldPositionStays, string name)
         {
@@ -173,7 +174,8 @@ namespace UnityEditor
 
             public Gone(string name) => this.name = name;
             public override bool Counts => true;
-            public override void Revert() => throw new NotSupportedException($"Undo destroyed '{name}', and the host does not bring back what was destroyed.");
+            public override void Revert() => throw new NotSupportedException(
+                $"Undo destroyed '{name}', and the host does not bring back what was destroyed.");
             public override Step Opposite() => this;
         }
 
@@ -194,7 +196,9 @@ namespace UnityEditor
 
             public override Step Opposite() => transform ? (Step)new Placed(transform) : this;
 
-            public override bool Counts => transform && (transform.parent != parent || transform.localPosition != position || transform.localRotation != rotation || transform.localScale != scale);
+            public override bool Counts => transform
+                && (transform.parent != parent || transform.localPosition != position || transform.localRotation != rotation
+                || transform.localScale != scale);
 
             public override void Revert()
             {

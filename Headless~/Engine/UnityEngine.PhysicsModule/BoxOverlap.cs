@@ -4,12 +4,14 @@ namespace UnityEngine.Headless
     static class BoxOverlap
     {
         /// <summary>By the separating axes of two boxes: their sides and the products of their edges (Gottschalk, Lin and Manocha 1996).</summary>
-        public static bool WithBox(Vector3 center, Vector3 half, Quaternion rotation, Vector3 otherCenter, Vector3 otherHalf, Quaternion otherRotation)
+        public static bool WithBox(Vector3 center, Vector3 half, Quaternion rotation, Vector3 otherCenter, Vector3 otherHalf,
+            Quaternion otherRotation)
         {
             Vector3 between = otherCenter - center;
             for (int i = 0; i < 15; i++)
             {
-                Vector3 axis = i < 3 ? rotation * Unit(i) : i < 6 ? otherRotation * Unit(i - 3) : Vector3.Cross(rotation * Unit((i - 6) / 3), otherRotation * Unit((i - 6) % 3));
+                Vector3 axis = i < 3 ? rotation * Unit(i) : i < 6 ? otherRotation * Unit(i - 3)
+                    : Vector3.Cross(rotation * Unit((i - 6) / 3), otherRotation * Unit((i - 6) % 3));
                 if (axis.sqrMagnitude < 1e-6f)
                     continue;       // parallel edges
                 if (Mathf.Abs(Vector3.Dot(between, axis)) > Reach(half, rotation, axis) + Reach(otherHalf, otherRotation, axis))
@@ -37,7 +39,8 @@ namespace UnityEngine.Headless
 
         static float Distance(Vector3 half, Vector3 point)
         {
-            return new Vector3(Mathf.Max(Mathf.Abs(point.x) - half.x, 0f), Mathf.Max(Mathf.Abs(point.y) - half.y, 0f), Mathf.Max(Mathf.Abs(point.z) - half.z, 0f)).magnitude;
+            return new Vector3(Mathf.Max(Mathf.Abs(point.x) - half.x, 0f), Mathf.Max(Mathf.Abs(point.y) - half.y, 0f),
+                Mathf.Max(Mathf.Abs(point.z) - half.z, 0f)).magnitude;
         }
 
         static float Reach(Vector3 half, Quaternion rotation, Vector3 axis)

@@ -14,16 +14,19 @@ namespace UnityEngine
         public static void SyncTransforms() => PhysicsWorld.SyncTransforms();
 
         /// <returns>How many of the results are of this call; what does not fit is left out.</returns>
-        public static int OverlapBoxNonAlloc(Vector3 center, Vector3 halfExtents, Collider[] results, Quaternion orientation, int mask, QueryTriggerInteraction queryTriggerInteraction)
+        public static int OverlapBoxNonAlloc(Vector3 center, Vector3 halfExtents, Collider[] results, Quaternion orientation, int mask,
+            QueryTriggerInteraction queryTriggerInteraction)
         {
-            bool hitsTriggers = queryTriggerInteraction == QueryTriggerInteraction.Collide || queryTriggerInteraction == QueryTriggerInteraction.UseGlobal && queriesHitTriggers;
+            bool hitsTriggers = queryTriggerInteraction == QueryTriggerInteraction.Collide
+                || queryTriggerInteraction == QueryTriggerInteraction.UseGlobal && queriesHitTriggers;
             int count = 0;
             foreach (PhysicsShape shape in PhysicsWorld.Shapes)
             {
                 Collider collider = ((QueriedShape)shape).Owner;
                 if (count == results.Length)
                     break;
-                if ((mask & 1 << collider.gameObject.layer) == 0 || collider.isTrigger && !hitsTriggers || !collider.Overlaps(center, halfExtents, orientation))
+                if ((mask & 1 << collider.gameObject.layer) == 0 || collider.isTrigger && !hitsTriggers
+                    || !collider.Overlaps(center, halfExtents, orientation))
                     continue;
                 results[count++] = collider;
             }

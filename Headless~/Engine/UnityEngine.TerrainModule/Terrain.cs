@@ -29,7 +29,8 @@ namespace UnityEngine
         bool[,] ground;     // null where there are no holes
         Vector3 scale = new Vector3(1f, 600f, 1f);
 
-        /// <summary>Heights along a side: 33, 65 and so on to 4,097; other numbers become the next of these. A change clears the heights and keeps their distance, so that the size changes: set the size after it.</summary>
+        /// <summary>Heights along a side: 33, 65 and so on to 4,097; other numbers become the next of these. A change clears the heights
+        /// and keeps their distance, so that the size changes: set the size after it.</summary>
         public int heightmapResolution
         {
             get => heights.GetLength(0);
@@ -100,13 +101,15 @@ namespace UnityEngine
         void CheckHoles(int x, int z, int width, int length)
         {
             if (x < 0 || z < 0 || width < 0 || length < 0 || x + width > holesResolution || z + length > holesResolution)
-                throw new ArgumentException($"The part {x}, {z} with {width} x {length} holes does not lie within the {holesResolution} of the terrain.");
+                throw new ArgumentException(
+                    $"The part {x}, {z} with {width} x {length} holes does not lie within the {holesResolution} of the terrain.");
         }
 
         void Check(int x, int z, int width, int length)
         {
             if (x < 0 || z < 0 || width < 0 || length < 0 || x + width > heightmapResolution || z + length > heightmapResolution)
-                throw new ArgumentException($"The part {x}, {z} with {width} x {length} heights does not lie within the {heightmapResolution} of the terrain.");
+                throw new ArgumentException(
+                    $"The part {x}, {z} with {width} x {length} heights does not lie within the {heightmapResolution} of the terrain.");
         }
     }
 

@@ -57,8 +57,10 @@ namespace Host.Vulkan
                     DeviceFormat.D16_UNorm => new GpuFormat(VkFormat.D16_UNORM, 2, NumericKind.Float, VkImageAspectFlags.DEPTH),
                     DeviceFormat.D32_Float => new GpuFormat(VkFormat.D32_SFLOAT, 4, NumericKind.Float, VkImageAspectFlags.DEPTH),
                     // Depth is read back as 32-bit floats on every device, which Vulkan's own D24 would not give.
-                    DeviceFormat.D24_S8 => new GpuFormat(VkFormat.D32_SFLOAT_S8_UINT, 4, NumericKind.Float, VkImageAspectFlags.DEPTH | VkImageAspectFlags.STENCIL),
-                    DeviceFormat.D32_S8 => new GpuFormat(VkFormat.D32_SFLOAT_S8_UINT, 4, NumericKind.Float, VkImageAspectFlags.DEPTH | VkImageAspectFlags.STENCIL),
+                    DeviceFormat.D24_S8 => new GpuFormat(VkFormat.D32_SFLOAT_S8_UINT, 4, NumericKind.Float,
+                        VkImageAspectFlags.DEPTH | VkImageAspectFlags.STENCIL),
+                    DeviceFormat.D32_S8 => new GpuFormat(VkFormat.D32_SFLOAT_S8_UINT, 4, NumericKind.Float,
+                        VkImageAspectFlags.DEPTH | VkImageAspectFlags.STENCIL),
                     _ => throw new NotSupportedException($"Format {format} has no Vulkan format in {nameof(GpuFormat)}."),
                 };
             }

@@ -64,7 +64,8 @@ namespace Host.Vulkan
             {
                 ulong bytes = 0;
                 for (int i = 0; i < properties.memoryHeapCount; i++)
-                    if ((properties.memoryHeaps[i].flags & VkMemoryHeapFlags.DEVICE_LOCAL) != 0) bytes = Math.Max(bytes, properties.memoryHeaps[i].size);
+                    if ((properties.memoryHeaps[i].flags & VkMemoryHeapFlags.DEVICE_LOCAL) != 0)
+                        bytes = Math.Max(bytes, properties.memoryHeaps[i].size);
                 return (long)bytes;
             }
         }
@@ -79,7 +80,8 @@ namespace Host.Vulkan
                 if (TryAllocate(need, types[i], image, out var allocation, ref result)) return allocation;
             if (result is VkResult.ERROR_OUT_OF_DEVICE_MEMORY or VkResult.ERROR_OUT_OF_HOST_MEMORY or VkResult.ERROR_TOO_MANY_OBJECTS)
                 throw new OutOfGpuMemoryException($"{what} needs {need.size:N0} bytes of GPU memory and the device has no room ({result}); " +
-                    $"{ReservedBytes:N0} bytes are reserved already, of {DeviceLocalBytes:N0} that the device has. Make it smaller or release other resources.");
+                    $"{ReservedBytes:N0} bytes are reserved already, of {DeviceLocalBytes:N0} that the device has. Make it smaller or " +
+                    $"release other resources.");
             throw new VulkanException(result, $"vkAllocateMemory of {need.size:N0} bytes for {what}");
         }
 

@@ -2,7 +2,8 @@ using System.Collections.Generic;
 
 namespace Host.Vulkan
 {
-    /// <summary>Memory that the CPU fills for one submission: constants and uploads. Handed out from chunks that come back once the stream has passed them.</summary>
+    /// <summary>Memory that the CPU fills for one submission: constants and uploads. Handed out from chunks that come back once the stream
+    /// has passed them.</summary>
     internal sealed unsafe class HostMemoryRing
     {
         readonly VulkanDevice device;
@@ -13,7 +14,8 @@ namespace Host.Vulkan
         VulkanBuffer current;
         ulong at;
 
-        public HostMemoryRing(VulkanDevice device, MemoryUse use, ulong chunkBytes) => (this.device, this.use, this.chunkBytes) = (device, use, chunkBytes);
+        public HostMemoryRing(VulkanDevice device, MemoryUse use, ulong chunkBytes)
+            => (this.device, this.use, this.chunkBytes) = (device, use, chunkBytes);
 
         /// <summary>Room for bytes, valid for operations recorded into the current submission.</summary>
         public byte* Take(ulong bytes, ulong alignment, out VkBuffer buffer, out ulong offset)
@@ -40,7 +42,8 @@ namespace Host.Vulkan
                 else oldest.Chunk.Dispose();
             }
             if (bytes > chunkBytes) return device.CreateHostBuffer("upload", bytes, use);
-            return spare.TryPop(out var chunk) ? chunk : device.CreateHostBuffer(use == MemoryUse.Constants ? "constants" : "upload", chunkBytes, use);
+            return spare.TryPop(out var chunk) ? chunk
+                : device.CreateHostBuffer(use == MemoryUse.Constants ? "constants" : "upload", chunkBytes, use);
         }
     }
 }

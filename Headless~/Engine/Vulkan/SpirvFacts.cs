@@ -61,9 +61,11 @@ namespace Host.Vulkan
             foreach (var v in variables)
             {
                 uint type = pointee[v.Type];
-                if (v.Storage == InputStorage && location.TryGetValue(v.Id, out int slot) && numeric.TryGetValue(type, out var kind)) Inputs[slot] = kind;
+                if (v.Storage == InputStorage && location.TryGetValue(v.Id, out int slot) && numeric.TryGetValue(type, out var kind))
+                    Inputs[slot] = kind;
                 if (!binding.TryGetValue(v.Id, out int b)) continue;
-                if (nonWritable.Contains(v.Id) || members.TryGetValue(type, out int n) && n > 0 && nonWritableMembers.GetValueOrDefault(type) == n) NonWritableBindings.Add(b);
+                if (nonWritable.Contains(v.Id) || members.TryGetValue(type, out int n) && n > 0
+                    && nonWritableMembers.GetValueOrDefault(type) == n) NonWritableBindings.Add(b);
                 if (images.TryGetValue(type, out var image)) ImageKinds[b] = image;
             }
         }

@@ -35,7 +35,8 @@ namespace Host.Vulkan
         VkDescriptorSetLayout CreateSetLayout(Slot[] slots, string program)
         {
             if (slots.Length > maxPushDescriptors)
-                throw new NotSupportedException($"{program} uses {slots.Length} resources; {Info.Name} binds at most {maxPushDescriptors}. Use fewer buffers, textures and samplers.");
+                throw new NotSupportedException($"{program} uses {slots.Length} resources; {Info.Name} binds at most " +
+                    $"{maxPushDescriptors}. Use fewer buffers, textures and samplers.");
             var bindings = stackalloc VkDescriptorSetLayoutBinding[Math.Max(1, slots.Length)];
             for (int i = 0; i < slots.Length; i++)
                 bindings[i] = new VkDescriptorSetLayoutBinding
@@ -100,7 +101,8 @@ namespace Host.Vulkan
                     case var _ when slot.Resource.Kind == ShaderResourceKind.ConstantBuffer:
                         write.pBufferInfo = bufferInfos + i;
                         if (binding.Constants != null) ResolveConstants(slot, binding, out bufferInfos[i]);
-                        else ResolveBuffer(slot, binding, scope, limits.minUniformBufferOffsetAlignment, limits.maxUniformBufferRange, out bufferInfos[i]);
+                        else ResolveBuffer(slot, binding, scope, limits.minUniformBufferOffsetAlignment, limits.maxUniformBufferRange,
+                            out bufferInfos[i]);
                         break;
                     case VkDescriptorType.STORAGE_BUFFER:
                         write.pBufferInfo = bufferInfos + i;
@@ -116,7 +118,8 @@ namespace Host.Vulkan
                         break;
                     default:
                         write.pImageInfo = imageInfos + i;
-                        imageInfos[i] = new VkDescriptorImageInfo { imageView = ResolveTexture(slot, binding, scope), imageLayout = VkImageLayout.GENERAL };
+                        imageInfos[i] = new VkDescriptorImageInfo { imageView = ResolveTexture(slot, binding, scope),
+                            imageLayout = VkImageLayout.GENERAL };
                         break;
                 }
             }
@@ -131,7 +134,8 @@ namespace Host.Vulkan
         {
             int given = Math.Min(binding.ConstantsLength > 0 ? binding.ConstantsLength : binding.Constants.Length, binding.Constants.Length);
             int bytes = Math.Max(16, Math.Max(given, slot.Resource.Constants?.Bytes ?? 0) + 15 & ~15);
-            byte* target = constants.Take((ulong)bytes, Math.Max(limits.minUniformBufferOffsetAlignment, limits.minStorageBufferOffsetAlignment), out var buffer, out ulong offset);
+            byte* target = constants.Take((ulong)bytes,
+                Math.Max(limits.minUniformBufferOffsetAlignment, limits.minStorageBufferOffsetAlignment), out var buffer, out ulong offset);
             var span = new Span<byte>(target, bytes);
             binding.Constants.AsSpan(0, given).CopyTo(span);
             span.Slice(given).Clear();
@@ -148,14 +152,17 @@ namespace Host.Vulkan
             var buffer = Alive(binding.Buffer, slot);
             long bytes = binding.Bytes > 0 ? binding.Bytes : buffer.Bytes - binding.Offset;
             if (binding.Offset < 0 || bytes <= 0 || binding.Offset + bytes > buffer.Bytes)
-                throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound to bytes {binding.Offset} to {binding.Offset + bytes} of '{buffer.Name}', which has {buffer.Bytes}.");
+                throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound to bytes {binding.Offset} to " +
+                    $"{binding.Offset + bytes} of '{buffer.Name}', which has {buffer.Bytes}.");
             if ((ulong)binding.Offset % alignment != 0)
-                throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound at byte {binding.Offset} of '{buffer.Name}'; {Info.Name} binds at multiples of {alignment}.");
+                throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound at byte {binding.Offset} of " +
+                    $"'{buffer.Name}'; {Info.Name} binds at multiples of {alignment}.");
             if (bytes > maxRange)
             {
                 // A cbuffer sees the front of a larger buffer; a structured buffer must be seen whole.
                 if (slot.Resource.Kind != ShaderResourceKind.ConstantBuffer)
-                    throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound to {bytes:N0} bytes of '{buffer.Name}'; {Info.Name} binds at most {maxRange:N0}. Split the buffer.");
+                    throw new ArgumentException($"{slot.Program}: '{slot.Resource.Name}' is bound to {bytes:N0} bytes of " +
+                        $"'{buffer.Name}'; {Info.Name} binds at most {maxRange:N0}. Split the buffer.");
                 bytes = maxRange;
             }
             Touch(buffer.Usage, scope, slot.Writes);
@@ -166,7 +173,9 @@ namespace Host.Vulkan
         {
             if (binding.Buffer == null) return VkBufferView.Null;
             var buffer = Alive(binding.Buffer, slot);
-            if (binding.Offset != 0) throw new NotSupportedException($"{slot.Program}: typed buffer '{slot.Resource.Name}' can be bound from byte 0 alone, not {binding.Offset}.");
+            if (binding.Offset != 0)
+                throw new NotSupportedException(
+                $"{slot.Program}: typed buffer '{slot.Resource.Name}' can be bound from byte 0 alone, not {binding.Offset}.");
             Touch(buffer.Usage, scope, slot.Writes);
             return buffer.TexelView(slot.TexelFormat);
         }
@@ -179,7 +188,8 @@ namespace Host.Vulkan
             if (texture.IsDisposed) throw Disposed(slot, texture.Name);
             bool storage = slot.Type == VkDescriptorType.STORAGE_IMAGE;
             if (storage && !texture.Description.RandomWrite)
-                throw new ArgumentException($"{slot.Program}: RW texture '{slot.Resource.Name}' is bound to '{texture.Name}', which was made without random write.");
+                throw new ArgumentException(
+                    $"{slot.Program}: RW texture '{slot.Resource.Name}' is bound to '{texture.Name}', which was made without random write.");
             Touch(texture.Usage, scope, slot.Writes);
             return storage ? ViewFor(texture, slot.Resource.Dimension, binding.Mip, 1, true, slot.Program, slot.Resource.Name)
                 : ViewFor(texture, slot.Resource.Dimension, 0, texture.Description.Mips, false, slot.Program, slot.Resource.Name);

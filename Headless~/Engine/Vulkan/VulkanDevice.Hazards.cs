@@ -93,7 +93,8 @@ namespace Host.Vulkan
                 Scope from = (Scope)(pair / Usage.Scopes), to = (Scope)(pair % Usage.Scopes);
                 barriers[count++] = new VkMemoryBarrier2
                 {
-                    srcStageMask = StageOf(from), srcAccessMask = WritesOf(from), dstStageMask = StageOf(to), dstAccessMask = ReadsOf(to) | WritesOf(to),
+                    srcStageMask = StageOf(from), srcAccessMask = WritesOf(from), dstStageMask = StageOf(to),
+                        dstAccessMask = ReadsOf(to) | WritesOf(to),
                 };
                 ordered[pair] = operation;
             }
@@ -122,7 +123,8 @@ namespace Host.Vulkan
                 dstStageMask = VkPipelineStageFlags2.ALL_COMMANDS, dstAccessMask = VkAccessFlags2.MEMORY_READ | VkAccessFlags2.MEMORY_WRITE,
                 oldLayout = VkImageLayout.UNDEFINED, newLayout = VkImageLayout.GENERAL, image = image,
                 srcQueueFamilyIndex = Vk.VK_QUEUE_FAMILY_IGNORED, dstQueueFamilyIndex = Vk.VK_QUEUE_FAMILY_IGNORED,
-                subresourceRange = new VkImageSubresourceRange { aspectMask = aspects, levelCount = Vk.VK_REMAINING_MIP_LEVELS, layerCount = Vk.VK_REMAINING_ARRAY_LAYERS },
+                subresourceRange = new VkImageSubresourceRange { aspectMask = aspects, levelCount = Vk.VK_REMAINING_MIP_LEVELS,
+                    layerCount = Vk.VK_REMAINING_ARRAY_LAYERS },
             };
             var dependency = new VkDependencyInfo { imageMemoryBarrierCount = 1, pImageMemoryBarriers = &barrier };
             vk.CmdPipelineBarrier2(commands, &dependency);
@@ -133,7 +135,8 @@ namespace Host.Vulkan
             Scope.Compute => VkPipelineStageFlags2.COMPUTE_SHADER,
             Scope.Transfer => VkPipelineStageFlags2.ALL_TRANSFER,
             Scope.Raster => VkPipelineStageFlags2.VERTEX_SHADER | VkPipelineStageFlags2.FRAGMENT_SHADER,
-            Scope.Attachment => VkPipelineStageFlags2.COLOR_ATTACHMENT_OUTPUT | VkPipelineStageFlags2.EARLY_FRAGMENT_TESTS | VkPipelineStageFlags2.LATE_FRAGMENT_TESTS,
+            Scope.Attachment => VkPipelineStageFlags2.COLOR_ATTACHMENT_OUTPUT | VkPipelineStageFlags2.EARLY_FRAGMENT_TESTS
+                | VkPipelineStageFlags2.LATE_FRAGMENT_TESTS,
             Scope.Indirect => VkPipelineStageFlags2.DRAW_INDIRECT,
             _ => VkPipelineStageFlags2.VERTEX_INPUT,
         };

@@ -28,7 +28,8 @@ namespace Host.Vulkan
             Slot.Append(list, fragment, new SpirvFacts(fragment.Spirv, fragment.Name), VkShaderStageFlags.FRAGMENT);
             var slots = list.ToArray();
             var set = CreateSetLayout(slots, vertex.Name);
-            var pass = new VulkanPass(this, vertex, fragment, slots, vertexFacts.Inputs, set, CreatePipelineLayout(set, vertex.Name), CreateModule(vertex), CreateModule(fragment));
+            var pass = new VulkanPass(this, vertex, fragment, slots, vertexFacts.Inputs, set, CreatePipelineLayout(set, vertex.Name),
+                CreateModule(vertex), CreateModule(fragment));
             Register(pass);
             return pass;
         }
@@ -112,7 +113,8 @@ namespace Host.Vulkan
             {
                 vk.CmdBindIndexBuffer(commands, ((VulkanBuffer)draw.Indices).Handle, 0, draw.Indices32 ? VkIndexType.UINT32 : VkIndexType.UINT16);
                 if (arguments != null) vk.CmdDrawIndexedIndirect(commands, arguments.Handle, (ulong)draw.ArgumentsOffset, 1, 20);
-                else vk.CmdDrawIndexed(commands, (uint)draw.VertexCount, (uint)draw.InstanceCount, (uint)draw.FirstVertex, 0, (uint)draw.FirstInstance);
+                else vk.CmdDrawIndexed(commands, (uint)draw.VertexCount, (uint)draw.InstanceCount, (uint)draw.FirstVertex, 0,
+                    (uint)draw.FirstInstance);
             }
             else if (arguments != null) vk.CmdDrawIndirect(commands, arguments.Handle, (ulong)draw.ArgumentsOffset, 1, 16);
             else vk.CmdDraw(commands, (uint)draw.VertexCount, (uint)draw.InstanceCount, (uint)draw.FirstVertex, (uint)draw.FirstInstance);
@@ -122,7 +124,9 @@ namespace Host.Vulkan
         void ResolveStreams(VulkanPass p, DeviceVertexStream[] streams, VulkanBuffer zero, ref PipelineKey key, VkBuffer* buffers, ulong* offsets)
         {
             var inputs = p.Vertex.Inputs;
-            if (inputs.Length > PipelineKey.MaxStreams) throw new NotSupportedException($"{p.Name} has {inputs.Length} vertex inputs; at most {PipelineKey.MaxStreams} are supported.");
+            if (inputs.Length > PipelineKey.MaxStreams)
+                throw new NotSupportedException(
+                $"{p.Name} has {inputs.Length} vertex inputs; at most {PipelineKey.MaxStreams} are supported.");
             for (int i = 0; i < inputs.Length; i++)
             {
                 int location = inputs[i].Location;
@@ -159,7 +163,8 @@ namespace Host.Vulkan
 
         // ---- beginning late, suspending, resuming
 
-        VulkanTexture Color(int i) => (VulkanTexture)(i switch { 0 => targets.Color0, 1 => targets.Color1, 2 => targets.Color2, _ => targets.Color3 });
+        VulkanTexture Color(int i) => (VulkanTexture)(i switch { 0 => targets.Color0, 1 => targets.Color1, 2 => targets.Color2,
+            _ => targets.Color3 });
 
         bool IsTarget(DeviceTexture t)
             => t == targets.Depth || targets.ColorCount > 0 && t == targets.Color0 || targets.ColorCount > 1 && t == targets.Color1
@@ -187,7 +192,8 @@ namespace Host.Vulkan
             {
                 colors[i] = new VkRenderingAttachmentInfo();
                 if (Color(i) is { } color)
-                    colors[i] = Attachment(color, t.Mip, t.Slice, t.Slices, clearColorDue, new VkClearValue { color = ClearValue(color.Format, t.ClearValue) });
+                    colors[i] = Attachment(color, t.Mip, t.Slice, t.Slices, clearColorDue,
+                        new VkClearValue { color = ClearValue(color.Format, t.ClearValue) });
             }
             var depth = new VkRenderingAttachmentInfo();
             bool hasStencil = false;
@@ -208,7 +214,8 @@ namespace Host.Vulkan
             clearColorDue = clearDepthDue = false;
 
             // Direct3D's clip space has y up and its targets begin at the top: Vulkan's, turned over.
-            var viewport = new VkViewport { x = t.ViewportX, y = t.ViewportY + t.ViewportHeight, width = t.ViewportWidth, height = -t.ViewportHeight, maxDepth = 1 };
+            var viewport = new VkViewport { x = t.ViewportX, y = t.ViewportY + t.ViewportHeight, width = t.ViewportWidth,
+                height = -t.ViewportHeight, maxDepth = 1 };
             vk.CmdSetViewport(commands, 0, 1, &viewport);
             var scissor = Scissor(t);
             vk.CmdSetScissor(commands, 0, 1, &scissor);
@@ -216,15 +223,19 @@ namespace Host.Vulkan
 
         static VkRenderingAttachmentInfo Attachment(VulkanTexture t, int mip, int slice, int slices, bool clear, in VkClearValue value) => new()
         {
-            imageView = t.View(slices > 1 ? VkImageViewType._2D_ARRAY : VkImageViewType._2D, mip, 1, slice, Math.Max(1, slices)), imageLayout = VkImageLayout.GENERAL,
+            imageView = t.View(slices > 1 ? VkImageViewType._2D_ARRAY : VkImageViewType._2D, mip, 1, slice, Math.Max(1, slices)),
+                imageLayout = VkImageLayout.GENERAL,
             loadOp = clear ? VkAttachmentLoadOp.CLEAR : VkAttachmentLoadOp.LOAD, storeOp = VkAttachmentStoreOp.STORE, clearValue = value,
         };
 
         VkRect2D Scissor(in DeviceTargets t)
         {
-            int x0 = Math.Clamp((int)MathF.Floor(t.ViewportX), 0, (int)renderWidth), x1 = Math.Clamp((int)MathF.Ceiling(t.ViewportX + t.ViewportWidth), x0, (int)renderWidth);
-            int y0 = Math.Clamp((int)MathF.Floor(t.ViewportY), 0, (int)renderHeight), y1 = Math.Clamp((int)MathF.Ceiling(t.ViewportY + t.ViewportHeight), y0, (int)renderHeight);
-            return new VkRect2D { offset = new VkOffset2D { x = x0, y = y0 }, extent = new VkExtent2D { width = (uint)(x1 - x0), height = (uint)(y1 - y0) } };
+            int x0 = Math.Clamp((int)MathF.Floor(t.ViewportX), 0, (int)renderWidth),
+                x1 = Math.Clamp((int)MathF.Ceiling(t.ViewportX + t.ViewportWidth), x0, (int)renderWidth);
+            int y0 = Math.Clamp((int)MathF.Floor(t.ViewportY), 0, (int)renderHeight),
+                y1 = Math.Clamp((int)MathF.Ceiling(t.ViewportY + t.ViewportHeight), y0, (int)renderHeight);
+            return new VkRect2D { offset = new VkOffset2D { x = x0, y = y0 },
+                extent = new VkExtent2D { width = (uint)(x1 - x0), height = (uint)(y1 - y0) } };
         }
 
         // ---- pipelines
@@ -243,7 +254,8 @@ namespace Host.Vulkan
             for (int i = 0; i < key.StreamCount; i++)
             {
                 uint stream = key.Streams[i];
-                vertexBindings[i] = new VkVertexInputBindingDescription { binding = (uint)i, stride = PipelineKey.StrideOf(stream), inputRate = VkVertexInputRate.VERTEX };
+                vertexBindings[i] = new VkVertexInputBindingDescription { binding = (uint)i, stride = PipelineKey.StrideOf(stream),
+                    inputRate = VkVertexInputRate.VERTEX };
                 attributes[i] = new VkVertexInputAttributeDescription
                 {
                     location = (uint)PipelineKey.LocationOf(stream), binding = (uint)i, format = GpuFormat.Of(PipelineKey.FormatOf(stream)).Vulkan,
@@ -271,16 +283,20 @@ namespace Host.Vulkan
             bool biased = state.DepthBiasFactor != 0 || state.DepthBiasUnits != 0;
             var raster = new VkPipelineRasterizationStateCreateInfo
             {
-                polygonMode = VkPolygonMode.FILL, frontFace = state.FrontIsCounterClockwise ? VkFrontFace.COUNTER_CLOCKWISE : VkFrontFace.CLOCKWISE, lineWidth = 1,
-                cullMode = state.Cull switch { DeviceCull.Off => VkCullModeFlags.NONE, DeviceCull.Front => VkCullModeFlags.FRONT, _ => VkCullModeFlags.BACK },
-                depthBiasEnable = biased ? VkBool32.True : VkBool32.False, depthBiasSlopeFactor = state.DepthBiasFactor, depthBiasConstantFactor = state.DepthBiasUnits,
+                polygonMode = VkPolygonMode.FILL, frontFace = state.FrontIsCounterClockwise ? VkFrontFace.COUNTER_CLOCKWISE
+                    : VkFrontFace.CLOCKWISE, lineWidth = 1,
+                cullMode = state.Cull switch { DeviceCull.Off => VkCullModeFlags.NONE, DeviceCull.Front => VkCullModeFlags.FRONT,
+                    _ => VkCullModeFlags.BACK },
+                depthBiasEnable = biased ? VkBool32.True : VkBool32.False, depthBiasSlopeFactor = state.DepthBiasFactor,
+                    depthBiasConstantFactor = state.DepthBiasUnits,
             };
             var samples = new VkPipelineMultisampleStateCreateInfo { rasterizationSamples = VkSampleCountFlags._1 };
             var depthFormat = (DeviceFormat)(key.Formats >> 32 & 255);
             bool hasDepth = depthFormat != DeviceFormat.None;
             var depth = new VkPipelineDepthStencilStateCreateInfo
             {
-                depthTestEnable = hasDepth ? VkBool32.True : VkBool32.False, depthWriteEnable = hasDepth && state.DepthWrite ? VkBool32.True : VkBool32.False,
+                depthTestEnable = hasDepth ? VkBool32.True : VkBool32.False, depthWriteEnable = hasDepth && state.DepthWrite ? VkBool32.True
+                    : VkBool32.False,
                 depthCompareOp = (VkCompareOp)(int)state.DepthTest,     // the same eight in the same order
             };
             bool hasStencil = (GpuFormat.Of(depthFormat).Aspects & VkImageAspectFlags.STENCIL) != 0;
@@ -290,8 +306,10 @@ namespace Host.Vulkan
                 depth.front = depth.back = new VkStencilOpState
                 {
                     // Both enumerations in the same order too.
-                    failOp = (VkStencilOp)(int)state.Stencil.Fail, passOp = (VkStencilOp)(int)state.Stencil.Pass, depthFailOp = (VkStencilOp)(int)state.Stencil.DepthFail,
-                    compareOp = (VkCompareOp)(int)state.Stencil.Compare, compareMask = state.Stencil.ReadMask, writeMask = state.Stencil.WriteMask, reference = state.Stencil.Reference,
+                    failOp = (VkStencilOp)(int)state.Stencil.Fail, passOp = (VkStencilOp)(int)state.Stencil.Pass,
+                        depthFailOp = (VkStencilOp)(int)state.Stencil.DepthFail,
+                    compareOp = (VkCompareOp)(int)state.Stencil.Compare, compareMask = state.Stencil.ReadMask,
+                        writeMask = state.Stencil.WriteMask, reference = state.Stencil.Reference,
                 };
             }
             var blends = stackalloc VkPipelineColorBlendAttachmentState[4];
@@ -314,11 +332,14 @@ namespace Host.Vulkan
             };
             if (state.Topology == DeviceTopology.Points && pass.PointModule == VkShaderModule.Null)
                 pass.PointModule = CreateModule(PointSizePatch.Apply(pass.Vertex.Spirv), pass.Vertex.Name);
-            fixed (byte* vertexEntry = System.Text.Encoding.UTF8.GetBytes(pass.Vertex.EntryPoint + "\0"), fragmentEntry = System.Text.Encoding.UTF8.GetBytes(pass.Fragment.EntryPoint + "\0"))
+            fixed (byte* vertexEntry = System.Text.Encoding.UTF8.GetBytes(pass.Vertex.EntryPoint + "\0"),
+                fragmentEntry = System.Text.Encoding.UTF8.GetBytes(pass.Fragment.EntryPoint + "\0"))
             {
                 var stages = stackalloc VkPipelineShaderStageCreateInfo[2];
-                stages[0] = new VkPipelineShaderStageCreateInfo { stage = VkShaderStageFlags.VERTEX, module = state.Topology == DeviceTopology.Points ? pass.PointModule : pass.VertexModule, pName = vertexEntry };
-                stages[1] = new VkPipelineShaderStageCreateInfo { stage = VkShaderStageFlags.FRAGMENT, module = pass.FragmentModule, pName = fragmentEntry };
+                stages[0] = new VkPipelineShaderStageCreateInfo { stage = VkShaderStageFlags.VERTEX,
+                    module = state.Topology == DeviceTopology.Points ? pass.PointModule : pass.VertexModule, pName = vertexEntry };
+                stages[1] = new VkPipelineShaderStageCreateInfo { stage = VkShaderStageFlags.FRAGMENT, module = pass.FragmentModule,
+                    pName = fragmentEntry };
                 var info = new VkGraphicsPipelineCreateInfo
                 {
                     pNext = &rendering, stageCount = 2, pStages = stages, pVertexInputState = &vertexInput, pInputAssemblyState = &assembly,

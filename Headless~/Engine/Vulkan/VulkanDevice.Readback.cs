@@ -78,7 +78,8 @@ namespace Host.Vulkan
         VulkanBuffer TakeReadbackBuffer(long bytes)
         {
             int size = SizeClass(bytes);
-            return readbackBuffers[size] != null && readbackBuffers[size].TryPop(out var spare) ? spare : CreateHostBuffer("readback", 1UL << size, MemoryUse.Readback);
+            return readbackBuffers[size] != null && readbackBuffers[size].TryPop(out var spare) ? spare
+                : CreateHostBuffer("readback", 1UL << size, MemoryUse.Readback);
         }
 
         internal void GiveBack(VulkanBuffer buffer)

@@ -18,7 +18,8 @@ namespace Host.Vulkan
             if (bytes <= 0) throw new ArgumentOutOfRangeException(nameof(bytes), bytes, $"Buffer '{name}' must have at least one byte.");
             bytes = (bytes + 3) & ~3L;
             if ((ulong)bytes > maxBufferBytes)
-                throw new OutOfGpuMemoryException($"Buffer '{name}' of {bytes:N0} bytes is larger than any that {Info.Name} can make: {maxBufferBytes:N0} bytes. Split it.");
+                throw new OutOfGpuMemoryException($"Buffer '{name}' of {bytes:N0} bytes is larger than any that {Info.Name} can make: " +
+                    $"{maxBufferBytes:N0} bytes. Split it.");
             // Every use, since Unity's side decides late; drivers in question do not charge for it.
             const VkBufferUsageFlags any = VkBufferUsageFlags.TRANSFER_SRC | VkBufferUsageFlags.TRANSFER_DST | VkBufferUsageFlags.STORAGE_BUFFER
                 | VkBufferUsageFlags.UNIFORM_BUFFER | VkBufferUsageFlags.UNIFORM_TEXEL_BUFFER | VkBufferUsageFlags.STORAGE_TEXEL_BUFFER
@@ -103,7 +104,8 @@ namespace Host.Vulkan
             if (d.RandomWrite) usage |= VkImageUsageFlags.STORAGE;
             if (d.Target) usage |= format.IsDepth ? VkImageUsageFlags.DEPTH_STENCIL_ATTACHMENT : VkImageUsageFlags.COLOR_ATTACHMENT;
             VkImageCreateFlags flags = 0;
-            if (d.Dimension == DeviceTextureDimension.Cube || d.Dimension == DeviceTextureDimension.CubeArray) flags |= VkImageCreateFlags.CUBE_COMPATIBLE;
+            if (d.Dimension == DeviceTextureDimension.Cube || d.Dimension == DeviceTextureDimension.CubeArray)
+                flags |= VkImageCreateFlags.CUBE_COMPATIBLE;
             if (is3D && d.Target) flags |= VkImageCreateFlags._2D_ARRAY_COMPATIBLE;
             var info = new VkImageCreateInfo
             {
@@ -139,7 +141,9 @@ namespace Host.Vulkan
             if (d.RandomWrite) need |= VkFormatFeatureFlags.STORAGE_IMAGE;
             if (d.Target) need |= format.IsDepth ? VkFormatFeatureFlags.DEPTH_STENCIL_ATTACHMENT : VkFormatFeatureFlags.COLOR_ATTACHMENT;
             var lacking = need & ~p.optimalTilingFeatures;
-            if (lacking != 0) throw new NotSupportedException($"Texture '{d.Name}': {Info.Name} cannot use {d.Format} as {lacking}. Choose another format.");
+            if (lacking != 0)
+                throw new NotSupportedException(
+                $"Texture '{d.Name}': {Info.Name} cannot use {d.Format} as {lacking}. Choose another format.");
         }
 
         internal VkImageView CreateView(VulkanTexture texture, VkImageViewType type, int mip, int mips, int layer, int layers)
@@ -149,7 +153,8 @@ namespace Host.Vulkan
                 image = texture.Handle, viewType = type, format = texture.Format.Vulkan,
                 subresourceRange = new VkImageSubresourceRange
                 {
-                    aspectMask = texture.Format.ViewAspect, baseMipLevel = (uint)mip, levelCount = (uint)mips, baseArrayLayer = (uint)layer, layerCount = (uint)layers,
+                    aspectMask = texture.Format.ViewAspect, baseMipLevel = (uint)mip, levelCount = (uint)mips, baseArrayLayer = (uint)layer,
+                        layerCount = (uint)layers,
                 },
             };
             VkImageView view;
@@ -168,7 +173,8 @@ namespace Host.Vulkan
         VkImageView ViewFor(VulkanTexture t, DeviceTextureDimension wanted, int mip, int mips, bool storage, string program, string resource)
         {
             var have = t.Description.Dimension;
-            if (wanted == DeviceTextureDimension.Tex3D == t.Is3D && (wanted != DeviceTextureDimension.Cube && wanted != DeviceTextureDimension.CubeArray || have == wanted))
+            if (wanted == DeviceTextureDimension.Tex3D == t.Is3D
+                && (wanted != DeviceTextureDimension.Cube && wanted != DeviceTextureDimension.CubeArray || have == wanted))
                 return wanted switch
                 {
                     DeviceTextureDimension.Tex2D => t.View(VkImageViewType._2D, mip, mips, 0, 1),
@@ -191,7 +197,8 @@ namespace Host.Vulkan
             {
                 magFilter = filter, minFilter = filter, mipmapMode = s.LinearMip ? VkSamplerMipmapMode.LINEAR : VkSamplerMipmapMode.NEAREST,
                 addressModeU = Address(s.U), addressModeV = Address(s.V), addressModeW = Address(s.W), maxLod = Vk.VK_LOD_CLAMP_NONE,
-                anisotropyEnable = anisotropic ? VkBool32.True : VkBool32.False, maxAnisotropy = anisotropic ? Math.Min(s.Anisotropy, limits.maxSamplerAnisotropy) : 1,
+                anisotropyEnable = anisotropic ? VkBool32.True : VkBool32.False, maxAnisotropy = anisotropic
+                    ? Math.Min(s.Anisotropy, limits.maxSamplerAnisotropy) : 1,
                 // With reversed depth what is nearer is greater.
                 compareEnable = s.Comparison ? VkBool32.True : VkBool32.False, compareOp = VkCompareOp.GREATER_OR_EQUAL,
             };
@@ -205,7 +212,8 @@ namespace Host.Vulkan
             DeviceWrap.Repeat => VkSamplerAddressMode.REPEAT,
             DeviceWrap.Clamp => VkSamplerAddressMode.CLAMP_TO_EDGE,
             DeviceWrap.Mirror => VkSamplerAddressMode.MIRRORED_REPEAT,
-            _ => hasMirrorOnce ? VkSamplerAddressMode.MIRROR_CLAMP_TO_EDGE : throw new NotSupportedException($"{Info.Name} has no mirror-once wrap mode."),
+            _ => hasMirrorOnce ? VkSamplerAddressMode.MIRROR_CLAMP_TO_EDGE
+                : throw new NotSupportedException($"{Info.Name} has no mirror-once wrap mode."),
         };
 
         void DestroySamplers()

@@ -96,7 +96,8 @@ namespace Host.Vulkan
             Check(vk.EndCommandBuffer(commands), "vkEndCommandBuffer");
             var buffer = new VkCommandBufferSubmitInfo { commandBuffer = commands };
             var signal = new VkSemaphoreSubmitInfo { semaphore = timeline, value = nextSubmission, stageMask = VkPipelineStageFlags2.ALL_COMMANDS };
-            var submit = new VkSubmitInfo2 { commandBufferInfoCount = 1, pCommandBufferInfos = &buffer, signalSemaphoreInfoCount = 1, pSignalSemaphoreInfos = &signal };
+            var submit = new VkSubmitInfo2 { commandBufferInfoCount = 1, pCommandBufferInfos = &buffer, signalSemaphoreInfoCount = 1,
+                pSignalSemaphoreInfos = &signal };
             CheckLost(vk.QueueSubmit2(queue, 1, &submit, VkFence.Null), "vkQueueSubmit2");
             recording.Submission = nextSubmission++;
             inFlight.Enqueue(recording);
@@ -182,7 +183,8 @@ namespace Host.Vulkan
         void CheckLost(VkResult result, string what)
         {
             if (result != VkResult.ERROR_DEVICE_LOST) { Check(result, what); return; }
-            throw new InvalidOperationException($"The GPU was lost in {what}: a shader ran too long or read memory that is not its own. Recorded last: {lastProgram}.");
+            throw new InvalidOperationException(
+                $"The GPU was lost in {what}: a shader ran too long or read memory that is not its own. Recorded last: {lastProgram}.");
         }
 
         void DestroyStream()

@@ -39,7 +39,8 @@ namespace Host.Vulkan
         internal double ReadMark(VulkanTimeMark mark)
         {
             ulong stamp;
-            CheckLost(vk.GetQueryPoolResults(device, mark.Pool, mark.Query, 1, sizeof(ulong), &stamp, sizeof(ulong), VkQueryResultFlags._64 | VkQueryResultFlags.WAIT), "vkGetQueryPoolResults");
+            CheckLost(vk.GetQueryPoolResults(device, mark.Pool, mark.Query, 1, sizeof(ulong), &stamp, sizeof(ulong),
+                VkQueryResultFlags._64 | VkQueryResultFlags.WAIT), "vkGetQueryPoolResults");
             return (stamp & timestampMask) * (double)timestampPeriod * 1e-6;
         }
 

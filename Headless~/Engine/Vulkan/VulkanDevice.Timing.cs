@@ -89,7 +89,8 @@ namespace Host.Vulkan
                 for (int first = 0; first < stampCount; first += (int)StampsPerPool)
                 {
                     uint count = Math.Min(StampsPerPool, (uint)(stampCount - first));
-                    CheckLost(vk.GetQueryPoolResults(device, stampPools[first / (int)StampsPerPool], 0, count, count * sizeof(ulong), p + first, sizeof(ulong),
+                    CheckLost(vk.GetQueryPoolResults(device, stampPools[first / (int)StampsPerPool], 0, count, count * sizeof(ulong),
+                        p + first, sizeof(ulong),
                         VkQueryResultFlags._64 | VkQueryResultFlags.WAIT), "vkGetQueryPoolResults");
                 }
             return stamps;

@@ -34,7 +34,8 @@ namespace Host.Vulkan
         {
             var buffer = (VulkanBuffer)target;
             CheckRange(buffer, offset, bytes, "fill");
-            if (((offset | bytes) & 3) != 0) throw new ArgumentException($"Buffer '{buffer.Name}': fills whole 32-bit words, not {bytes} bytes at {offset}.");
+            if (((offset | bytes) & 3) != 0)
+                throw new ArgumentException($"Buffer '{buffer.Name}': fills whole 32-bit words, not {bytes} bytes at {offset}.");
             if (bytes == 0) return;
             BeginTransfer();
             Touch(buffer.Usage, Scope.Transfer, writes: true);
@@ -62,7 +63,8 @@ namespace Host.Vulkan
             var texture = (VulkanTexture)target;
             CheckLevel(texture, mip, slice);
             if (texels.Length != texture.SliceBytes(mip))
-                throw new ArgumentException($"Texture '{texture.Name}': level {mip} has {texture.SliceBytes(mip):N0} bytes and {texels.Length:N0} were given.");
+                throw new ArgumentException(
+                    $"Texture '{texture.Name}': level {mip} has {texture.SliceBytes(mip):N0} bytes and {texels.Length:N0} were given.");
             BeginTransfer();
             Touch(texture.Usage, Scope.Transfer, writes: true);
             Order();
@@ -97,7 +99,8 @@ namespace Host.Vulkan
             var (from, to) = ((VulkanTexture)source, (VulkanTexture)target);
             var (a, b) = (from.Description, to.Description);
             if (a.Format != b.Format || a.Width != b.Width || a.Height != b.Height || a.Depth != b.Depth || from.Layers != to.Layers)
-                throw new ArgumentException($"Textures '{from.Name}' ({a.Format} {a.Width} x {a.Height} x {a.Depth}) and '{to.Name}' ({b.Format} {b.Width} x {b.Height} x {b.Depth}) differ, so one cannot be copied to the other.");
+                throw new ArgumentException($"Textures '{from.Name}' ({a.Format} {a.Width} x {a.Height} x {a.Depth}) and '{to.Name}' " +
+                    $"({b.Format} {b.Width} x {b.Height} x {b.Depth}) differ, so one cannot be copied to the other.");
             BeginTransfer();
             Touch(from.Usage, Scope.Transfer, writes: false);
             Touch(to.Usage, Scope.Transfer, writes: true);
@@ -122,7 +125,8 @@ namespace Host.Vulkan
         static VkBufferImageCopy Region(VulkanTexture texture, int mip, int slice, ulong offset) => new()
         {
             bufferOffset = offset,
-            imageSubresource = new VkImageSubresourceLayers { aspectMask = texture.Format.ViewAspect, mipLevel = (uint)mip, baseArrayLayer = (uint)slice, layerCount = 1 },
+            imageSubresource = new VkImageSubresourceLayers { aspectMask = texture.Format.ViewAspect, mipLevel = (uint)mip,
+                baseArrayLayer = (uint)slice, layerCount = 1 },
             imageExtent = Extent(texture, mip),
         };
 
@@ -148,14 +152,16 @@ namespace Host.Vulkan
         {
             if (buffer.IsDisposed) throw new ObjectDisposedException(buffer.Name, $"Cannot {what} buffer '{buffer.Name}': it was released.");
             if (offset < 0 || bytes < 0 || offset + bytes > buffer.Bytes)
-                throw new ArgumentOutOfRangeException(null, $"Cannot {what} bytes {offset} to {offset + bytes} of buffer '{buffer.Name}', which has {buffer.Bytes}.");
+                throw new ArgumentOutOfRangeException(null,
+                    $"Cannot {what} bytes {offset} to {offset + bytes} of buffer '{buffer.Name}', which has {buffer.Bytes}.");
         }
 
         static void CheckLevel(VulkanTexture texture, int mip, int slice)
         {
             if (texture.IsDisposed) throw new ObjectDisposedException(texture.Name, $"Texture '{texture.Name}' was released.");
             if (mip < 0 || mip >= texture.Description.Mips || slice < 0 || slice >= texture.Layers)
-                throw new ArgumentOutOfRangeException(null, $"Texture '{texture.Name}' has {texture.Description.Mips} levels and {texture.Layers} slices; level {mip}, slice {slice} was asked for.");
+                throw new ArgumentOutOfRangeException(null, $"Texture '{texture.Name}' has {texture.Description.Mips} levels and " +
+                    $"{texture.Layers} slices; level {mip}, slice {slice} was asked for.");
         }
     }
 }

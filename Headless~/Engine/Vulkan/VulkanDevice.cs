@@ -132,7 +132,8 @@ namespace Host.Vulkan
             }
             if (bestRank >= 0) return best;
             throw new InvalidOperationException(string.IsNullOrEmpty(wanted)
-                ? $"No device with Vulkan 1.3 was found; there are: {(seen.Count == 0 ? "none" : string.Join(", ", seen))}. Install a driver (Debian: mesa-vulkan-drivers)."
+                ? $"No device with Vulkan 1.3 was found; there are: {(seen.Count == 0 ? "none" : string.Join(", ", seen))}. Install a " +
+                    $"driver (Debian: mesa-vulkan-drivers)."
                 : $"No device with Vulkan 1.3 has \"{wanted}\" in its name; there are: {(seen.Count == 0 ? "none" : string.Join(", ", seen))}.");
         }
 
@@ -188,7 +189,8 @@ namespace Host.Vulkan
             {
                 pNext = &use13, scalarBlockLayout = VkBool32.True, uniformBufferStandardLayout = has12.uniformBufferStandardLayout,
                 timelineSemaphore = VkBool32.True, hostQueryReset = VkBool32.True, samplerMirrorClampToEdge = has12.samplerMirrorClampToEdge,
-                shaderFloat16 = has12.shaderFloat16, shaderOutputLayer = has12.shaderOutputLayer, shaderOutputViewportIndex = has12.shaderOutputViewportIndex,
+                shaderFloat16 = has12.shaderFloat16, shaderOutputLayer = has12.shaderOutputLayer,
+                    shaderOutputViewportIndex = has12.shaderOutputViewportIndex,
             };
             var use11 = new VkPhysicalDeviceVulkan11Features
             {
@@ -225,12 +227,14 @@ namespace Host.Vulkan
             var queueInfo = new VkDeviceQueueCreateInfo { queueFamilyIndex = queueFamily, queueCount = 1, pQueuePriorities = &priority };
             // SV_RenderTargetArrayIndex of vertex programs; without it those do not draw.
             const string layers = "VK_EXT_shader_viewport_index_layer";
-            fixed (byte* pushDescriptor = "VK_KHR_push_descriptor"u8, robustness = "VK_EXT_robustness2"u8, viewportIndexLayer = "VK_EXT_shader_viewport_index_layer"u8)
+            fixed (byte* pushDescriptor = "VK_KHR_push_descriptor"u8, robustness = "VK_EXT_robustness2"u8,
+                viewportIndexLayer = "VK_EXT_shader_viewport_index_layer"u8)
             {
                 var names = stackalloc byte*[] { pushDescriptor, robustness, viewportIndexLayer };
                 var info = new VkDeviceCreateInfo
                 {
-                    pNext = &use, queueCreateInfoCount = 1, pQueueCreateInfos = &queueInfo, enabledExtensionCount = HasExtension(layers) ? 3u : 2u, ppEnabledExtensionNames = names,
+                    pNext = &use, queueCreateInfoCount = 1, pQueueCreateInfos = &queueInfo, enabledExtensionCount = HasExtension(layers)
+                        ? 3u : 2u, ppEnabledExtensionNames = names,
                 };
                 VkDevice made;
                 Check(vki.CreateDevice(physical, &info, null, &made), "vkCreateDevice");
@@ -249,13 +253,17 @@ namespace Host.Vulkan
             uint count;
             Check(instance.Commands.EnumerateDeviceExtensionProperties(physical, null, &count, null), "vkEnumerateDeviceExtensionProperties");
             var extensions = new VkExtensionProperties[count];
-            fixed (VkExtensionProperties* p = extensions) Check(instance.Commands.EnumerateDeviceExtensionProperties(physical, null, &count, p), "vkEnumerateDeviceExtensionProperties");
+            fixed (VkExtensionProperties* p = extensions)
+                Check(instance.Commands.EnumerateDeviceExtensionProperties(physical, null, &count, p),
+                "vkEnumerateDeviceExtensionProperties");
             return Array.Exists(extensions, e => Utf8(e.extensionName) == name);
         }
 
         static void Require(VkBool32 present, string feature)
         {
-            if (present != VkBool32.True) throw new NotSupportedException($"The Vulkan device lacks {feature}, which Direct3D's rules need. Choose another with RILL_DEVICE.");
+            if (present != VkBool32.True)
+                throw new NotSupportedException(
+                $"The Vulkan device lacks {feature}, which Direct3D's rules need. Choose another with RILL_DEVICE.");
         }
 
         void* LoadDeviceCommand(ReadOnlySpan<byte> name)

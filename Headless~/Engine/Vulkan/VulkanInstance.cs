@@ -24,7 +24,8 @@ namespace Host.Vulkan
         public VulkanInstance(bool validation)
         {
             if (!NativeLibrary.TryLoad("libvulkan.so.1", out nint library))
-                throw new DllNotFoundException("libvulkan.so.1 was not found. Install Vulkan's loader (Debian: libvulkan1 and a driver such as mesa-vulkan-drivers).");
+                throw new DllNotFoundException(
+                    "libvulkan.so.1 was not found. Install Vulkan's loader (Debian: libvulkan1 and a driver such as mesa-vulkan-drivers).");
             getProcAddr = (delegate* unmanaged<VkInstance, byte*, void*>)NativeLibrary.GetExport(library, "vkGetInstanceProcAddr");
             var global = new VkGlobalCommands(Load);
             if (validation && !HasLayer(global))

@@ -24,7 +24,8 @@ namespace Host.Vulkan
                 bool writable = !facts.NonWritableBindings.Contains(r.Binding);
                 switch (r.Kind)
                 {
-                    case ShaderResourceKind.ConstantBuffer: slot.Type = storesConstants ? VkDescriptorType.STORAGE_BUFFER : VkDescriptorType.UNIFORM_BUFFER; break;
+                    case ShaderResourceKind.ConstantBuffer: slot.Type = storesConstants ? VkDescriptorType.STORAGE_BUFFER
+                        : VkDescriptorType.UNIFORM_BUFFER; break;
                     case ShaderResourceKind.StructuredBuffer or ShaderResourceKind.RawBuffer: slot.Type = VkDescriptorType.STORAGE_BUFFER; break;
                     case ShaderResourceKind.RWStructuredBuffer or ShaderResourceKind.RWRawBuffer or ShaderResourceKind.Counter:
                         (slot.Type, slot.Writes) = (VkDescriptorType.STORAGE_BUFFER, writable);
@@ -67,7 +68,8 @@ namespace Host.Vulkan
         public ulong LastSubmission { get; set; }
         public bool IsDisposed { get; private set; }
 
-        public VulkanKernel(VulkanDevice device, ShaderProgram program, Slot[] slots, VkDescriptorSetLayout setLayout, VkPipelineLayout layout, VkPipeline pipeline)
+        public VulkanKernel(VulkanDevice device, ShaderProgram program, Slot[] slots, VkDescriptorSetLayout setLayout,
+            VkPipelineLayout layout, VkPipeline pipeline)
         {
             (this.device, Program, Name, Slots, SetLayout, Layout, Pipeline) = (device, program, program.Name, slots, setLayout, layout, pipeline);
         }

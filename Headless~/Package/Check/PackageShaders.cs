@@ -15,10 +15,12 @@ namespace Host.Check
 
         /// <summary>Files that cannot be read as what they are become faults.</summary>
         /// <param name="backend">Compiles the variants when asked; null = glslang.</param>
-        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, ShaderCache cache, Findings findings, out int files, IShaderBackend backend = null)
+        public static IReadOnlyList<ShaderVariant> Variants(PackageTree package, ShaderCache cache, Findings findings, out int files,
+            IShaderBackend backend = null)
         {
             string packageFolder = PackageFolder(package, findings);
-            string Resolve(string include) => packageFolder != null && include.StartsWith(packageFolder, StringComparison.Ordinal) ? package.FullPath(include.Substring(packageFolder.Length)) : null;
+            string Resolve(string include) => packageFolder != null && include.StartsWith(packageFolder, StringComparison.Ordinal)
+                ? package.FullPath(include.Substring(packageFolder.Length)) : null;
 
             List<string> paths = Files(package, ".compute", ".shader").ToList();
             files = paths.Count;
@@ -44,7 +46,9 @@ namespace Host.Check
 
         /// <summary>Unity's own include files that a variant reads, of which this host has stand-ins.</summary>
         public static IEnumerable<string> StandIns(ShaderVariant variant) =>
-            variant.Fxc == null ? Enumerable.Empty<string>() : variant.Fxc.Source.Files.Where(file => Path.GetDirectoryName(Path.GetFullPath(file)) == BuiltInFiles.Includes).Select(Path.GetFileName);
+            variant.Fxc == null ? Enumerable.Empty<string>()
+            : variant.Fxc.Source.Files.Where(file => Path.GetDirectoryName(Path.GetFullPath(file)) == BuiltInFiles.Includes)
+            .Select(Path.GetFileName);
 
         /// <summary>Those of its tests and samples too.</summary>
         public static IEnumerable<string> Files(PackageTree package, params string[] extensions)

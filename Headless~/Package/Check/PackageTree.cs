@@ -16,7 +16,8 @@ namespace Host.Check
         public readonly string Root;
         /// <summary>Where the package's compiled assemblies lie: Rill.dll and the like.</summary>
         public readonly string Assemblies;
-        /// <summary>Every file that is not hidden by a dot, relative to the root, with '/', in ordinal order; Samples~ and the like included.</summary>
+        /// <summary>Every file that is not hidden by a dot, relative to the root, with '/', in ordinal order; Samples~ and the like
+        /// included.</summary>
         public readonly IReadOnlyList<string> Files;
 
         public PackageTree(string root, string assemblies = null)
@@ -32,10 +33,13 @@ namespace Host.Check
         public string FullPath(string file) => Path.Combine(Root, file);
         public string Read(string file) => File.ReadAllText(FullPath(file));
         public bool Has(string file) => File.Exists(FullPath(file));
-        public IEnumerable<string> WithExtension(params string[] extensions) => Files.Where(file => extensions.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase));
+        public IEnumerable<string> WithExtension(params string[] extensions)
+            => Files.Where(file => extensions.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase));
 
         /// <summary>Whether a path below the root begins with a folder that tools write there.</summary>
-        public static bool IsGenerated(string path) => Generated.Any(folder => path == folder || path.StartsWith(folder, StringComparison.Ordinal) && !char.IsLetterOrDigit(path[folder.Length]));
+        public static bool IsGenerated(string path)
+            => Generated.Any(folder => path == folder || path.StartsWith(folder, StringComparison.Ordinal)
+            && !char.IsLetterOrDigit(path[folder.Length]));
 
         static bool IsVisible(string file) => !file.Split('/').Any(ProjectIndex.IsHidden);
 

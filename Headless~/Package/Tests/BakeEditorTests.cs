@@ -35,7 +35,8 @@ namespace Host.Tests
 
         static void Draw(object drawn, string method)
         {
-            void Call() => drawn.GetType().GetMethod(method, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public).Invoke(drawn, null);
+            void Call() => drawn.GetType().GetMethod(method, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public)
+                .Invoke(drawn, null);
             if (method.EndsWith("GUI"))
                 Assert.That(GuiPasses.Draw(Call), Is.Null, drawn.GetType().Name);
             else
@@ -69,7 +70,8 @@ namespace Host.Tests
         {
             using (new SampleScene(sample))
             {
-                SignedDistanceField[] fields = Object.FindObjectsOfType<FluidCollider>().Select(collider => collider.Field).Where(field => field != null).Distinct().ToArray();
+                SignedDistanceField[] fields = Object.FindObjectsOfType<FluidCollider>().Select(collider => collider.Field)
+                    .Where(field => field != null).Distinct().ToArray();
                 Assert.That(fields, Is.Not.Empty);
                 foreach (SignedDistanceField field in fields)
                 {
@@ -217,10 +219,14 @@ namespace Host.Tests
         [Test]
         public void Menus_are_on_mesh_filters_meshes_assets_and_windows()
         {
-            string[] items = typeof(BakeWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic).SelectMany(m => m.GetCustomAttributes<MenuItem>()).Where(m => !m.validate).Select(m => m.menuItem).ToArray();
-            Assert.That(items, Is.EquivalentTo(new[] { "Window/Rill/Bake Signed Distance Field", "CONTEXT/MeshFilter/Bake Signed Distance Field", "CONTEXT/Mesh/Bake Signed Distance Field", "Assets/Bake Signed Distance Field" }));
+            string[] items = typeof(BakeWindow).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+                .SelectMany(m => m.GetCustomAttributes<MenuItem>()).Where(m => !m.validate).Select(m => m.menuItem).ToArray();
+            Assert.That(items, Is.EquivalentTo(new[] { "Window/Rill/Bake Signed Distance Field",
+                "CONTEXT/MeshFilter/Bake Signed Distance Field", "CONTEXT/Mesh/Bake Signed Distance Field",
+                "Assets/Bake Signed Distance Field" }));
             GameObject cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-            typeof(BakeWindow).GetMethod("OpenOnFilter", BindingFlags.Static | BindingFlags.NonPublic).Invoke(null, new object[] { new MenuCommand(cube.GetComponent<MeshFilter>()) });
+            typeof(BakeWindow).GetMethod("OpenOnFilter", BindingFlags.Static | BindingFlags.NonPublic)
+                .Invoke(null, new object[] { new MenuCommand(cube.GetComponent<MeshFilter>()) });
             BakeWindow window = EditorWindow.GetWindow<BakeWindow>();
             Assert.That(window.Plan.Items.Single().Objects, Is.EqualTo(new[] { cube }));
             window.Close();

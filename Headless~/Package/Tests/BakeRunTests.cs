@@ -51,8 +51,10 @@ namespace Host.Tests
         /// <summary>The written file, as a project that it was copied into has it.</summary>
         SignedDistanceField Load(BakeRun run)
         {
-            string script = ((ProjectAssets)Player.Assets).Index.Entries.Single(entry => entry.Extension == ".cs" && entry.Name == nameof(SignedDistanceField)).Guid;
-            TemporaryProject copy = Temporary().Write("Assets/Scripts/SignedDistanceField.cs", "namespace Rill { class SignedDistanceField {} }", script);
+            string script = ((ProjectAssets)Player.Assets).Index.Entries.Single(entry => entry.Extension == ".cs"
+                && entry.Name == nameof(SignedDistanceField)).Guid;
+            TemporaryProject copy = Temporary().Write("Assets/Scripts/SignedDistanceField.cs",
+                "namespace Rill { class SignedDistanceField {} }", script);
             copy.Write("Assets/Baked.asset", File.ReadAllText(run.AssetFile), "e0000000000000000000000000000088");
             ProjectAssets project = ProjectAssets.Open(copy.Root, new[] { typeof(SignedDistanceField).Assembly, typeof(AssetFixture).Assembly });
             Play(project, copy.Root);
@@ -68,11 +70,13 @@ namespace Host.Tests
             Vector3Int n = field.Resolution;
             for (int i = 0; i < points; i++)
             {
-                double3 p = (double3)(float3)field.Bounds.min + (double)field.VoxelSize * (new double3(random.Next(n.x), random.Next(n.y), random.Next(n.z)) + 0.5);
+                double3 p = (double3)(float3)field.Bounds.min
+                    + (double)field.VoxelSize * (new double3(random.Next(n.x), random.Next(n.y), random.Next(n.z)) + 0.5);
                 Assert.That(field.TrySample((float3)p, out float distance));
                 double expected = MeshDistance.Unsigned(mesh, p) / field.VoxelSize, found = distance / (double)field.VoxelSize;
                 bool isShell = field.Sign == MeshSdfSign.OpenShell;
-                double error = isShell ? Math.Abs(found + 0.5 * field.ShellThickness / field.VoxelSize - expected) : Math.Abs(Math.Abs(found) - expected);
+                double error = isShell ? Math.Abs(found + 0.5 * field.ShellThickness / field.VoxelSize - expected)
+                    : Math.Abs(Math.Abs(found) - expected);
                 sum += error;
                 most = Math.Max(most, error);
                 if (expected <= 2)
@@ -100,7 +104,8 @@ namespace Host.Tests
         public void Stanfords_bunny_is_right_everywhere() => WithDevice(() =>
         {
             BakeRun run = Bake(NpmMeshes.Bunny(folder), Settings(56), out string said);
-            Assert.That(said, Does.Contain("3,674 triangles").And.Contain("check: watertight").And.Contain("sign by winding number").And.Contain("on this device"));
+            Assert.That(said, Does.Contain("3,674 triangles").And.Contain("check: watertight").And.Contain(
+                "sign by winding number").And.Contain("on this device"));
             Holds(Errors(Load(run), run.Mesh), wrongSigns: 0);
         });
 
@@ -117,7 +122,8 @@ namespace Host.Tests
         public void The_bunnys_open_base_is_closed_by_the_winding_number() => WithDevice(() =>
         {
             BakeRun run = Bake(NpmMeshes.OpenBunny(folder, height: 0.2f), Settings(48, format: SdfFormat.Float), out string said);
-            Assert.That(said, Does.Contain("check: not watertight").And.Contain("closed smoothly").And.Contain("sign by winding number").And.Contain("32 bits a voxel"));
+            Assert.That(said, Does.Contain("check: not watertight").And.Contain("closed smoothly").And.Contain(
+                "sign by winding number").And.Contain("32 bits a voxel"));
             Holds(Errors(Load(run), run.Mesh), wrongSigns: 0.001);
         });
 
@@ -133,7 +139,8 @@ namespace Host.Tests
         string Box(float x, float y, float z)
         {
             string file = Path.Combine(folder, "Box.obj");
-            File.WriteAllText(file, FormattableString.Invariant($"v 0 0 0\nv {x} 0 0\nv {x} {y} 0\nv 0 {y} 0\nv 0 0 {z}\nv {x} 0 {z}\nv {x} {y} {z}\nv 0 {y} {z}\n")
+            File.WriteAllText(file, FormattableString.Invariant(
+                $"v 0 0 0\nv {x} 0 0\nv {x} {y} 0\nv 0 {y} 0\nv 0 0 {z}\nv {x} 0 {z}\nv {x} {y} {z}\nv 0 {y} {z}\n")
                 + "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n");
             return file;
         }
@@ -177,7 +184,8 @@ namespace Host.Tests
             for (int i = 0; i < bake.Distances.Length; i++)
             {
                 (int a, int b, int c) = (i % n.x, i / n.x % n.y, i / n.x / n.y);
-                Assert.That((x[b, c], y[c, a], z[b, a]), Is.EqualTo((bake.Distances[At(2, b, c)], bake.Distances[At(a, 6, c)], bake.Distances[At(a, b, 17)])));
+                Assert.That((x[b, c], y[c, a], z[b, a]),
+                    Is.EqualTo((bake.Distances[At(2, b, c)], bake.Distances[At(a, 6, c)], bake.Distances[At(a, b, 17)])));
             }
         });
 
@@ -191,14 +199,16 @@ namespace Host.Tests
             List<(Vector2 From, Vector2 To)> pieces = ZeroLine.Of(values);
             List<Vector2> ends = pieces.SelectMany(piece => new[] { piece.From, piece.To }).ToList();
             Assert.That(ends.Select(p => (p - new Vector2(14.3f, 11.6f)).magnitude), Is.All.EqualTo(8f).Within(0.03f));
-            Assert.That(ends.GroupBy(p => (Mathf.Round(p.x * 1000), Mathf.Round(p.y * 1000))).Select(end => end.Count()), Is.All.EqualTo(2), "each end is the next piece's start");
+            Assert.That(ends.GroupBy(p => (Mathf.Round(p.x * 1000), Mathf.Round(p.y * 1000))).Select(end => end.Count()), Is.All.EqualTo(2),
+                "each end is the next piece's start");
         }
 
         [Test]
         public void The_zero_line_of_a_saddle_goes_around_the_corners_that_its_middle_cuts_off()
         {
             List<(Vector2 From, Vector2 To)> pieces = ZeroLine.Of(new[,] { { -1f, 0.5f }, { 0.5f, -1f } });
-            Assert.That(pieces.Select(piece => (piece.From + piece.To) / 2).Any(p => p.x > 0.6f && p.y < 0.4f), "the middle is negative: the line goes around the positive corner at (1, 0)");
+            Assert.That(pieces.Select(piece => (piece.From + piece.To) / 2).Any(p => p.x > 0.6f && p.y < 0.4f),
+                "the middle is negative: the line goes around the positive corner at (1, 0)");
             Assert.That(pieces.Count, Is.EqualTo(2));
         }
 
@@ -225,13 +235,15 @@ namespace Host.Tests
         [TestCase("much", "give bytes")]
         [TestCase("-1", "give bytes")]
         [TestCase("1000", "the least is 1M")]
-        public void Memory_that_is_none_is_refused(string text, string message) => Assert.That(Assert.Throws<HostException>(() => BakeCommand.MebiBytes(text)).Message, Does.Contain(message));
+        public void Memory_that_is_none_is_refused(string text, string message)
+            => Assert.That(Assert.Throws<HostException>(() => BakeCommand.MebiBytes(text)).Message, Does.Contain(message));
 
         [Test]
         public void Choices_are_written_with_hyphens_and_others_are_refused_with_the_list()
         {
             Assert.That(BakeCommand.Choice<MeshSdfSign>("open-shell", "--sign"), Is.EqualTo(MeshSdfSign.OpenShell));
-            Assert.That(Assert.Throws<HostException>(() => BakeCommand.Choice<MeshSdfSign>("rays", "--sign")).Message, Is.EqualTo("--sign rays: it is one of automatic, winding-number, open-shell."));
+            Assert.That(Assert.Throws<HostException>(() => BakeCommand.Choice<MeshSdfSign>("rays", "--sign")).Message,
+                Is.EqualTo("--sign rays: it is one of automatic, winding-number, open-shell."));
         }
     }
 }

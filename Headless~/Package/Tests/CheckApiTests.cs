@@ -32,41 +32,76 @@ namespace Host.Tests
         {
             Rule rule = Members(
                 @"public class Object { public string name { get; set; } public static void Destroy(Object obj) { } public static T Instantiate<T>(T original, Transform parent) => original; }
-                  public class Transform : Object { } public struct Vector3 { public float x; public static Vector3 operator *(Vector3 a, float d) => a; public static Vector3 zero => default; public void Scale(Vector3 scale) { } }
-                  public class Event { public delegate void Call(); } public class AudioClip { public delegate void PCMReaderCallback(float[] data); } public class ComputeBuffer : IDisposable { public ComputeBuffer(int count, int stride) { } public void Dispose() { } }
+                  public class Transform : Object { } public struct Vector3 { public float x;
+                      public static Vector3 operator *(Vector3 a, float d) => a; public static Vector3 zero => default;
+                      public void Scale(Vector3 scale) { } }
+                  public class Event { public delegate void Call(); } public class AudioClip {
+                      public delegate void PCMReaderCallback(float[] data); } public class ComputeBuffer
+                      : IDisposable { public ComputeBuffer(int count, int stride) { } public void Dispose() { } }
                   public class Collider { } public static class Physics { public static int OverlapSphereNonAlloc(Vector3 position, float radius, Collider[] results) => 0; }",
                 @"class Uses : UnityEngine.Object { float f(UnityEngine.Object o, AudioClip.PCMReaderCallback c) { o.name += ""x""; Destroy(Instantiate(this, new Transform())); Vector3 v = Vector3.zero * 2; v.Scale(v); c(null); new ComputeBuffer(1, 4).Dispose(); return v.x + Physics.OverlapSphereNonAlloc(v, 1, null); } }");
             Findings findings = planted.Examine(rule);
             Assert.That(findings.Faults, Is.Empty);
-            Assert.That(findings.Looked, Does.Contain("8 types").And.Contain("14 members").And.Contain("2022.3").And.Contain("6000.0").And.Contain("6000.3"));
+            Assert.That(findings.Looked, Does.Contain("8 types").And.Contain("14 members").And.Contain("2022.3").And.Contain(
+                "6000.0").And.Contain("6000.3"));
         }
 
         [Test]
         public void An_override_in_a_generic_type_is_found_with_the_type_s_arguments()
         {
-            Rule rule = Members("public class Object { } } namespace UnityEditor.AnimatedValues { public abstract class BaseAnimValue<T> { protected BaseAnimValue(T value) { } protected abstract T GetValue(); }",
+            Rule rule = Members("public class Object { } } namespace UnityEditor.AnimatedValues { public abstract class " +
+                "BaseAnimValue<T> { protected BaseAnimValue(T value) { } protected abstract T GetValue(); }",
                 "class X : UnityEditor.AnimatedValues.BaseAnimValue<float> { X() : base(1) { } protected override float GetValue() => 0; }");
             Assert.That(planted.Examine(rule).Faults, Is.Empty);
         }
 
-        [TestCase("public class GameObject { public void Explode() { } }", "class X { void f(GameObject g) => g.Explode(); }", "UnityEngine.GameObject.Explode()", "Unity 2022.3, 6000.0, 6000.3 has no such member; first used in X.f", TestName = "A_member_that_no_version_has_is_named")]
-        [TestCase("public class Gadget { }", "class X { Gadget f() => new Gadget(); }", "UnityEngine.Gadget", "has no such type", TestName = "A_type_that_no_version_has_is_named")]
-        [TestCase("public class GameObject { public void SetActive(int value) { } }", "class X { void f(GameObject g) => g.SetActive(1); }", "SetActive(int)", "void SetActive(bool value)", TestName = "A_wrong_parameter_type_is_named_with_the_right_one")]
-        [TestCase("public class GameObject { public bool SetActive(bool value) => value; }", "class X { void f(GameObject g) => g.SetActive(true); }", "SetActive(bool) : bool", "void SetActive(bool value)", TestName = "A_wrong_return_type_is_named")]
-        [TestCase("public class Mathf { public bool Approximately(float a, float b) => true; }", "class X { void f(Mathf m) => m.Approximately(1, 2); }", "Mathf.Approximately(float, float)", "static bool Approximately", TestName = "An_instance_member_that_is_static_in_Unity_is_named")]
-        [TestCase("public struct Vector3 { public static void OrthoNormalize(Vector3 normal, Vector3 tangent) { } }", "class X { void f(Vector3 v) => Vector3.OrthoNormalize(v, v); }", "OrthoNormalize", "ref Vector3", TestName = "A_parameter_that_is_passed_by_reference_in_Unity_is_named")]
-        [TestCase("public class GameObject { public bool activeSelf { get; set; } }", "class X { void f(GameObject g) => g.activeSelf = true; }", "set_activeSelf(bool)", "bool activeSelf { get }", TestName = "A_setter_that_Unity_lacks_is_named")]
-        [TestCase("public class GameObject { public bool activeSelf; }", "class X { bool f(GameObject g) => g.activeSelf; }", "activeSelf (bool)", "bool activeSelf { get }", TestName = "A_field_that_is_a_property_in_Unity_is_named")]
-        [TestCase("public class ComputeBuffer { }", "class X { void f() => new ComputeBuffer(); }", "ComputeBuffer..ctor()", ".ctor(int count, int stride)", TestName = "A_constructor_that_Unity_lacks_is_named")]
-        [TestCase("public class GameObject { public bool active { get; set; } }", "class X { bool f(GameObject g) => g.active; }", "get_active()", "Unity 2022.3, 6000.0, 6000.3 has it as obsolete", TestName = "An_obsolete_member_is_named")]
-        [TestCase("public struct Vector3 { } public class Rigidbody { public Vector3 linearVelocity { get; set; } }", "class X { Vector3 f(Rigidbody r) => r.linearVelocity; }", "get_linearVelocity()", "Unity 2022.3 has no such member", TestName = "A_member_that_only_later_versions_have_is_named")]
-        [TestCase("public struct Vector3 { } public class Rigidbody { public Vector3 velocity { get; set; } }", "class X { Vector3 f(Rigidbody r) => r.velocity; }", "get_velocity()", "Unity 6000.0, 6000.3 has it as obsolete", TestName = "A_member_that_became_obsolete_is_named")]
-        [TestCase("public class ScriptableObject { protected virtual void Awaken() { } }", "class X : ScriptableObject { protected override void Awaken() { } }", "override UnityEngine.ScriptableObject.Awaken()", "in X", TestName = "An_override_of_what_Unity_lacks_is_named")]
-        [TestCase("public class GameObject { public virtual void SetActive(bool value) { } }", "class X : GameObject { public override void SetActive(bool value) { } }", "override UnityEngine.GameObject.SetActive(bool)", "not as virtual", TestName = "An_override_of_what_is_not_virtual_in_Unity_is_named")]
-        [TestCase("public class CustomYieldInstruction { }", "class X : CustomYieldInstruction { }", "X", "CustomYieldInstruction: abstract bool keepWaiting", TestName = "An_abstract_member_without_override_is_named")]
-        [TestCase("public interface ISerializationCallbackReceiver { void OnBeforeSerialize(); }", "class X : ISerializationCallbackReceiver { public void OnBeforeSerialize() { } }", "X", "void OnAfterDeserialize()", TestName = "A_member_of_an_interface_that_is_not_implemented_is_named")]
-        [TestCase("public class CreateAssetMenuAttribute : Attribute { public string colour { get; set; } }", "[CreateAssetMenu(colour = \"red\")] class X { }", "CreateAssetMenuAttribute.set_colour(string)", "has no such member", TestName = "An_attribute_s_argument_that_Unity_lacks_is_named")]
-        public void A_fault_of_the_package_is_named(string unity, string package, string what, string why) => planted.Catches(Members(unity, package), "Rill.dll: ", what, why);
+        [TestCase("public class GameObject { public void Explode() { } }", "class X { void f(GameObject g) => g.Explode(); }",
+            "UnityEngine.GameObject.Explode()", "Unity 2022.3, 6000.0, 6000.3 has no such member; first used in X.f",
+            TestName = "A_member_that_no_version_has_is_named")]
+        [TestCase("public class Gadget { }", "class X { Gadget f() => new Gadget(); }", "UnityEngine.Gadget", "has no such type",
+            TestName = "A_type_that_no_version_has_is_named")]
+        [TestCase("public class GameObject { public void SetActive(int value) { } }", "class X { void f(GameObject g) => g.SetActive(1); }",
+            "SetActive(int)", "void SetActive(bool value)", TestName = "A_wrong_parameter_type_is_named_with_the_right_one")]
+        [TestCase("public class GameObject { public bool SetActive(bool value) => value; }",
+            "class X { void f(GameObject g) => g.SetActive(true); }", "SetActive(bool) : bool", "void SetActive(bool value)",
+            TestName = "A_wrong_return_type_is_named")]
+        [TestCase("public class Mathf { public bool Approximately(float a, float b) => true; }",
+            "class X { void f(Mathf m) => m.Approximately(1, 2); }", "Mathf.Approximately(float, float)", "static bool Approximately",
+            TestName = "An_instance_member_that_is_static_in_Unity_is_named")]
+        [TestCase("public struct Vector3 { public static void OrthoNormalize(Vector3 normal, Vector3 tangent) { } }",
+            "class X { void f(Vector3 v) => Vector3.OrthoNormalize(v, v); }", "OrthoNormalize", "ref Vector3",
+            TestName = "A_parameter_that_is_passed_by_reference_in_Unity_is_named")]
+        [TestCase("public class GameObject { public bool activeSelf { get; set; } }",
+            "class X { void f(GameObject g) => g.activeSelf = true; }", "set_activeSelf(bool)", "bool activeSelf { get }",
+            TestName = "A_setter_that_Unity_lacks_is_named")]
+        [TestCase("public class GameObject { public bool activeSelf; }", "class X { bool f(GameObject g) => g.activeSelf; }",
+            "activeSelf (bool)", "bool activeSelf { get }", TestName = "A_field_that_is_a_property_in_Unity_is_named")]
+        [TestCase("public class ComputeBuffer { }", "class X { void f() => new ComputeBuffer(); }", "ComputeBuffer..ctor()",
+            ".ctor(int count, int stride)", TestName = "A_constructor_that_Unity_lacks_is_named")]
+        [TestCase("public class GameObject { public bool active { get; set; } }", "class X { bool f(GameObject g) => g.active; }",
+            "get_active()", "Unity 2022.3, 6000.0, 6000.3 has it as obsolete", TestName = "An_obsolete_member_is_named")]
+        [TestCase("public struct Vector3 { } public class Rigidbody { public Vector3 linearVelocity { get; set; } }",
+            "class X { Vector3 f(Rigidbody r) => r.linearVelocity; }", "get_linearVelocity()", "Unity 2022.3 has no such member",
+            TestName = "A_member_that_only_later_versions_have_is_named")]
+        [TestCase("public struct Vector3 { } public class Rigidbody { public Vector3 velocity { get; set; } }",
+            "class X { Vector3 f(Rigidbody r) => r.velocity; }", "get_velocity()", "Unity 6000.0, 6000.3 has it as obsolete",
+            TestName = "A_member_that_became_obsolete_is_named")]
+        [TestCase("public class ScriptableObject { protected virtual void Awaken() { } }",
+            "class X : ScriptableObject { protected override void Awaken() { } }", "override UnityEngine.ScriptableObject.Awaken()", "in X",
+            TestName = "An_override_of_what_Unity_lacks_is_named")]
+        [TestCase("public class GameObject { public virtual void SetActive(bool value) { } }",
+            "class X : GameObject { public override void SetActive(bool value) { } }", "override UnityEngine.GameObject.SetActive(bool)",
+            "not as virtual", TestName = "An_override_of_what_is_not_virtual_in_Unity_is_named")]
+        [TestCase("public class CustomYieldInstruction { }", "class X : CustomYieldInstruction { }", "X",
+            "CustomYieldInstruction: abstract bool keepWaiting", TestName = "An_abstract_member_without_override_is_named")]
+        [TestCase("public interface ISerializationCallbackReceiver { void OnBeforeSerialize(); }",
+            "class X : ISerializationCallbackReceiver { public void OnBeforeSerialize() { } }", "X", "void OnAfterDeserialize()",
+            TestName = "A_member_of_an_interface_that_is_not_implemented_is_named")]
+        [TestCase("public class CreateAssetMenuAttribute : Attribute { public string colour { get; set; } }",
+            "[CreateAssetMenu(colour = \"red\")] class X { }", "CreateAssetMenuAttribute.set_colour(string)", "has no such member",
+            TestName = "An_attribute_s_argument_that_Unity_lacks_is_named")]
+        public void A_fault_of_the_package_is_named(string unity, string package, string what, string why)
+            => planted.Catches(Members(unity, package), "Rill.dll: ", what, why);
 
         [Test]
         public void An_assembly_that_is_not_there_is_named() => planted.Catches(new UnityMembersRule(JustRill), "Rill.dll is not in", "rill");
@@ -78,15 +113,19 @@ namespace Host.Tests
         [TestCase("int x y", "one word too many")]
         public void A_line_of_the_lists_that_cannot_be_read_is_named(string signature, string why)
         {
-            UnityApiLists lists = UnityApiLists.Read(new StringReader("unity-api 1 unity-2022.3\nUnityEngine.Thing\n\t1\tclass\n\t1\t" + signature + "\n"));
-            planted.Catches(new UnityMembersRule(new string[0], () => UnityCatalogues.Make(lists)), "UnityEngine.Thing | " + signature, why, "SignatureParser");
+            UnityApiLists lists = UnityApiLists.Read(new StringReader("unity-api 1 unity-2022.3\nUnityEngine.Thing\n\t1\tclass\n\t1\t"
+                + signature + "\n"));
+            planted.Catches(new UnityMembersRule(new string[0], () => UnityCatalogues.Make(lists)), "UnityEngine.Thing | " + signature, why,
+                "SignatureParser");
         }
 
         [TestCase("unity-ipa 1 unity-2022.3", "unity-ipa")]
         [TestCase("unity-api 1 unity-2022.3\n\t1\tclass", "Line 2")]
         [TestCase("unity-api 1 unity-2022.3\nUnityEngine.Thing\n\t2\tclass", "Line 3")]
         [TestCase("unity-api 1 unity-2022.3\nUnityEngine.Thing\n\tclass", "Line 3")]
-        public void A_damaged_file_of_lists_is_refused(string text, string where) => Assert.That(() => UnityApiLists.Read(new StringReader(text)), Throws.InstanceOf<InvalidDataException>().With.Message.Contains(where));
+        public void A_damaged_file_of_lists_is_refused(string text, string where)
+            => Assert.That(() => UnityApiLists.Read(new StringReader(text)),
+            Throws.InstanceOf<InvalidDataException>().With.Message.Contains(where));
 
         [Test]
         public void The_lists_hold_all_versions_and_lend_UIElements_to_the_oldest()
@@ -94,7 +133,8 @@ namespace Host.Tests
             UnityApiLists lists = UnityApiLists.Load();
             Assert.That(lists.Versions, Is.EqualTo(new[] { "2022.3", "6000.0", "6000.3" }));
             Assert.That(lists.In("2022.3").Any(line => line.Type == "UnityEngine.UIElements.VisualElement" && line.Signature.StartsWith("class")));
-            ApiLine velocity = lists.Lines.Single(line => line.Type == "UnityEngine.Rigidbody" && line.Signature.EndsWith(" linearVelocity { get set }"));
+            ApiLine velocity = lists.Lines.Single(line => line.Type == "UnityEngine.Rigidbody"
+                && line.Signature.EndsWith(" linearVelocity { get set }"));
             Assert.That(lists.Name(velocity.Versions), Is.EqualTo("6000.0, 6000.3"));
         }
 
@@ -102,7 +142,8 @@ namespace Host.Tests
         public void A_type_of_NET_that_the_standard_lacks_is_named()
         {
             planted.Compile("Rill.Tests", "class X { object f() => System.Random.Shared; int g() => System.Math.Clamp(1, 2, 3); System.Half h; }");
-            string[] faults = planted.Examine(new NetStandardRule(new[] { "Rill.Tests" })).Faults.Where(fault => fault.StartsWith("Rill.Tests.dll")).ToArray();
+            string[] faults = planted.Examine(new NetStandardRule(new[] { "Rill.Tests" })).Faults.Where(fault =>
+                fault.StartsWith("Rill.Tests.dll")).ToArray();
             Assert.That(faults, Has.Length.EqualTo(2), string.Join("\n", faults));
             Assert.That(faults, Has.Some.Contains("System.Half: netstandard 2.1 has no such type"));
             Assert.That(faults, Has.Some.Contains("System.Random.get_Shared() : System.Random: netstandard 2.1 has no such member"));
@@ -120,7 +161,9 @@ namespace Host.Tests
         public void A_newer_language_version_is_named()
         {
             using (var copy = new PackageCopy())
-                copy.Catches(new NetStandardRule(), () => copy.Replace("Headless~/Package/Rill/Rill.csproj", "<LangVersion>9<", "<LangVersion>latest<"), "Headless~/Package/Rill/Rill.csproj", "C# latest", "<LangVersion>9</LangVersion>");
+                copy.Catches(new NetStandardRule(),
+                    () => copy.Replace("Headless~/Package/Rill/Rill.csproj", "<LangVersion>9<", "<LangVersion>latest<"),
+                    "Headless~/Package/Rill/Rill.csproj", "C# latest", "<LangVersion>9</LangVersion>");
         }
 
         [TestCase("NUnit.Framework.Assert.Multiple(() => { });", "NUnit.Framework.Assert.Multiple(NUnit.Framework.TestDelegate)")]
@@ -140,11 +183,18 @@ namespace Host.Tests
             planted.Write("Runtime/Planted.cs", "using UnityEngine;\n" + source);
         }
 
-        [TestCase("public enum HideFlags { None, HideInNowhere }", "class X { HideFlags f = HideFlags.HideInNowhere; }", "UnityEngine.HideFlags.HideInNowhere", "has no such member", TestName = "A_value_of_an_enum_that_Unity_lacks_is_named")]
-        [TestCase("public enum HideFlags { None, HideInNowhere }", "class X { bool f(HideFlags h) => h switch { HideFlags.HideInNowhere => true, _ => false }; }", "UnityEngine.HideFlags.HideInNowhere", "has no such member", TestName = "A_value_of_an_enum_in_a_pattern_is_seen")]
-        [TestCase("public enum Gadget { Whirl }", "class X { int n = (int)Gadget.Whirl; }", "UnityEngine.Gadget.Whirl", "has no such type", TestName = "A_value_of_an_enum_that_no_version_has_is_named")]
-        [TestCase("public struct Mathf { public const float Tau = 6.28f; }", "class X { float f = Mathf.Tau; }", "UnityEngine.Mathf.Tau", "has no such member", TestName = "A_constant_that_Unity_lacks_is_named")]
-        [TestCase("public class Object { public static void Destroy(Object obj, float delay) { } }", "class X { void f() => Object.Destroy(null,\ndelay: 1); }", "Destroy(delay:)", "(static void Destroy(Object obj, float t))", TestName = "An_argument_whose_name_Unity_lacks_is_named")]
+        [TestCase("public enum HideFlags { None, HideInNowhere }", "class X { HideFlags f = HideFlags.HideInNowhere; }",
+            "UnityEngine.HideFlags.HideInNowhere", "has no such member", TestName = "A_value_of_an_enum_that_Unity_lacks_is_named")]
+        [TestCase("public enum HideFlags { None, HideInNowhere }",
+            "class X { bool f(HideFlags h) => h switch { HideFlags.HideInNowhere => true, _ => false }; }",
+            "UnityEngine.HideFlags.HideInNowhere", "has no such member", TestName = "A_value_of_an_enum_in_a_pattern_is_seen")]
+        [TestCase("public enum Gadget { Whirl }", "class X { int n = (int)Gadget.Whirl; }", "UnityEngine.Gadget.Whirl", "has no such type",
+            TestName = "A_value_of_an_enum_that_no_version_has_is_named")]
+        [TestCase("public struct Mathf { public const float Tau = 6.28f; }", "class X { float f = Mathf.Tau; }", "UnityEngine.Mathf.Tau",
+            "has no such member", TestName = "A_constant_that_Unity_lacks_is_named")]
+        [TestCase("public class Object { public static void Destroy(Object obj, float delay) { } }",
+            "class X { void f() => Object.Destroy(null,\ndelay: 1); }", "Destroy(delay:)", "(static void Destroy(Object obj, float t))",
+            TestName = "An_argument_whose_name_Unity_lacks_is_named")]
         public void A_fault_in_the_sources_is_named(string unity, string source, string what, string why)
         {
             Sources(unity, source);

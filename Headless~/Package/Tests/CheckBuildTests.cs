@@ -31,19 +31,24 @@ namespace Host.Tests
         [TestCase("Runtime/Resources/Rill/More.asset")]
         [TestCase("Tests/Runtime/resources/Probe.compute")]
         [TestCase("Samples~/Column/Resources/Notes.txt")]
-        public void An_asset_that_every_build_would_contain_is_named(string file) => copy.Catches(new ResourcesRule(), () => copy[file] = "", file, "every build contains it");
+        public void An_asset_that_every_build_would_contain_is_named(string file)
+            => copy.Catches(new ResourcesRule(), () => copy[file] = "", file, "every build contains it");
 
         [Test]
         public void A_scene_without_a_stage_that_it_needs_is_named() =>
-            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("CoarseSolver")}\n", ""), Scene, "FluidSimulation 'Fluid'", "CoarseGrid, CoarseColliders", "CoarseGrid, CoarseSolver, CoarseColliders", "references --write");
+            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("CoarseSolver")}\n", ""), Scene,
+            "FluidSimulation 'Fluid'", "CoarseGrid, CoarseColliders", "CoarseGrid, CoarseSolver, CoarseColliders", "references --write");
 
         [Test]
         public void A_scene_with_a_stage_that_it_does_not_need_is_named() =>
-            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, $"    - {Reference("Drains")}\n", $"    - {Reference("Drains")}\n    - {Reference("MeshSdf")}\n"), Scene, "FluidDrain 'Outlet'", "refers to Drains, MeshSdf in shaders.stages, and a build to Drains");
+            copy.Catches(new SceneReferencesRule(),
+            () => copy.Replace(Scene, $"    - {Reference("Drains")}\n", $"    - {Reference("Drains")}\n    - {Reference("MeshSdf")}\n"),
+            Scene, "FluidDrain 'Outlet'", "refers to Drains, MeshSdf in shaders.stages, and a build to Drains");
 
         [Test]
         public void A_setting_that_needs_another_stage_than_the_scene_has_is_named() =>
-            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, "    vorticity: 0\n", "    vorticity: 1\n"), "FluidSimulation 'Fluid'", "VorticityConfinement");
+            copy.Catches(new SceneReferencesRule(), () => copy.Replace(Scene, "    vorticity: 0\n", "    vorticity: 1\n"),
+            "FluidSimulation 'Fluid'", "VorticityConfinement");
 
         [Test]
         public void The_command_stores_what_is_missing_and_nothing_else()
@@ -61,7 +66,8 @@ namespace Host.Tests
         {
             string[] grouped = Enumerable.Range(0, 31).Select(bit => (StageSet)(1 << bit)).Where(group => (group & StageSet.All) != 0)
                 .SelectMany(group => Enumerable.Range(0, 99).Select(i => StageSets.StageAt(group, i)).TakeWhile(stage => stage != null)).ToArray();
-            string[] assets = Directory.GetFiles(Path.Combine(copy.Root, "Runtime/Stages"), "*.asset").Select(Path.GetFileNameWithoutExtension).ToArray();
+            string[] assets = Directory.GetFiles(Path.Combine(copy.Root, "Runtime/Stages"), "*.asset")
+                .Select(Path.GetFileNameWithoutExtension).ToArray();
             Assert.That(grouped, Is.EquivalentTo(assets));
             foreach (string asset in assets)
                 Assert.That(copy["Runtime/FluidShaders.asset"], Does.Contain(Reference(asset)), asset);
@@ -69,7 +75,8 @@ namespace Host.Tests
 
         Host.Check.PackageTree Tree() => new Host.Check.PackageTree(copy.Root);
 
-        string Reference(string stage) => $"{{fileID: 11400000, guid: {copy[$"Runtime/Stages/{stage}.asset.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6)}, type: 2}}";
+        string Reference(string stage) => $"{{fileID: 11400000, guid: " +
+            $"{copy[$"Runtime/Stages/{stage}.asset.meta"].Split('\n').First(line => line.StartsWith("guid: ")).Substring(6)}, type: 2}}";
     }
 
     /// <summary>A sample from which a stage was taken, played as a player would.</summary>
@@ -88,7 +95,9 @@ namespace Host.Tests
                 {
                     for (int i = 0; i < 4; i++)
                         Frame();
-                    Assert.That(Logged.Count(line => line.Contains("FluidSimulation 'Fluid' goes on without colliders: the shaders of the stage 'Colliders'")), Is.EqualTo(1), string.Join("\n", Logged));
+                    Assert.That(Logged.Count(line =>
+                        line.Contains("FluidSimulation 'Fluid' goes on without colliders: the shaders of the stage 'Colliders'")),
+                        Is.EqualTo(1), string.Join("\n", Logged));
                     Assert.That(Object.FindObjectOfType<FluidSimulation>().StepCount, Is.EqualTo(4));
                 }
             }
@@ -115,7 +124,9 @@ namespace Host.Tests
         [Test]
         public void A_prefab_that_refers_to_its_stages_is_left_alone()
         {
-            Project("Assets", $"  shaders:\n    stages:\n    - {{fileID: 11400000, guid: {Guid("Runtime/Stages/Emitters.asset")}, type: 2}}\n", "Runtime/Scene/FluidEmitter.cs");
+            Project("Assets",
+                $"  shaders:\n    stages:\n    - {{fileID: 11400000, guid: {Guid("Runtime/Stages/Emitters.asset")}, type: 2}}\n",
+                "Runtime/Scene/FluidEmitter.cs");
             Build();
             Assert.That(PrefabUtility.Saved, Is.Empty);
         }
@@ -132,7 +143,9 @@ namespace Host.Tests
         public void A_prefab_that_cannot_be_written_is_an_error_with_the_remedy()
         {
             Project("Packages/com.other", "", "Runtime/Scene/FluidEmitter.cs");
-            LogAssert.Expect(LogType.Error, new Regex("^Rill: the prefab Packages/com.other/Tap.prefab uses stages that it does not refer to \\(Emitters\\).*FluidShaders.*Preloaded Assets"));
+            LogAssert.Expect(LogType.Error, new Regex(
+                "^Rill: the prefab Packages/com.other/Tap.prefab uses stages that it does not refer to " +
+                "\\(Emitters\\).*FluidShaders.*Preloaded Assets"));
             Build();
             Assert.That(PrefabUtility.Saved, Is.Empty);
         }
@@ -147,7 +160,9 @@ namespace Host.Tests
         // A prefab of one object with one component, in a folder beside the package.
         ProjectAssets Project(string folder, string fields, string script)
         {
-            TemporaryProject files = Temporary().Write("Assets/Tap.prefab", TemporaryProject.SceneText(fields, script == null ? TemporaryProject.PartGuid : Guid(script)), "e0000000000000000000000000000009");
+            TemporaryProject files = Temporary()
+                .Write("Assets/Tap.prefab", TemporaryProject.SceneText(fields, script == null ? TemporaryProject.PartGuid : Guid(script)),
+                "e0000000000000000000000000000009");
             var mounts = new List<MountedFolder> { new("Packages/com.rill.fluids", Package), new(folder, Path.Combine(files.Root, "Assets")) };
             var project = new ProjectAssets(mounts, new[] { typeof(FluidEmitter).Assembly, typeof(AssetFixture).Assembly }, strict: true);
             Play(project, files.Root);

@@ -37,20 +37,23 @@ namespace Host.Tests
         }
 
         [Test]
-        public void What_the_list_allows_and_no_one_does_is_told() => Assert.That(Examine(new FrameCallsRule()).Faults, Has.Some.Contains("Readback.Complete no longer calls WaitForCompletion"));
+        public void What_the_list_allows_and_no_one_does_is_told()
+            => Assert.That(Examine(new FrameCallsRule()).Faults, Has.Some.Contains("Readback.Complete no longer calls WaitForCompletion"));
 
         [TestCase("counter")]
         [TestCase("cache")]
         [TestCase("Instance")]
         [TestCase("resetTooLate")]
-        public void A_static_that_outlives_play_mode_is_named(string field) => Assert.That(Examine(new StaticsRule()).Faults, Has.Some.Match($"PlantedFaults\\..*{field}.* is a static that can change"));
+        public void A_static_that_outlives_play_mode_is_named(string field)
+            => Assert.That(Examine(new StaticsRule()).Faults, Has.Some.Match($"PlantedFaults\\..*{field}.* is a static that can change"));
 
         [TestCase("reset")]
         [TestCase("lookup")]
         [TestCase("Limit")]
         [TestCase("id")]
         [TestCase("Label")]
-        public void A_static_that_is_reset_or_constant_is_none(string field) => Assert.That(Examine(new StaticsRule()).Faults, Has.None.Contains($"PlantedFaults.{field} "));
+        public void A_static_that_is_reset_or_constant_is_none(string field)
+            => Assert.That(Examine(new StaticsRule()).Faults, Has.None.Contains($"PlantedFaults.{field} "));
 
         [Test]
         public void An_assembly_that_was_not_built_is_a_fault()

@@ -10,7 +10,8 @@ namespace Host.Tests
     {
         static Findings Examine(string members, string use = "_A.x")
         {
-            string kernel = $"#pragma kernel K\ncbuffer Raw {{ {members} }};\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K() {{ _Out[0] = {use}; }}\n";
+            string kernel = $"#pragma kernel K\ncbuffer Raw {{ {members} }};\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] " +
+                $"void K() {{ _Out[0] = {use}; }}\n";
             using (var package = new SyntheticPackage().Add("A.compute", kernel))
                 return new ConstantBuffersRule().Examine(package.Tree);
         }
@@ -36,7 +37,8 @@ namespace Host.Tests
         [TestCase("float4 _A; float _B[4];", "Raw._B is a float [4]")]
         [TestCase("float4 _A; float3x3 _B;", "Raw._B is a float3x3")]
         [TestCase("float4 _A; float _B;", "Raw ends at byte 20")]
-        [TestCase("float4 _A; struct { float3 a; float b; } _B; float4 _C;", "Raw._C is at byte 32, where its type and those before it would have it at 16")]
+        [TestCase("float4 _A; struct { float3 a; float b; } _B; float4 _C;",
+            "Raw._C is at byte 32, where its type and those before it would have it at 16")]
         public void What_other_graphics_APIs_lay_out_otherwise_is_named(string members, string fault)
         {
             Assert.That(Examine(members).Faults, Has.Some.Contains(fault));
@@ -46,7 +48,8 @@ namespace Host.Tests
         public void Loose_constants_and_buffers_that_Unity_fills_are_left_alone()
         {
             using (var package = new SyntheticPackage().Add("A.compute",
-                "#pragma kernel K\ncbuffer UnityPerDraw { float3 _A; float2 _B; };\nfloat3 _C; float _D;\nRWStructuredBuffer<float> _Out;\n[numthreads(1,1,1)] void K() { _Out[0] = _A.x + _B.x + _C.x + _D; }\n"))
+                "#pragma kernel K\ncbuffer UnityPerDraw { float3 _A; float2 _B; };\nfloat3 _C; float _D;\nRWStructuredBuffer<float> " +
+                    "_Out;\n[numthreads(1,1,1)] void K() { _Out[0] = _A.x + _B.x + _C.x + _D; }\n"))
                 Assert.That(new ConstantBuffersRule().Examine(package.Tree).Faults, Is.Empty);
         }
 

@@ -11,9 +11,13 @@ namespace Host.Tests
     {
         const string Table = "Runtime/Gpu/Device/KernelNeeds.Generated.cs";
 
-        const string Shader = "#pragma kernel A Name=A WIDE=1\n#pragma kernel B\n#pragma multi_compile_local _ MORE\nStructuredBuffer<uint> _In; RWStructuredBuffer<uint> _Out; RWStructuredBuffer<uint> _Other; Texture2D<float> _Map;\ngroupshared uint g_A[64];\n" +
-            "#ifdef WIDE\n[numthreads(64,2,1)] void Name(uint3 id : SV_DispatchThreadID, uint t : SV_GroupIndex) { g_A[t & 63] = id.x; GroupMemoryBarrierWithGroupSync(); _Out[id.x] = _In[id.x] + g_A[63 - (t & 63)]\n" +
-            "#ifdef MORE\n + _Other[id.x]++ + _Map[id.xy]\n#endif\n; }\n#else\n[numthreads(8,1,1)] void B(uint3 id : SV_DispatchThreadID) { _Out[id.x] = 1; }\n#endif\n";
+        const string Shader = "#pragma kernel A Name=A WIDE=1\n#pragma kernel B\n#pragma multi_compile_local _ " +
+            "MORE\nStructuredBuffer<uint> _In; RWStructuredBuffer<uint> _Out; RWStructuredBuffer<uint> _Other; Texture2D<float> " +
+            "_Map;\ngroupshared uint g_A[64];\n" +
+            "#ifdef WIDE\n[numthreads(64,2,1)] void Name(uint3 id : SV_DispatchThreadID, uint t : SV_GroupIndex) { g_A[t & 63] = id.x; " +
+            "GroupMemoryBarrierWithGroupSync(); _Out[id.x] = _In[id.x] + g_A[63 - (t & 63)]\n" +
+            "#ifdef MORE\n + _Other[id.x]++ + _Map[id.xy]\n#endif\n; }\n#else\n[numthreads(8,1,1)] void B(uint3 id : " +
+            "SV_DispatchThreadID) { _Out[id.x] = 1; }\n#endif\n";
 
         SyntheticPackage package;
 
@@ -60,7 +64,8 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_file_that_is_missing_is_a_fault() => Assert.That(Examine().Faults, Is.EqualTo(new[] { Table + " is missing: run `Headless~/rill generate`." }));
+        public void A_file_that_is_missing_is_a_fault()
+            => Assert.That(Examine().Faults, Is.EqualTo(new[] { Table + " is missing: run `Headless~/rill generate`." }));
 
         [Test]
         public void A_shader_that_has_changed_since_is_a_fault_at_the_line_that_differs()

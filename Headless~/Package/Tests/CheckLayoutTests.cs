@@ -16,7 +16,8 @@ float4 _Scales[3]; float3x3 _Turn; float _Last; cbuffer Named { float2 _A; float
 [numthreads(8,4,1)] void K(uint3 id : SV_DispatchThreadID)
 {
     Element e = _In[id.x];
-    _Out[id.x] = mul(_Turn, e.p) * _Scales[e.id & 1].x + _Last + float3(mul(e.m, e.p), _Is ? _B.x : _A.y) + float3(mul(_Rows, (float4)1), _Cells[1].x);
+    _Out[id.x] = mul(_Turn, e.p) * _Scales[e.id & 1].x + _Last + float3(mul(e.m, e.p), _Is ? _B.x : _A.y) + float3(mul(_Rows, (float4)1),
+        _Cells[1].x);
     _List.Append(_Raw.Load2(8 * id.x));
 }
 ";
@@ -26,7 +27,8 @@ float4 _Scales[3]; float3x3 _Turn; float _Last; cbuffer Named { float2 _A; float
         {
             public System.Action<ShaderProgram> Fault;
             public string Name => "faulty";
-            public PreprocessedSource Preprocess(CompileRequest request, IncludeResolver resolver) => ShaderBackend.Glslang.Preprocess(request, resolver);
+            public PreprocessedSource Preprocess(CompileRequest request, IncludeResolver resolver)
+                => ShaderBackend.Glslang.Preprocess(request, resolver);
             public string KeyOf(PreprocessedSource source, CompileRequest request) => System.Guid.NewGuid().ToString();     // never from the cache
 
             public CompiledProgram Build(PreprocessedSource source, CompileRequest request, SourceDeclarations declarations)
@@ -60,19 +62,26 @@ float4 _Scales[3]; float3x3 _Turn; float _Last; cbuffer Named { float2 _A; float
 
         [Test]
         public void A_constant_at_other_bytes_is_a_fault()
-            => Assert.That(Examine("A.compute", Kernel, new Faulty { Fault = MoveField }).Faults, Is.EqualTo(new[] { "A.compute (K): Named._B is Float 1 x 3 of 12 bytes at byte 12 here, FXC's is Float 1 x 3 of 12 bytes at byte 16" }));
+            => Assert.That(Examine("A.compute", Kernel, new Faulty { Fault = MoveField }).Faults,
+                Is.EqualTo(new[] {
+                "A.compute (K): Named._B is Float 1 x 3 of 12 bytes at byte 12 here, FXC's is Float 1 x 3 of 12 bytes at byte 16" }));
 
         [Test]
         public void An_element_of_another_size_is_a_fault()
-            => Assert.That(Examine("A.compute", Kernel, new Faulty { Fault = p => p.Resources.Single(r => r.Name == "_Out").Stride = 16 }).Faults, Is.EqualTo(new[] { "A.compute (K): an element of '_Out' has 16 bytes here, FXC's 12" }));
+            => Assert.That(Examine("A.compute", Kernel,
+                new Faulty { Fault = p => p.Resources.Single(r => r.Name == "_Out").Stride = 16 }).Faults,
+                Is.EqualTo(new[] { "A.compute (K): an element of '_Out' has 16 bytes here, FXC's 12" }));
 
         [Test]
         public void A_resource_that_the_host_does_not_bind_is_a_fault()
-            => Assert.That(Examine("A.compute", Kernel, new Faulty { Fault = p => p.Resources = p.Resources.Where(r => r.Name != "_Raw").ToArray() }).Faults, Is.EqualTo(new[] { "A.compute (K): FXC's program reads '_Raw', a RawBuffer, which the host's does not" }));
+            => Assert.That(Examine("A.compute", Kernel,
+                new Faulty { Fault = p => p.Resources = p.Resources.Where(r => r.Name != "_Raw").ToArray() }).Faults,
+                Is.EqualTo(new[] { "A.compute (K): FXC's program reads '_Raw', a RawBuffer, which the host's does not" }));
 
         [Test]
         public void Another_size_of_groups_is_a_fault()
-            => Assert.That(Examine("A.compute", Kernel, new Faulty { Fault = p => p.GroupY = 1 }).Faults, Is.EqualTo(new[] { "A.compute (K): groups are of 8 x 1 x 1 threads here, FXC's of 8 x 4 x 1" }));
+            => Assert.That(Examine("A.compute", Kernel, new Faulty { Fault = p => p.GroupY = 1 }).Faults,
+                Is.EqualTo(new[] { "A.compute (K): groups are of 8 x 1 x 1 threads here, FXC's of 8 x 4 x 1" }));
 
         [Test]
         public void Stages_that_list_their_values_in_different_orders_are_a_fault()
@@ -85,7 +94,9 @@ struct In { float4 clip : SV_Position; float4 color : COLOR; float3 normal : NOR
 Out vert(float4 p : POSITION) { Out o; o.clip = p; o.normal = p.xyz; o.color = p; return o; }
 float4 frag(In i) : SV_Target { return i.color * i.normal.x; }
 ENDHLSL } } }";
-            Assert.That(Examine("T.shader", text).Faults, Is.EqualTo(new[] { "T.shader (frag): T.shader(3): error: in 'frag': the fragment program reads COLOR from another register than the vertex program writes it to; Direct3D joins stages by register: declare the same struct, or the same order, in both" }));
+            Assert.That(Examine("T.shader", text).Faults, Is.EqualTo(new[] { "T.shader (frag): T.shader(3): error: in 'frag': the " +
+                "fragment program reads COLOR from another register than the vertex program writes it to; Direct3D joins stages by " +
+                "register: declare the same struct, or the same order, in both" }));
         }
     }
 }

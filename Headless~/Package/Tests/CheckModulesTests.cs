@@ -11,9 +11,14 @@ namespace Host.Tests
     {
         const string Manifest = "package.json", TestManifest = "TestProject~/Packages/manifest.json";
 
-        [TestCase("\"com.unity.modules.imgui\": \"1.0.0\",", "", "Rill.Editor.dll uses UnityEngine.", "com.unity.modules.imgui", "package.json", TestName = "A_module_in_use_that_is_no_dependency_is_named")]
-        [TestCase("\"com.unity.modules.jsonserialize\": \"1.0.0\"", "\"com.unity.modules.audio\": \"1.0.0\"", "Rill.Editor.dll uses UnityEngine.JsonUtility", "com.unity.modules.jsonserialize", "package.json", TestName = "A_module_of_one_type_that_is_no_dependency_is_named")]
-        [TestCase("\"com.unity.modules.imgui\": \"1.0.0\",", "\"com.unity.modules.imgui\": \"1.0.0\", \"com.unity.modules.audio\": \"1.0.0\",", "com.unity.modules.audio", "no assembly uses", "remove it", TestName = "A_module_that_nothing_uses_is_named")]
+        [TestCase("\"com.unity.modules.imgui\": \"1.0.0\",", "", "Rill.Editor.dll uses UnityEngine.", "com.unity.modules.imgui",
+            "package.json", TestName = "A_module_in_use_that_is_no_dependency_is_named")]
+        [TestCase("\"com.unity.modules.jsonserialize\": \"1.0.0\"", "\"com.unity.modules.audio\": \"1.0.0\"",
+            "Rill.Editor.dll uses UnityEngine.JsonUtility", "com.unity.modules.jsonserialize", "package.json",
+            TestName = "A_module_of_one_type_that_is_no_dependency_is_named")]
+        [TestCase("\"com.unity.modules.imgui\": \"1.0.0\",",
+            "\"com.unity.modules.imgui\": \"1.0.0\", \"com.unity.modules.audio\": \"1.0.0\",", "com.unity.modules.audio",
+            "no assembly uses", "remove it", TestName = "A_module_that_nothing_uses_is_named")]
         public void A_fault_of_the_manifest_is_named(string what, string with, string first, string second, string third)
         {
             using (var copy = new PackageCopy())
@@ -24,7 +29,9 @@ namespace Host.Tests
         public void An_optional_module_needs_its_define_to_be_a_constraint()
         {
             using (var copy = new PackageCopy())
-                copy.Catches(new ModulesRule(), () => copy.Replace("Runtime/Physics/Rill.Physics.asmdef", "\"defineConstraints\": [\n        \"RILL_PHYSICS\"\n    ]", "\"defineConstraints\": []"),
+                copy.Catches(new ModulesRule(),
+                    () => copy.Replace("Runtime/Physics/Rill.Physics.asmdef", "\"defineConstraints\": [\n        \"RILL_PHYSICS\"\n    ]",
+                    "\"defineConstraints\": []"),
                     "Rill.Physics.dll uses UnityEngine.", "com.unity.modules.physics", "define constraint");
         }
 
@@ -49,13 +56,18 @@ namespace Host.Tests
             using (var planted = new PlantedAssemblies())
             {
                 planted.Compile("UnityEngine", "namespace UnityEngine { public class Gadget { public class Inner { } } }");
-                planted.Compile("Rill", "class X { UnityEngine.Gadget f() => new UnityEngine.Gadget(); UnityEngine.Gadget.Inner g() => new UnityEngine.Gadget.Inner(); }");
+                planted.Compile("Rill", "class X { UnityEngine.Gadget f() => new UnityEngine.Gadget(); UnityEngine.Gadget.Inner g() => " +
+                    "new UnityEngine.Gadget.Inner(); }");
                 planted.Write(Manifest, "{ \"name\": \"com.x.y\", \"dependencies\": { \"com.x.gadgets\": \"1.0.0\" } }");
                 planted.Write(TestManifest, "{ \"dependencies\": {} }");
                 var justRill = new[] { "Rill" };
-                Assert.That(planted.Examine(new ModulesRule(justRill)).Faults, Has.Some.Contains("Rill.dll uses UnityEngine.Gadget").And.Some.Contains("modules.txt"));
-                Assert.That(planted.Examine(new ModulesRule(justRill, () => Read("UnityEngine.GadgetModule com.x.gadgets\n\tUnityEngine.Gadget"))).Faults, Is.Empty, "a nested type is where the one around it is");
-                Assert.That(planted.Examine(new ModulesRule(justRill, () => Read("UnityEngine.GadgetModule -\n\tUnityEngine.Gadget"))).Faults, Is.Empty, "a module that is always there");
+                Assert.That(planted.Examine(new ModulesRule(justRill)).Faults,
+                    Has.Some.Contains("Rill.dll uses UnityEngine.Gadget").And.Some.Contains("modules.txt"));
+                Assert.That(planted.Examine(new ModulesRule(justRill,
+                    () => Read("UnityEngine.GadgetModule com.x.gadgets\n\tUnityEngine.Gadget"))).Faults, Is.Empty,
+                    "a nested type is where the one around it is");
+                Assert.That(planted.Examine(new ModulesRule(justRill,
+                    () => Read("UnityEngine.GadgetModule -\n\tUnityEngine.Gadget"))).Faults, Is.Empty, "a module that is always there");
             }
         }
 

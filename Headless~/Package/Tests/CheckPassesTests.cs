@@ -11,10 +11,12 @@ namespace Host.Tests
 
         static string Pass(string mode, string state = "") => $"Pass {{ Tags {{ \"LightMode\" = \"{mode}\" }} {state} {Program} }}\n";
         static string SubShader(string pipeline, params string[] modes) =>
-            $"SubShader {{ PackageRequirements {{ \"com.absent\" }} Tags {{ \"RenderPipeline\" = \"{pipeline}\" }}\n{string.Concat(modes.Select(m => Pass(m)))} }}\n";
+            $"SubShader {{ PackageRequirements {{ \"com.absent\" }} Tags {{ \"RenderPipeline\" = \"{pipeline}\" " +
+            $"}}\n{string.Concat(modes.Select(m => Pass(m)))} }}\n";
 
         static readonly string BuiltIn = SubShader("", "ForwardBase", "ShadowCaster", "MotionVectors");
-        static readonly string Universal = SubShader("UniversalPipeline", "UniversalForward", "DepthOnly", "DepthNormals", "ShadowCaster", "MotionVectors");
+        static readonly string Universal = SubShader("UniversalPipeline", "UniversalForward", "DepthOnly", "DepthNormals", "ShadowCaster",
+            "MotionVectors");
         static readonly string HighDefinition = SubShader("HDRenderPipeline", "ForwardOnly", "DepthForwardOnly", "ShadowCaster", "MotionVectors");
 
         static string[] Faults(params string[] subShaders)
@@ -27,10 +29,12 @@ namespace Host.Tests
         public void All_passes_are_enough() => Assert.That(Faults(BuiltIn, Universal, HighDefinition), Is.Empty);
 
         [Test]
-        public void A_pass_that_is_missing_is_named([Values("DepthOnly", "DepthNormals", "ShadowCaster", "MotionVectors", "UniversalForward")] string mode)
+        public void A_pass_that_is_missing_is_named([Values("DepthOnly", "DepthNormals", "ShadowCaster", "MotionVectors",
+            "UniversalForward")] string mode)
         {
             string fault = Faults(BuiltIn, Universal.Replace($"\"{mode}\"", "\"Other\""), HighDefinition).Single();
-            Assert.That(fault, Does.StartWith("S.shader: it writes depth but its SubShader for UniversalPipeline has no pass with LightMode").And.Contains(mode));
+            Assert.That(fault, Does.StartWith(
+                "S.shader: it writes depth but its SubShader for UniversalPipeline has no pass with LightMode").And.Contains(mode));
         }
 
         [Test]
@@ -45,9 +49,11 @@ namespace Host.Tests
         {
             string[] transparent = { "", "\"RenderPipeline\" = \"UniversalPipeline\"", "\"RenderPipeline\" = \"HDRenderPipeline\"" };
             string[] modes = { "ForwardBase", "UniversalForwardOnly", "ForwardOnly" };
-            string[] subShaders = transparent.Zip(modes, (tag, mode) => $"SubShader {{ Tags {{ {tag} \"Queue\" = \"Transparent-50\" }} {Pass(mode)} }}").ToArray();
+            string[] subShaders = transparent.Zip(modes,
+                (tag, mode) => $"SubShader {{ Tags {{ {tag} \"Queue\" = \"Transparent-50\" }} {Pass(mode)} }}").ToArray();
             Assert.That(Faults(subShaders), Is.Empty);
-            Assert.That(Faults(subShaders[0], subShaders[1], subShaders[2].Replace("ForwardOnly", "Other")).Single(), Does.Contain("no pass with LightMode ForwardOnly"));
+            Assert.That(Faults(subShaders[0], subShaders[1], subShaders[2].Replace("ForwardOnly", "Other")).Single(),
+                Does.Contain("no pass with LightMode ForwardOnly"));
         }
 
         [Test]

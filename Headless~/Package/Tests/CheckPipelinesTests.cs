@@ -50,14 +50,16 @@ namespace Host.Tests
         {
             List<string> faults = Faults(Pass.Replace("#if !GRAPH_BY_DEFAULT || URP_COMPATIBILITY_MODE && !GRAPH_ONLY", "#if true"));
             Assert.That(faults, Has.Count.EqualTo(4), string.Join("\n", faults));      // 17.3 and 17.4, each as player and in the editor
-            Assert.That(faults, Has.All.Contains("override UnityEngine.Rendering.Universal.ScriptableRenderPass.Execute(").And.All.Contains("has it as obsolete"));
+            Assert.That(faults, Has.All.Contains("override UnityEngine.Rendering.Universal.ScriptableRenderPass.Execute(").And.All.Contains(
+            "has it as obsolete"));
         }
 
         [Test]
         public void A_version_without_the_member_is_named()
         {
             List<string> faults = Faults("class X { bool f(ScriptableRenderPass pass) => pass.requiresIntermediateTexture; }");
-            Assert.That(faults, Has.All.Contains("Unity 2022.3 with URP 14.0.10").And.All.Contains("Planted.cs(1)").And.All.Contains("requiresIntermediateTexture"));
+            Assert.That(faults, Has.All.Contains("Unity 2022.3 with URP 14.0.10").And.All.Contains("Planted.cs(1)").And.All.Contains(
+                "requiresIntermediateTexture"));
             Assert.That(faults, Has.Count.EqualTo(2));
         }
 
@@ -67,35 +69,44 @@ namespace Host.Tests
 
         [Test]
         public void A_value_that_a_version_lacks_is_named() =>
-            Assert.That(Faults("class X { object f() => UpscalingFilterSelection.STP; }"), Has.Count.EqualTo(2).And.All.Contains("14.0.10").And.All.Contains("STP"));
+            Assert.That(Faults("class X { object f() => UpscalingFilterSelection.STP; }"),
+            Has.Count.EqualTo(2).And.All.Contains("14.0.10").And.All.Contains("STP"));
 
         [Test]
-        public void A_warning_of_the_compiler_is_a_fault() => Assert.That(Faults("class X { void f() { int unused = 1; } }"), Has.Count.EqualTo(10).And.All.Contains("warning CS0219"));
+        public void A_warning_of_the_compiler_is_a_fault()
+            => Assert.That(Faults("class X { void f() { int unused = 1; } }"), Has.Count.EqualTo(10).And.All.Contains("warning CS0219"));
 
         [Test]
         public void An_obsolete_member_is_a_fault_where_it_is_one() =>
-            Assert.That(Faults("class X { RTHandle f(ScriptableRenderer r) => r.cameraColorTargetHandle; }"), Has.Some.Contains("Unity 6000.0 with URP 17.0.3").And.Some.Contains("CS0618").And.None.Contains("14.0.10"));
+            Assert.That(Faults("class X { RTHandle f(ScriptableRenderer r) => r.cameraColorTargetHandle; }"),
+            Has.Some.Contains("Unity 6000.0 with URP 17.0.3").And.Some.Contains("CS0618").And.None.Contains("14.0.10"));
 
         [Test]
         public void An_adapter_that_is_compiled_without_its_pipeline_is_named() =>
-            Assert.That(Faults("class X { }", Definition.Replace("[\"PLANTED\"]", "[]")), Has.Count.EqualTo(1).And.Some.Contains("without com.unity.render-pipelines.universal it is compiled all the same"));
+            Assert.That(Faults("class X { }", Definition.Replace("[\"PLANTED\"]", "[]")),
+            Has.Count.EqualTo(1).And.Some.Contains("without com.unity.render-pipelines.universal it is compiled all the same"));
 
         [Test]
         public void An_adapter_that_a_version_does_not_compile_is_named() =>
-            Assert.That(Faults("class X { }", Definition.Replace("14.0", "15.0")), Has.Count.EqualTo(2).And.All.Contains("not compiled in Unity 2022.3 with URP 14.0.10"));
+            Assert.That(Faults("class X { }", Definition.Replace("14.0", "15.0")),
+            Has.Count.EqualTo(2).And.All.Contains("not compiled in Unity 2022.3 with URP 14.0.10"));
 
         [Test]
         public void A_member_that_a_later_version_of_HDRP_has_is_a_fault_in_the_earlier()
         {
             planted.Write("Runtime/Rendering.HighDefinition/Rill.HighDefinition.asmdef", Definition.Replace("universal", "high-definition"));
-            planted.Write("Runtime/Rendering.HighDefinition/Planted.cs", "using UnityEngine.Rendering.HighDefinition; class X { object f() => CustomPassInjectionPoint.BeforePreRefraction; }");
+            planted.Write("Runtime/Rendering.HighDefinition/Planted.cs",
+                "using UnityEngine.Rendering.HighDefinition; class X { object f() => CustomPassInjectionPoint.BeforePreRefraction; }");
             Assert.That(planted.Examine(new PipelineAdaptersRule(new[] { PipelineKind.HighDefinition })).Faults, Is.Empty);
-            planted.Write("Runtime/Rendering.HighDefinition/Planted.cs", "using UnityEngine.Rendering.HighDefinition; class X { void f() => CustomPassVolume.UnregisterAllGlobalCustomPasses(); }");
-            Assert.That(planted.Examine(new PipelineAdaptersRule(new[] { PipelineKind.HighDefinition })).Faults, Has.Some.Contains("Unity 2022.3").And.Some.Contains("UnregisterAllGlobalCustomPasses"));
+            planted.Write("Runtime/Rendering.HighDefinition/Planted.cs",
+                "using UnityEngine.Rendering.HighDefinition; class X { void f() => CustomPassVolume.UnregisterAllGlobalCustomPasses(); }");
+            Assert.That(planted.Examine(new PipelineAdaptersRule(new[] { PipelineKind.HighDefinition })).Faults,
+                Has.Some.Contains("Unity 2022.3").And.Some.Contains("UnregisterAllGlobalCustomPasses"));
         }
 
         [Test]
-        public void A_missing_adapter_is_named() => planted.Catches(new PipelineAdaptersRule(new[] { PipelineKind.Universal }), "Rill.Universal.asmdef is not there");
+        public void A_missing_adapter_is_named()
+            => planted.Catches(new PipelineAdaptersRule(new[] { PipelineKind.Universal }), "Rill.Universal.asmdef is not there");
 
         [Test]
         public void A_member_of_a_stand_in_that_the_pipeline_lacks_is_named()

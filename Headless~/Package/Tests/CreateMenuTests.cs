@@ -19,15 +19,19 @@ namespace Host.Tests
 
         static IEnumerable<string> Items => Methods.Select(item => item.Key);
 
-        static Dictionary<string, MethodInfo> Methods => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") }
-            .SelectMany(assembly => assembly.GetTypes()).SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
+        static Dictionary<string, MethodInfo> Methods
+            => new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") }
+            .SelectMany(assembly => assembly.GetTypes())
+                .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
             .Where(method => method.IsDefined(typeof(MenuItem)) && method.GetCustomAttribute<MenuItem>().menuItem.StartsWith("GameObject/Rill/"))
             .ToDictionary(method => method.GetCustomAttribute<MenuItem>().menuItem);
 
         [Test]
         public void The_menu_has_what_scenes_are_made_of()
         {
-            Assert.That(Items.Select(item => item.Split('/').Last()), Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector", "Floating Body" }));
+            Assert.That(Items.Select(item => item.Split('/').Last()),
+                Is.EquivalentTo(new[] { "Fluid", "Fluid Volume", "Emitter", "Drain", "Force Field", "Collider", "Probe", "Detector",
+                "Floating Body" }));
         }
 
         [TestCaseSource(nameof(Items))]

@@ -15,7 +15,8 @@ namespace Host.Tests
         Matrix4x4 box;
 
         [SetUp]
-        public void MakeBox() => SetBox(Matrix4x4.TRS(Vector3.zero, Quaternion.Euler(-8, 25, 5), Size) * Matrix4x4.Translate(new Vector3(-0.5f, 0, -0.5f)));
+        public void MakeBox() => SetBox(Matrix4x4.TRS(Vector3.zero, Quaternion.Euler(-8, 25, 5), Size)
+            * Matrix4x4.Translate(new Vector3(-0.5f, 0, -0.5f)));
 
         void SetBox(Matrix4x4 toWorld)
         {
@@ -53,14 +54,16 @@ namespace Host.Tests
         {
             (Matrix4x4 now, Matrix4x4 last) = SetMotionMatrices(pipeline);
             Vector4[] motion = DrawBox("MotionVectors", pipeline, floor: true);
-            EachFloorPixel((i, point) => AssertMotion(motion[i], now * Point(point), last * Point(point - Motion), pipeline, $"pixel {i % Width}, {i / Width}"));
+            EachFloorPixel((i, point) => AssertMotion(motion[i], now * Point(point), last * Point(point - Motion), pipeline,
+                $"pixel {i % Width}, {i / Width}"));
         }
 
         [Test]
         public void The_passes_of_the_edges_cover_the_pixels_of_the_forward_pass()
         {
             Vector4[] forward = DrawBox("Forward", "UniversalPipeline", floor: false);
-            Vector4[] depth = DrawBox("DepthOnly", "UniversalPipeline", floor: false), normals = DrawBox("DepthNormals", "UniversalPipeline", floor: false);
+            Vector4[] depth = DrawBox("DepthOnly", "UniversalPipeline", floor: false),
+                normals = DrawBox("DepthNormals", "UniversalPipeline", floor: false);
             int drawn = 0;
             for (int y = 0; y < Height; y++)
                 for (int x = 0; x < Width; x++)
@@ -83,20 +86,24 @@ namespace Host.Tests
         {
             SetBox(Matrix4x4.Translate(new Vector3(-0.5f, 2, -0.5f)));      // 1 m across, 2 m over the plane
             block.SetFloat("_DrawFloor", 1);
-            var draw = new RenderParams(MaterialOf("Domain.shader")) { worldBounds = new Bounds(new Vector3(0, 2, 0), Vector3.one * 3), matProps = block, shadowCastingMode = casts, receiveShadows = true };
+            var draw = new RenderParams(MaterialOf("Domain.shader")) { worldBounds = new Bounds(new Vector3(0, 2, 0), Vector3.one * 3),
+                matProps = block, shadowCastingMode = casts, receiveShadows = true };
             Graphics.RenderPrimitives(draw, MeshTopology.Triangles, FloorVertices);
             PlayerLoop.Frame(1f / 60);
             float beside = At(new Vector3(1.5f, 0, 0)).x;
-            Assert.That(At(Vector3.zero).x, casts == ShadowCastingMode.On ? (NUnit.Framework.Constraints.IResolveConstraint)Is.LessThan(0.8f * beside) : Is.EqualTo(beside).Within(1e-3f));
+            Assert.That(At(Vector3.zero).x, casts == ShadowCastingMode.On
+                ? (NUnit.Framework.Constraints.IResolveConstraint)Is.LessThan(0.8f * beside) : Is.EqualTo(beside).Within(1e-3f));
         }
 
         [Test]
         public void The_floor_is_shaded_by_a_sphere_over_it()
         {
-            SetBox(Matrix4x4.TRS(new Vector3(0, 0.1f, 0), Quaternion.identity, new Vector3(6, 1, 6)) * Matrix4x4.Translate(new Vector3(-0.5f, 0, -0.5f)));
+            SetBox(Matrix4x4.TRS(new Vector3(0, 0.1f, 0), Quaternion.identity, new Vector3(6, 1, 6))
+                * Matrix4x4.Translate(new Vector3(-0.5f, 0, -0.5f)));
             block.SetFloat("_DrawFloor", 1);
             block.SetFloat("_FloorTile", 100);      // of one colour
-            var draw = new RenderParams(MaterialOf("Domain.shader")) { worldBounds = new Bounds(Vector3.zero, Vector3.one * 6), matProps = block, shadowCastingMode = ShadowCastingMode.Off, receiveShadows = true };
+            var draw = new RenderParams(MaterialOf("Domain.shader")) { worldBounds = new Bounds(Vector3.zero, Vector3.one * 6),
+            matProps = block, shadowCastingMode = ShadowCastingMode.Off, receiveShadows = true };
             Graphics.RenderPrimitives(draw, MeshTopology.Triangles, FloorVertices);
             DrawFrame();
             Assert.That(At(new Vector3(0, 0.1f, 0)).x, Is.LessThan(0.8f * At(new Vector3(1.5f, 0.1f, 0)).x));
@@ -115,7 +122,8 @@ namespace Host.Tests
         {
             Material material = MaterialOf("Domain.shader", pipeline);
             block.SetFloat("_DrawFloor", floor ? 1 : 0);
-            return Draw(material, pass, (cmd, index) => cmd.DrawProcedural(Matrix4x4.identity, material, index, floor ? MeshTopology.Triangles : MeshTopology.Lines, floor ? FloorVertices : EdgeVertices, 1, block));
+            return Draw(material, pass, (cmd, index) => cmd.DrawProcedural(Matrix4x4.identity, material, index, floor
+                ? MeshTopology.Triangles : MeshTopology.Lines, floor ? FloorVertices : EdgeVertices, 1, block));
         }
 
         // Where the rays through the middle of the pixels meet the floor, by hand.

@@ -66,7 +66,8 @@ namespace Host.Tests
         [TestCase("bucket:12", "friction of its wall is missing; give a number from 0 to 1, as in bucket:24:1")]
         [TestCase("bucket:12:rough", "friction of its wall is rough; give")]
         public void A_bucket_that_cannot_be_is_refused(string text, string problem) =>
-            Assert.That(Assert.Throws<HostException>(() => MeasureCommand.ParseBucket(text)).Message, Does.Contain($"\"{text}\"").And.Contain(problem));
+            Assert.That(Assert.Throws<HostException>(() => MeasureCommand.ParseBucket(text)).Message,
+            Does.Contain($"\"{text}\"").And.Contain(problem));
 
         [TestCase("slosh:0:20:2", "particles along 1 m is 0; give a whole number from 8 to 1,000, as in slosh:40:20:2")]
         [TestCase("slosh:40:20", "wave in spacings is missing; give a number from 0.01 to 1,000")]
@@ -101,7 +102,8 @@ namespace Host.Tests
         public void The_commands_refuse_such_an_option(string command, string first, string second, string third, string problem)
         {
             string host = Path.Combine(Path.GetDirectoryName(typeof(Session).Assembly.Location), "Host.dll");
-            using Process process = Process.Start(new ProcessStartInfo("dotnet", new[] { host, command, first, second, third }) { RedirectStandardError = true });
+            using Process process = Process.Start(new ProcessStartInfo("dotnet",
+                new[] { host, command, first, second, third }) { RedirectStandardError = true });
             string errors = process.StandardError.ReadToEnd();
             process.WaitForExit();
             Assert.That(errors, Does.StartWith(problem));

@@ -42,7 +42,8 @@ namespace Host.Tests
         }
 
         [Test]
-        public void A_step_dispatches_what_is_explained_within_each_limits([ValueSource(nameof(Names))] string limits, [ValueSource(nameof(Scenes))] string scene)
+        public void A_step_dispatches_what_is_explained_within_each_limits([ValueSource(nameof(Names))] string limits,
+            [ValueSource(nameof(Scenes))] string scene)
         {
             Player.Limits = Named(limits);
             FluidSimulation simulation = FluidSceneTests.Build(scene);
@@ -61,7 +62,8 @@ namespace Host.Tests
             PlayerLoop.Frame(FrameTime);
             Assert.That(Problems(simulation), Is.Empty);
 
-            LogAssert.Expect(LogType.Error, new Regex("FluidSimulation 'Fluid' goes on without colliders: kernel '.*' of .*compute takes .* storage buffers, and this device has 8"));
+            LogAssert.Expect(LogType.Error, new Regex(
+                "FluidSimulation 'Fluid' goes on without colliders: kernel '.*' of .*compute takes .* storage buffers, and this device has 8"));
             FluidCollider collider = AddCollider(simulation);
             for (int frame = 0; frame < 3; frame++)
                 PlayerLoop.Frame(FrameTime);
@@ -116,8 +118,11 @@ namespace Host.Tests
         [Test]
         public void A_kernel_that_Unity_calls_unsupported_is_named_whatever_the_numbers_say()
         {
-            Player.Limits = new ApiLimits { Title = "a device without textures", Type = ApiLimits.Mobile.Type, StorageBuffers = 16, StorageBuffersInGraphics = 16, Textures = 0, Threads = 1024, ThreadsZ = 64, SharedBytes = 32768 };
-            LogAssert.Expect(LogType.Error, new Regex("goes on without colliders: kernel '.*' of Colliders.compute is not supported by this device \\(ComputeShader.IsSupported\\)"));
+            Player.Limits = new ApiLimits { Title = "a device without textures", Type = ApiLimits.Mobile.Type, StorageBuffers = 16,
+                StorageBuffersInGraphics = 16, Textures = 0, Threads = 1024, ThreadsZ = 64, SharedBytes = 32768 };
+            LogAssert.Expect(LogType.Error, new Regex(
+                "goes on without colliders: kernel '.*' of Colliders.compute is not supported by this device " +
+                "\\(ComputeShader.IsSupported\\)"));
             FluidSimulation simulation = FluidSceneTests.Build("everything off");
             AddCollider(simulation);
             PlayerLoop.Frame(FrameTime);
@@ -127,8 +132,11 @@ namespace Host.Tests
         [Test]
         public void A_device_with_seven_storage_buffers_is_refused_at_start_by_name()
         {
-            Player.Limits = new ApiLimits { Title = "a small device", Type = ApiLimits.Mobile.Type, IsHandheld = true, StorageBuffers = 7, StorageBuffersInGraphics = 7, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
-            LogAssert.Expect(LogType.Error, new Regex("'Fluid' is off: kernel '.*' of .* takes 8 storage buffers, and this device has 7 \\(SystemInfo.maxComputeBufferInputsCompute\\). Run on"));
+            Player.Limits = new ApiLimits { Title = "a small device", Type = ApiLimits.Mobile.Type, IsHandheld = true, StorageBuffers = 7,
+                StorageBuffersInGraphics = 7, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
+            LogAssert.Expect(LogType.Error, new Regex(
+                "'Fluid' is off: kernel '.*' of .* takes 8 storage buffers, and this device has 7 " +
+                "\\(SystemInfo.maxComputeBufferInputsCompute\\). Run on"));
             FluidSimulation simulation = FluidSceneTests.Build("everything off");
             PlayerLoop.Frame(FrameTime);
             Assert.That(simulation.enabled, Is.False);
@@ -139,8 +147,10 @@ namespace Host.Tests
         [Test]
         public void A_renderer_whose_vertex_stage_reads_no_buffers_there_is_off_by_name_and_the_fluid_runs()
         {
-            Player.Limits = new ApiLimits { Title = "OpenGL ES on a Mali", Type = ApiLimits.OpenGlEs31.Type, IsHandheld = true, StorageBuffers = 24, StorageBuffersInGraphics = 0, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
-            LogAssert.Expect(LogType.Error, new Regex("ParticleRenderer '.*' is off: the vertex stage of Particles.shader reads .* storage buffers, and this device has 0 there"));
+            Player.Limits = new ApiLimits { Title = "OpenGL ES on a Mali", Type = ApiLimits.OpenGlEs31.Type, IsHandheld = true,
+                StorageBuffers = 24, StorageBuffersInGraphics = 0, Threads = 256, ThreadsZ = 64, SharedBytes = 16384 };
+            LogAssert.Expect(LogType.Error, new Regex(
+                "ParticleRenderer '.*' is off: the vertex stage of Particles.shader reads .* storage buffers, and this device has 0 there"));
             FluidSimulation simulation = FluidSceneTests.Build("particles drawn");
             PlayerLoop.Frame(FrameTime);
             Assert.That(simulation.IsRunning, Is.True);

@@ -18,24 +18,35 @@ namespace Host.Tests
 
         static readonly (string Name, Action<FluidSimulation> Change, bool Particles, bool Domain)[] Scenes =
         {
-            ("everything off", Both(WithDeepWater((ref SolverSettings s) => s.deepWater = DeepWater.Off), WithMaterial((ref FluidMaterial m) => { })), false, false),
+            ("everything off", Both(WithDeepWater((ref SolverSettings s) => s.deepWater = DeepWater.Off),
+                WithMaterial((ref FluidMaterial m) => { })), false, false),
             ("viscosity", WithMaterial((ref FluidMaterial m) => m.velocitySmoothing = 0.01f), false, false),
             ("vorticity", WithMaterial((ref FluidMaterial m) => m.vorticity = 1f), false, false),
             ("dynamic viscosity", WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f), false, false),
-            ("dynamic viscosity and sleep in deep water, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f)), false, false),
+            ("dynamic viscosity and sleep in deep water, two substeps",
+                Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
+                WithMaterial((ref FluidMaterial m) => m.dynamicViscosity = 10f)), false, false),
             ("elasticity", WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f), false, false),
-            ("elasticity and sleep in deep water, two substeps", Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }), WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f)), false, false),
+            ("elasticity and sleep in deep water, two substeps",
+                Both(WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; }),
+                WithMaterial((ref FluidMaterial m) => m.shearModulus = 100f)), false, false),
             ("artificial pressure", WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f), false, false),
             ("three substeps of one iteration", s => s.Settings = WithCounts(s.Settings, substeps: 3, iterations: 1), false, false),
             ("deep water", WithDeepWater((ref SolverSettings s) => { }), false, false),
             ("deep water, one iteration", WithDeepWater((ref SolverSettings s) => s.iterations = 1), false, false),
             ("deep water, three substeps", WithDeepWater((ref SolverSettings s) => s.substeps = 3), false, false),
-            ("deep water and artificial pressure", Both(WithDeepWater((ref SolverSettings s) => { }), WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f)), false, false),
-            ("deep water in a large box", Both(WithDeepWater((ref SolverSettings s) => { }), s => s.Configure(new Vector3(12f, 12f, 12f), 0.1f, 600)), false, false),
+            ("deep water and artificial pressure",
+                Both(WithDeepWater((ref SolverSettings s) => { }), WithMaterial((ref FluidMaterial m) => m.artificialPressure = 0.1f)),
+                false, false),
+            ("deep water in a large box", Both(WithDeepWater((ref SolverSettings s) => { }),
+                s => s.Configure(new Vector3(12f, 12f, 12f), 0.1f, 600)), false, false),
             ("sleep in deep water", WithDeepWater((ref SolverSettings s) => s.sleepSpeed = 0.02f), false, false),
             ("less damping", s => s.Settings = WithDamping(s.Settings), false, false),
-            ("less damping of water with vorticity", Both(s => s.Settings = WithDamping(s.Settings), WithMaterial((ref FluidMaterial m) => m.vorticity = 1f)), false, false),
-            ("less damping of deep water that sleeps, two substeps", Both(s => s.Settings = WithDamping(s.Settings), WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; })), false, false),
+            ("less damping of water with vorticity",
+                Both(s => s.Settings = WithDamping(s.Settings), WithMaterial((ref FluidMaterial m) => m.vorticity = 1f)), false, false),
+            ("less damping of deep water that sleeps, two substeps",
+                Both(s => s.Settings = WithDamping(s.Settings),
+                WithDeepWater((ref SolverSettings s) => { s.sleepSpeed = 0.02f; s.substeps = 2; })), false, false),
             ("particles drawn", s => { }, true, false),
             ("particles and domain drawn", s => { }, true, true),
         };
@@ -61,7 +72,8 @@ namespace Host.Tests
             PlayerLoop.Frame(FrameTime);
 
             var alive = BufferStorage.Live.Select(buffer => $"{buffer.Name} {buffer.Bytes}").OrderBy(entry => entry);
-            var explained = simulation.Describe().SelectMany(stage => stage.Buffers).Select(buffer => $"{buffer.name} {buffer.bytes}").OrderBy(entry => entry);
+            var explained = simulation.Describe().SelectMany(stage => stage.Buffers).Select(buffer => $"{buffer.name} {buffer.bytes}")
+                .OrderBy(entry => entry);
             Assert.That(alive, Is.EqualTo(explained));
         }
 
@@ -71,7 +83,10 @@ namespace Host.Tests
             FluidSimulation simulation = Build("everything off");
             PlayerLoop.Frame(FrameTime);
             List<StageDescription> off = simulation.Describe().Where(stage => !stage.IsUsed).ToList();
-            Assert.That(off.Select(stage => stage.Name), Is.EquivalentTo(new[] { "Particle access", "Drains", "Resting regions", "Force fields", "Coarse correction", "Colliders", "Particle tags", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam", "Emitters", "Queries", "Recording", "Statistics", "Surface particles", "Budget", "Rendering" }));
+            Assert.That(off.Select(stage => stage.Name),
+                Is.EquivalentTo(new[] { "Particle access", "Drains", "Resting regions", "Force fields", "Coarse correction", "Colliders",
+                "Particle tags", "Implicit viscosity", "Viscoelasticity", "Velocity extrapolation", "Vorticity confinement", "Foam",
+                "Emitters", "Queries", "Recording", "Statistics", "Surface particles", "Budget", "Rendering" }));
             Assert.That(off.SelectMany(stage => stage.Kernels), Is.Empty);
             Assert.That(off.SelectMany(stage => stage.Buffers), Is.Empty);
         }
@@ -82,7 +97,8 @@ namespace Host.Tests
             FluidSimulation simulation = Build("deep water in a large box");
             PlayerLoop.Frame(FrameTime);
             StageDescription stage = simulation.Describe().Single(s => s.Name == "Coarse correction");
-            Assert.That(stage.Kernels.Select(kernel => kernel.kernel), Has.Member("CoarseSolver.compute: SmoothLevel"), "a box with levels above the tail");
+            Assert.That(stage.Kernels.Select(kernel => kernel.kernel), Has.Member("CoarseSolver.compute: SmoothLevel"),
+                "a box with levels above the tail");
 
             SolverSettings settings = simulation.Settings;
             settings.deepWater = DeepWater.Off;

@@ -7,7 +7,8 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>What a piece of work left behind: each kernel, with its variant, that the device was given, each pass drawn with, and the buffers alive.</summary>
+    /// <summary>What a piece of work left behind: each kernel, with its variant, that the device was given, each pass drawn with, and the
+    /// buffers alive.</summary>
     sealed class Footprint
     {
         /// <summary>"File.compute Kernel", "File.compute Kernel VARIANT", "File.shader", once for each dispatch or draw; sorted.</summary>
@@ -46,7 +47,8 @@ namespace Host.Tests
             .Select(entry => (entry, change: after.Count(e => e == entry) - before.Count(e => e == entry)))
             .Where(pair => pair.change != 0).Select(pair => $"{pair.change:+0;-0} {pair.entry}").OrderBy(text => text, StringComparer.Ordinal);
 
-        /// <summary>Of ".../PrefixSum.compute (SumTiles, VARIANT)" as the device has it and of "PrefixSum.compute: SumTiles [VARIANT]" as a stage says it; of a draw, its file.</summary>
+        /// <summary>Of ".../PrefixSum.compute (SumTiles, VARIANT)" as the device has it and of "PrefixSum.compute: SumTiles [VARIANT]" as a
+        /// stage says it; of a draw, its file.</summary>
         public static string Short(string entry)
         {
             Match match = Regex.Match(entry, @"(\w+\.compute)\W+(\w+)(?:\W+(\w+))?(?:\W+(\w+))?|(\w+\.shader)");

@@ -102,14 +102,16 @@ namespace Host.Tests
             Assert.That(got.speed, Is.EqualTo(expected.speed).Within(0.1f * expected.speed));
             Assert.That(got.furthest.x, Is.EqualTo(expected.furthest.x).Within(0.1f));
             Assert.That(got.densityError, Is.EqualTo(expected.densityError).Within(0.01f));
-            TestContext.WriteLine($"volume {expected.volumeRatio} {got.volumeRatio}, speed {expected.speed} {got.speed}, front {expected.furthest.x} {got.furthest.x}, density error {expected.densityError} {got.densityError}");
+            TestContext.WriteLine($"volume {expected.volumeRatio} {got.volumeRatio}, speed {expected.speed} {got.speed}, front " +
+                $"{expected.furthest.x} {got.furthest.x}, density error {expected.densityError} {got.densityError}");
         }
 
         [Test]
         public void It_looks_the_same()
         {
             byte[] expected = With(ShaderBackend.Glslang, Picture), got = With(ShaderBackend.Fxc, Picture);
-            Assert.That(ShaderBackend.Bytecode().Count(name => name.Contains(".shader")), Is.GreaterThanOrEqualTo(4), "both stages of particles and domain from bytecode");
+            Assert.That(ShaderBackend.Bytecode().Count(name => name.Contains(".shader")), Is.GreaterThanOrEqualTo(4),
+                "both stages of particles and domain from bytecode");
             Assert.That(expected.Distinct().Count(), Is.GreaterThan(20), "there is something to see");
             // A sphere's edge may fall on the other side of a pixel's centre.
             int different = Enumerable.Range(0, expected.Length).Count(i => Math.Abs(expected[i] - got[i]) > 2);

@@ -66,7 +66,8 @@ namespace Host.Tests
         {
             Script("wine64", "exit 0\n");
             Script(Gcc, "touch fxc-worker.exe\n");
-            Assert.That(Refusal(), Does.Contain("npm is not there").And.Contain("apt-get install npm").And.Contain("d3dcompiler_47.dll").And.Contain(Path.Combine(cache, "fxc")));
+            Assert.That(Refusal(), Does.Contain("npm is not there").And.Contain("apt-get install npm").And.Contain(
+                "d3dcompiler_47.dll").And.Contain(Path.Combine(cache, "fxc")));
         }
 
         [Test]
@@ -83,7 +84,8 @@ namespace Host.Tests
             Script("wine64", "exit 0\n");
             Script(Gcc, "touch fxc-worker.exe\n");
             // npm pack webgpu@... --silent --pack-destination <folder>
-            Script("npm", "mkdir -p \"$5/package/dist/win32-x64\" && echo false > \"$5/package/dist/win32-x64/d3dcompiler_47.dll\" && tar -czf \"$5/webgpu.tgz\" -C \"$5\" package\n");
+            Script("npm", "mkdir -p \"$5/package/dist/win32-x64\" && echo false > \"$5/package/dist/win32-x64/d3dcompiler_47.dll\" && " +
+                "tar -czf \"$5/webgpu.tgz\" -C \"$5\" package\n");
             Assert.That(Refusal(), Does.Contain("has SHA-256").And.Contain(FxcDownload.Sha256));
             Assert.That(File.Exists(Path.Combine(cache, "fxc", "d3dcompiler_47.dll")), Is.False);
         }
@@ -101,7 +103,8 @@ namespace Host.Tests
         public void A_missing_tool_is_one_fault_of_the_rule()
         {
             using (var package = new SyntheticPackage().Add("A.compute", "#pragma kernel K\n[numthreads(1,1,1)] void K() {}\n"))
-                Assert.That(new FxcRule(cache, new[] { tools }, new FxcAllowance[0]).Examine(package.Tree).Faults.Single(), Does.Contain("apt-get install wine64"));
+                Assert.That(new FxcRule(cache, new[] { tools }, new FxcAllowance[0]).Examine(package.Tree).Faults.Single(),
+                    Does.Contain("apt-get install wine64"));
         }
 
         [Test]

@@ -6,7 +6,8 @@ using UnityEngine.Rendering;
 
 namespace Host.Tests
 {
-    /// <summary>In projects in gamma space the water follows the same formulas, in the numbers of the colours. FluidSurfaceTests has them in linear space.</summary>
+    /// <summary>In projects in gamma space the water follows the same formulas, in the numbers of the colours. FluidSurfaceTests has them
+    /// in linear space.</summary>
     public class GammaSurfaceTests : PipelineSurfaceFixture
     {
         const float Depth = 0.6f, Bottom = -0.5f;

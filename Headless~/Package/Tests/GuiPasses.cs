@@ -23,7 +23,8 @@ namespace Host.Tests
                 string[] laidOut = Pass(gui, EventType.Layout);
                 (GuiTrace.Edit, GuiDrawing.Press) = (edit, press);
                 string[] shown = Pass(gui, acts ? EventType.MouseUp : EventType.Repaint);
-                return acts || shown.SequenceEqual(laidOut) ? null : $"laid out: {string.Join(", ", laidOut.Except(shown))}; shown: {string.Join(", ", shown.Except(laidOut))}; {laidOut.Length} and {shown.Length} rows";
+                return acts || shown.SequenceEqual(laidOut) ? null : $"laid out: {string.Join(", ", laidOut.Except(shown))}; shown: " +
+                    $"{string.Join(", ", shown.Except(laidOut))}; {laidOut.Length} and {shown.Length} rows";
             }
             finally
             {
@@ -42,7 +43,8 @@ namespace Host.Tests
             gui();
             // Texts may change, rows may not.
             return GuiTrace.Fields.Select(field => "field " + field.path).Concat(GuiTrace.HelpBoxes.Select((box, i) => $"help box {i}"))
-                .Concat(GuiDrawing.Labels.Select((label, i) => $"label {i}")).Concat(GuiDrawing.Buttons.Select((button, i) => $"button {i}")).ToArray();
+                .Concat(GuiDrawing.Labels.Select((label, i) => $"label {i}"))
+                    .Concat(GuiDrawing.Buttons.Select((button, i) => $"button {i}")).ToArray();
         }
     }
 }

@@ -78,7 +78,8 @@ namespace Host.Tests
             Fall(60);
             float[] depth = Depth(0);
             Vector2[] motion = Motion();
-            Assert.That(Enumerable.Range(0, motion.Length).Count(i => (depth[i] > 0) != (motion[i] != Vector2.zero)), Is.LessThan(motion.Length / 500));
+            Assert.That(Enumerable.Range(0, motion.Length).Count(i => (depth[i] > 0) != (motion[i] != Vector2.zero)),
+                Is.LessThan(motion.Length / 500));
         }
 
         [Test]
@@ -98,7 +99,8 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Where_HDRP_draws_none_there_is_no_pass_and_no_texture([Values("14", "17")] string version, [Values("the camera", "the asset")] string by)
+        public void Where_HDRP_draws_none_there_is_no_pass_and_no_texture([Values("14", "17")] string version,
+            [Values("the camera", "the asset")] string by)
         {
             BuildFor(version, isJittered: false);
             if (by == "the camera")
@@ -124,8 +126,10 @@ namespace Host.Tests
         }
 
         [TestCase("SurfacePass.cs", "if (views.needsMotion)", "if (views.eyes == 0)", TestName = "In_HDRP_motion_that_is_not_drawn_is_seen")]
-        [TestCase("SurfacePass.cs", "ctx.cmd.SetViewport(new Rect(0f, 0f, views.width, views.height));", "", TestName = "In_HDRP_motion_all_over_the_texture_is_seen")]
-        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforeRendering", TestName = "In_HDRP_motion_before_HDRPs_own_is_seen")]
+        [TestCase("SurfacePass.cs", "ctx.cmd.SetViewport(new Rect(0f, 0f, views.width, views.height));", "",
+            TestName = "In_HDRP_motion_all_over_the_texture_is_seen")]
+        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforeRendering",
+            TestName = "In_HDRP_motion_before_HDRPs_own_is_seen")]
         public void A_fault_in_the_adapter_is_seen(string file, string line, string instead)
         {
             BuildWithFault(PipelineKind.HighDefinition, "17", file, line, instead);

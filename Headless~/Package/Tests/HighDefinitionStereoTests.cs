@@ -26,7 +26,8 @@ namespace Host.Tests
         public void A_camera_that_is_kept_from_the_headset_draws_one_eye([Values("14", "17")] string version)
         {
             Build(version);
-            Component data = camera.gameObject.AddComponent(pipeline.Asset.GetType().Assembly.GetType("UnityEngine.Rendering.HighDefinition.HDAdditionalCameraData"));
+            Component data = camera.gameObject.AddComponent(
+                pipeline.Asset.GetType().Assembly.GetType("UnityEngine.Rendering.HighDefinition.HDAdditionalCameraData"));
             Set(data, "xrRendering", false);
             Arrange(Refracting);
             int shown = PixelsOfWaterOnTheScreen();
@@ -46,7 +47,8 @@ namespace Host.Tests
 
         [TestCase("float3(InColorPyramid(uv), eyeIndex)", "float3(InColorPyramid(uv), 0)", TestName = "In_HDRP_the_scene_of_the_other_eye_is_seen")]
         [TestCase("SceneDepth(picture, eyeIndex)", "SceneDepth(picture, 0)", TestName = "In_HDRP_the_depth_of_the_other_eye_is_seen")]
-        [TestCase("float3 at = float3(picture * 0.5 + 0.5, eyeIndex);", "float3 at = float3(picture * 0.5 + 0.5, 0);", TestName = "In_HDRP_the_thickness_of_the_other_eye_is_seen")]
+        [TestCase("float3 at = float3(picture * 0.5 + 0.5, eyeIndex);", "float3 at = float3(picture * 0.5 + 0.5, 0);",
+            TestName = "In_HDRP_the_thickness_of_the_other_eye_is_seen")]
         public void A_wrong_slice_is_seen(string line, string instead)
         {
             Build("17");

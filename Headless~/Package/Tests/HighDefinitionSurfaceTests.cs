@@ -8,7 +8,8 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>The package's adapter for HDRP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
+    /// <summary>The package's adapter for HDRP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows
+    /// them.</summary>
     public class HighDefinitionSurfaceTests : PipelineSurfaceFixture
     {
         const string Space = "UnityEngine.Rendering.HighDefinition.";
@@ -24,7 +25,8 @@ namespace Host.Tests
 
         System.Type TypeOf(string name) => pipeline[PipelineKind.HighDefinition.Assembly].GetType(Space + name, true);
 
-        void Expose(float exposure) => TypeOf("HDRenderPipeline").GetField("Exposure", BindingFlags.Static | BindingFlags.NonPublic).SetValue(null, exposure);
+        void Expose(float exposure) => TypeOf("HDRenderPipeline").GetField("Exposure", BindingFlags.Static | BindingFlags.NonPublic)
+            .SetValue(null, exposure);
 
         static Light Sun => Object.FindObjectOfType<Light>();
 
@@ -67,14 +69,21 @@ namespace Host.Tests
         }
 
         [Test]
-        public void It_looks_as_in_the_Built_in_pipeline([Values("14", "17")] string version, [Values] bool refraction) => Assert.That(OtherThanInTheBuiltInPipeline(refraction, () => Build(version)), Is.LessThan(Width * Height / 500));
+        public void It_looks_as_in_the_Built_in_pipeline([Values("14", "17")] string version, [Values] bool refraction)
+            => Assert.That(OtherThanInTheBuiltInPipeline(refraction, () => Build(version)), Is.LessThan(Width * Height / 500));
 
-        [TestCase("HighDefinitionSurfaces.cs", "views.sceneSize = new Vector2(views.width, views.height);", "views.sceneSize = new Vector2(views.width, views.height) / 0.7f;", TestName = "The_size_of_the_textures_for_that_of_the_picture_is_seen")]
-        [TestCase("HighDefinitionSurfaces.cs", "views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);", "views.light = null;", TestName = "Another_light_is_seen")]
-        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforeRendering", TestName = "A_pass_before_the_depth_is_drawn_is_seen")]
-        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforePostProcess", TestName = "A_pass_after_the_transparent_draws_is_seen")]
+        [TestCase("HighDefinitionSurfaces.cs", "views.sceneSize = new Vector2(views.width, views.height);",
+            "views.sceneSize = new Vector2(views.width, views.height) / 0.7f;",
+            TestName = "The_size_of_the_textures_for_that_of_the_picture_is_seen")]
+        [TestCase("HighDefinitionSurfaces.cs", "views.light = new FluidViews.Light(volume.Pass.ToLight, volume.Pass.LightColor);",
+            "views.light = null;", TestName = "Another_light_is_seen")]
+        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforeRendering",
+            TestName = "A_pass_before_the_depth_is_drawn_is_seen")]
+        [TestCase("SurfaceVolume.cs", "CustomPassInjectionPoint.BeforePreRefraction", "CustomPassInjectionPoint.BeforePostProcess",
+            TestName = "A_pass_after_the_transparent_draws_is_seen")]
         public void A_fault_in_the_adapter_is_seen(string file, string line, string instead) =>
-            Assert.That(OtherThanInTheBuiltInPipeline(!instead.Contains("BeforeRendering"), () => BuildWithFault(PipelineKind.HighDefinition, "17", file, line, instead)), Is.GreaterThan(Width * Height / 500));
+            Assert.That(OtherThanInTheBuiltInPipeline(!instead.Contains("BeforeRendering"),
+            () => BuildWithFault(PipelineKind.HighDefinition, "17", file, line, instead)), Is.GreaterThan(Width * Height / 500));
 
         [Test]
         public void What_the_water_adds_is_exposed_and_what_it_shows_is_not_exposed_again([Values("14", "17")] string version)
@@ -144,7 +153,8 @@ namespace Host.Tests
         public void Each_of_two_cameras_shows_what_it_shows_alone([Values("14", "17")] string version)
         {
             Build(version);
-            var otherTarget = new RenderTexture(Height, Width, UnityEngine.Experimental.Rendering.GraphicsFormat.R32G32B32A32_SFloat, UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
+            var otherTarget = new RenderTexture(Height, Width, UnityEngine.Experimental.Rendering.GraphicsFormat.R32G32B32A32_SFloat,
+                UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
             Camera other = new GameObject("Other").AddComponent<Camera>();
             other.targetTexture = otherTarget;
             other.depth = 1;
@@ -214,7 +224,9 @@ namespace Host.Tests
             Assert.That(setup.Problems, Is.Empty, "they do not count");
             Set(data, "customRenderingSettings", true);
             System.Collections.Generic.List<SetupProblem> problems = setup.Problems.ToList();
-            Assert.That(problems.ConvertAll(found => found.Text), Has.Count.EqualTo(2).And.All.Contains("'Camera'").And.Some.Contains("Custom Pass is off").And.Some.Contains("Refraction is off"));
+            Assert.That(problems.ConvertAll(found => found.Text),
+                Has.Count.EqualTo(2).And.All.Contains("'Camera'").And.Some.Contains("Custom Pass is off").And.Some.Contains(
+                "Refraction is off"));
             foreach (SetupProblem found in problems)
                 found.Fix();
             Assert.That(setup.Problems, Is.Empty);

@@ -15,14 +15,17 @@ namespace Host.Tests
     /// <summary>That the package's inspectors and handles draw what their plain classes say, without a fault.</summary>
     public class InspectorDrawTests : InspectorFixture
     {
-        static IEnumerable<Type> Inspected => Inspectors.Where(pair => typeof(RillEditor).IsAssignableFrom(pair.editor)).Select(pair => pair.inspected);
+        static IEnumerable<Type> Inspected => Inspectors.Where(pair => typeof(RillEditor).IsAssignableFrom(pair.editor))
+            .Select(pair => pair.inspected);
 
         [Test]
         public void Every_component_and_asset_of_the_package_has_an_inspector()
         {
             var inspected = new HashSet<Type>(Inspectors.Select(pair => pair.inspected));
-            var wanted = new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly, typeof(FluidTerrain).Assembly }.SelectMany(assembly => assembly.GetTypes())
-                .Where(type => type.IsPublic && !type.IsAbstract && (typeof(MonoBehaviour).IsAssignableFrom(type) || typeof(ScriptableObject).IsAssignableFrom(type)));
+            var wanted = new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly,
+                typeof(FluidTerrain).Assembly }.SelectMany(assembly => assembly.GetTypes())
+                .Where(type => type.IsPublic && !type.IsAbstract
+                    && (typeof(MonoBehaviour).IsAssignableFrom(type) || typeof(ScriptableObject).IsAssignableFrom(type)));
             // The asset of a bake has its own kind of inspector.
             Assert.That(wanted.Where(type => type != typeof(SignedDistanceField)), Is.SubsetOf(inspected));
         }
@@ -49,7 +52,8 @@ namespace Host.Tests
             {
                 var editor = (RillEditor)Inspect(Enumerable.Range(0, count).Select(_ => Make(type)).ToArray());
                 Draw(editor);
-                string[] expected = editor.Sections.SelectMany(section => section.Shown(editor.serializedObject)).Select(field => field.Path).ToArray();
+                string[] expected = editor.Sections.SelectMany(section => section.Shown(editor.serializedObject))
+                    .Select(field => field.Path).ToArray();
                 Assert.That(GuiTrace.Fields.Select(field => field.path), Is.EqualTo(expected));
                 Assert.That(GuiTrace.Fields.Any(field => field.mixed), Is.False);
                 DrawHandles(editor);
@@ -82,7 +86,9 @@ namespace Host.Tests
         {
             EditorGUIUtility.currentViewWidth = 300f;
             EditorGUILayout.LabelField("Density error C+", "mean 0.20 %, 99.9 % below 1.3 %, most 4 %");
-            EditorGUI.PropertyField(new Rect(0f, 0f, 250f, 18f), new SerializedObject(Make(typeof(FluidSimulation))).FindProperty("material.artificialPressureDistance"), new GUIContent("Artificial Pressure Distance (support radii)"));
+            EditorGUI.PropertyField(new Rect(0f, 0f, 250f, 18f),
+                new SerializedObject(Make(typeof(FluidSimulation))).FindProperty("material.artificialPressureDistance"),
+                new GUIContent("Artificial Pressure Distance (support radii)"));
             Assert.That(GuiDrawing.Clipped().Count(), Is.EqualTo(2));
         }
 
@@ -103,7 +109,8 @@ namespace Host.Tests
                 Player.Device.WaitIdle();
                 Draw(editor);
             }
-            Assert.That(GuiDrawing.Labels.Select(label => label.text), Has.Some.StartWith("mean ").And.Some.EndWith(" ms").And.Some.EqualTo("Density error C+"));
+            Assert.That(GuiDrawing.Labels.Select(label => label.text),
+                Has.Some.StartWith("mean ").And.Some.EndWith(" ms").And.Some.EqualTo("Density error C+"));
             Assert.That(GuiDrawing.Clipped(), Is.Empty);
         }
 
@@ -236,7 +243,9 @@ namespace Host.Tests
                     Player.Device.WaitIdle();
                     times.Update(Time.frameCount);
                 }
-                Assert.That(times.Rows.Select(row => row.Label), Is.SupersetOf(new[] { "Sort", "Neighbor list", "Pressure", "Displacement", "Velocity, smoothing" }).And.No.Member("Vorticity").And.No.Member("Emitters"));
+                Assert.That(times.Rows.Select(row => row.Label),
+                    Is.SupersetOf(new[] { "Sort", "Neighbor list", "Pressure", "Displacement",
+                    "Velocity, smoothing" }).And.No.Member("Vorticity").And.No.Member("Emitters"));
                 Assert.That(times.Rows.Max(row => row.Fraction), Is.EqualTo(1f));
             }
         }

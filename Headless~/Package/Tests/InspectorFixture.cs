@@ -45,7 +45,8 @@ namespace Host.Tests
         {
             get
             {
-                foreach (Assembly assembly in new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"), Assembly.Load("Rill.Terrain.Editor") })
+                foreach (Assembly assembly in new[] { typeof(SceneSetup).Assembly, Assembly.Load("Rill.Physics.Editor"),
+                    Assembly.Load("Rill.Terrain.Editor") })
                     foreach (Type type in assembly.GetTypes())
                         foreach (CustomEditor mark in type.GetCustomAttributes<CustomEditor>(false))
                             yield return (mark.Inspected, type);
@@ -62,7 +63,8 @@ namespace Host.Tests
         /// <summary>Draws everything that an inspector has, with all foldouts open.</summary>
         internal static void Draw(Editor editor)
         {
-            foreach (string title in new[] { "Statistics", "GPU time", "GPU memory" }.Concat((editor as RillEditor)?.Sections.Select(s => s.Title) ?? new string[0]))
+            foreach (string title in new[] { "Statistics", "GPU time",
+                "GPU memory" }.Concat((editor as RillEditor)?.Sections.Select(s => s.Title) ?? new string[0]))
                 SessionState.SetBool($"Rill.{editor.GetType().Name}.{title}", true);
             Assert.That(GuiPasses.Draw(editor.OnInspectorGUI), Is.Null, editor.GetType().Name);
             AssertClosed(editor);

@@ -20,15 +20,22 @@ namespace Host.Tests
         const int Iterations = 4;
 
         // Kernels, variants and buffers that still shallow water has no use for, as they appear in names.
-        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous", "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress", "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure", "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame", "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam", "Queries" };
+        static readonly string[] NotForAShallowPool = { "Coarse", "Deep", "ImplicitViscosity", "Rill.Viscous", "Rill.NextViscous",
+            "Viscoelasticity", "GatherPreviousIndices", "Rill.Conformation", "Rill.DeformedConformation", "Rill.Stress",
+            "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure",
+            "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
+            "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
+            "Queries" };
 
-        // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so, at least one.
+        // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so,
+        // at least one.
         static readonly (string Name, Action<FluidSimulation> Before, Action<FluidSimulation> Change, string[] Expected)[] Features =
         {
             ("nothing", null, s => { }, new string[0]),
             ("deep water", null, Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), new[]
             {
-                "+1 CoarseGrid.compute BinFlow", "+1 CoarseGrid.compute FindSurface", "+1 CoarseGrid.compute FindDivergence", "+1 CoarseGrid.compute DisplaceFlow", "+1 CoarseGrid.compute FindErrors",
+                "+1 CoarseGrid.compute BinFlow", "+1 CoarseGrid.compute FindSurface", "+1 CoarseGrid.compute FindDivergence",
+                    "+1 CoarseGrid.compute DisplaceFlow", "+1 CoarseGrid.compute FindErrors",
                 "+1 CoarseGrid.compute DisplaceErrors", "+2 CoarseGrid.compute ExtendDisplacements", "+2 CoarseSolver.compute *", "+1 Rill.Coarse.*",
                 "-1 NeighborSearch.compute CountCells", "+1 NeighborSearch.compute CountCellsDeep",
                 "-1 DensityConstraint.compute BuildList", "+1 DensityConstraint.compute BuildListDeep",
@@ -41,7 +48,8 @@ namespace Host.Tests
             }),
             ("dynamic viscosity", null, Material((ref FluidMaterial v) => v.dynamicViscosity = 10f), new[]
             {
-                "+1 ImplicitViscosity.compute FindCoefficients", "+1 ImplicitViscosity.compute FindResidual", "+1 ImplicitViscosity.compute FirstPass", "+2 ImplicitViscosity.compute NextPass",
+                "+1 ImplicitViscosity.compute FindCoefficients", "+1 ImplicitViscosity.compute FindResidual",
+                    "+1 ImplicitViscosity.compute FirstPass", "+2 ImplicitViscosity.compute NextPass",
                 "+1 Rill.ViscousVelocities *", "+1 Rill.NextViscousVelocities *", "+1 Rill.ViscousChanges *", "+1 Rill.ViscousHolds *",
             }),
             ("elasticity", null, Material((ref FluidMaterial v) => v.shearModulus = 100f), new[]
@@ -49,18 +57,25 @@ namespace Host.Tests
                 "+1 NeighborSearch.compute GatherPreviousIndices", "+1 Viscoelasticity.compute Deform", "+1 Viscoelasticity.compute ApplyStress",
                 "+1 Rill.Conformation *", "+1 Rill.DeformedConformation *", "+1 Rill.Stress *", "+1 Rill.PreviousIndices *",
             }),
-            ("viscosity off", null, Inviscid, new[] { "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity" }),
+            ("viscosity off", null, Inviscid,
+                new[] { "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocity" }),
             ("artificial pressure", null, Material((ref FluidMaterial v) => v.artificialPressure = 0.1f), new[]
             {
                 $"-{Iterations} DensityConstraint.compute ApplyDeltaP", $"+{Iterations} DensityConstraint.compute ApplyDeltaPWithPressure",
             }),
-            ("sleep", null, Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), new[] { "+1 RestingRegions.compute MeasureMotion", "+1 RestingRegions.compute CountQuiet", "+1 RestingRegions.compute Spread", "+1 Rill.Regions.*" }
-                .Concat(InVariant(RestingRegions.Keyword, "NeighborSearch.compute CountCells", "NeighborSearch.compute ScatterOrder", "NeighborSearch.compute Gather", "DensityConstraint.compute BuildList", "VelocityUpdate.compute UpdateVelocityViscous"))
-                .Append($"-{Iterations} DensityConstraint.compute ApplyDeltaP").Append($"+{Iterations} DensityConstraint.compute ApplyDeltaP {RestingRegions.Keyword}")
-                .Append($"-{Iterations - 1} DensityConstraint.compute SolveLambda").Append($"+{Iterations - 1} DensityConstraint.compute SolveLambda {RestingRegions.Keyword}").ToArray()),
+            ("sleep", null, Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f),
+                new[] { "+1 RestingRegions.compute MeasureMotion", "+1 RestingRegions.compute CountQuiet",
+                "+1 RestingRegions.compute Spread", "+1 Rill.Regions.*" }
+                .Concat(InVariant(RestingRegions.Keyword, "NeighborSearch.compute CountCells", "NeighborSearch.compute ScatterOrder",
+                    "NeighborSearch.compute Gather", "DensityConstraint.compute BuildList", "VelocityUpdate.compute UpdateVelocityViscous"))
+                .Append($"-{Iterations} DensityConstraint.compute ApplyDeltaP")
+                    .Append($"+{Iterations} DensityConstraint.compute ApplyDeltaP {RestingRegions.Keyword}")
+                .Append($"-{Iterations - 1} DensityConstraint.compute SolveLambda")
+                    .Append($"+{Iterations - 1} DensityConstraint.compute SolveLambda {RestingRegions.Keyword}").ToArray()),
             ("less damping", null, Settings((ref SolverSettings v) => v.numericalDamping = 0.5f), new[]
             {
-                "+1 NeighborSearch.compute GatherMeans", "-1 VelocityUpdate.compute UpdateVelocityViscous", "+1 VelocityUpdate.compute UpdateVelocityExtrapolated", "+1 Rill.Means *", "+1 Rill.SortedMeans *",
+                "+1 NeighborSearch.compute GatherMeans", "-1 VelocityUpdate.compute UpdateVelocityViscous",
+                    "+1 VelocityUpdate.compute UpdateVelocityExtrapolated", "+1 Rill.Means *", "+1 Rill.SortedMeans *",
             }),
             ("statistics", null, s => s.StatisticsInterval = 1, new[]
             {
@@ -68,62 +83,101 @@ namespace Host.Tests
                 "+1 NeighborSearch.compute CountCellsAtRest", "+1 NeighborSearch.compute ScatterOrder", "+1 PrefixSum.compute *",
             }),
             ("a collider", null, s => AddCollider(s, false), WithCollider("")),
-            ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false), WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomWithColliders").ToArray()),
-            ("a collider whose force is measured", null, s => AddCollider(s, true), WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
-            ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[] { "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureColliderVolume" }),
-            ("motion of a collider in deep water", s => { AddCollider(s, false); Settings((ref SolverSettings v) => v.deepWater = DeepWater.On)(s); }, s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[]
+            ("a collider beside an emitter", Part<FluidEmitter>(Still), s => AddCollider(s, false),
+                WithCollider("").Append("-1 Emitters.compute FindRoom").Append("+1 Emitters.compute FindRoomWithColliders").ToArray()),
+            ("a collider whose force is measured", null, s => AddCollider(s, true),
+                WithCollider("React").Append("+1 Colliders.compute TakeReactions").ToArray()),
+            ("motion of a collider", s => AddCollider(s, false), s => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(),
+                new[] { "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureColliderVolume" }),
+            ("motion of a collider in deep water",
+                s => { AddCollider(s, false); Settings((ref SolverSettings v) => v.deepWater = DeepWater.On)(s); }, s
+                => FluidCollider.Enabled[0].gameObject.AddComponent<Mover>(), new[]
             {
-                "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureColliderVolume", "+1 CoarseColliders.compute OpenCells", "+1 CoarseColliders.compute LinkCells",
+                "+1 Colliders.compute BinColliders", "+1 Colliders.compute MeasureColliderVolume", "+1 CoarseColliders.compute OpenCells",
+                    "+1 CoarseColliders.compute LinkCells",
             }),
             ("a collider in deep water", Settings((ref SolverSettings v) => v.deepWater = DeepWater.On), s => AddCollider(s, false), new[]
             {
                 "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths",
                 $"+{Iterations - 1} Colliders.compute Collide", "+1 Colliders.compute CollideLast",
-                "+1 Rill.Coarse.RawOpenFractions *", "+1 Rill.Coarse.OpenFractions *", "+1 Rill.Coarse.OpenCenters *", "+1 Rill.Coarse.ColliderFlow *",
-                "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCellsDeepWithColliders", "-1 NeighborSearch.compute Gather", "+1 NeighborSearch.compute GatherWithColliders",
+                "+1 Rill.Coarse.RawOpenFractions *", "+1 Rill.Coarse.OpenFractions *", "+1 Rill.Coarse.OpenCenters *",
+                    "+1 Rill.Coarse.ColliderFlow *",
+                "-1 NeighborSearch.compute CountCellsDeep", "+1 NeighborSearch.compute CountCellsDeepWithColliders",
+                    "-1 NeighborSearch.compute Gather", "+1 NeighborSearch.compute GatherWithColliders",
                 "-1 DensityConstraint.compute BuildListDeep", "+1 DensityConstraint.compute BuildListDeepWithColliders",
             }
-                .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "WithColliders")).Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "WithColliders"))
-                .Concat(new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors", "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "WithColliders")))
-                .Concat(new[] { "Smooth", "RestrictGrid", "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "WithColliders"))).ToArray()),
+                .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "WithColliders"))
+                    .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "WithColliders"))
+                .Concat(new[] { "BinFlow", "FindSurface", "FindDivergence", "DisplaceFlow", "FindErrors",
+                    "DisplaceErrors" }.SelectMany(kernel => Instead(1, "CoarseGrid.compute " + kernel, "WithColliders")))
+                .Concat(new[] { "Smooth", "RestrictGrid",
+                    "CorrectAndSmooth" }.SelectMany(kernel => Instead(2, "CoarseSolver.compute " + kernel, "WithColliders"))).ToArray()),
             ("density colours", null, ColorByDensity, new string[0]),        // the pass for the viscosity has the density
-            ("density colours without viscosity", Inviscid, ColorByDensity, new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
-            ("an emitter", null, Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *", "+1 Rill.Emitters.Positions *" }),
-            ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still), new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Positions *" }),
+            ("density colours without viscosity", Inviscid, ColorByDensity,
+            new[] { "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous" }),
+            ("an emitter", null, Part<FluidEmitter>(Still),
+                new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.States *", "+1 Rill.Emitters.Free *",
+                "+1 Rill.Emitters.Positions *" }),
+            ("a second emitter", Part<FluidEmitter>(Still), Part<FluidEmitter>(Still),
+                new[] { "+1 Emitters.compute FindRoom", "+1 Emitters.compute Emit", "+1 Rill.Emitters.Positions *" }),
             ("an emitter with a phase", null, Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), new[]
             {
-                $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}", "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *",
+                $"+1 Emitters.compute FindRoom {ParticleTags.Keyword}", $"+1 Emitters.compute Emit {ParticleTags.Keyword}",
+                    "+1 Rill.Emitters.*", "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *",
             }),
-            ("colours of phases", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
+            ("colours of phases", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }),
+                s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
             ("colours of phases without any", null, s => s.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Phase, new string[0]),
-            ("a lifetime", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), s => s.GetComponentInChildren<FluidEmitter>().Lifetime = 1f, new[] { "+1 Drains.compute Drain RILL_LIFETIMES", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
+            ("a lifetime", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), s => s.GetComponentInChildren<FluidEmitter>().Lifetime = 1f,
+                new[] { "+1 Drains.compute Drain RILL_LIFETIMES", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
             ("a drain", null, Part<FluidDrain>(Aside), new[] { "+1 Drains.compute Drain", "+1 Rill.Drains.Regions *", "+1 Rill.Drains.States *" }),
             ("a second drain", Part<FluidDrain>(Aside), Part<FluidDrain>(Aside), new string[0]),
-            ("a drain with a limit", Part<FluidDrain>(Aside), Part<FluidDrain>(d => { Aside(d); d.RateLimit = 1f; }), new[] { "+1 Drains.compute CountRandomRanks", "+1 Drains.compute SelectRandom", "+1 Rill.Drains.Histogram *" }),
-            ("a force field without bounds", null, Part<FluidForceField>(f => f.Strength = 0.01f), new string[0]),      // stronger ones lean gravity, and may make water deep
-            ("a force field", null, Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), new[] { "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *" }),
-            ("a second force field", Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), new string[0]),
+            ("a drain with a limit", Part<FluidDrain>(Aside), Part<FluidDrain>(d => { Aside(d); d.RateLimit = 1f; }),
+                new[] { "+1 Drains.compute CountRandomRanks", "+1 Drains.compute SelectRandom", "+1 Rill.Drains.Histogram *" }),
+            // stronger ones lean gravity, and may make water deep
+            ("a force field without bounds", null, Part<FluidForceField>(f => f.Strength = 0.01f), new string[0]),
+            ("a force field", null, Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere),
+                new[] { "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *" }),
+            ("a second force field", Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere),
+                Part<FluidForceField>(f => f.Bounds = ForceFieldBounds.Sphere), new string[0]),
             ("a wind without viscosity", Inviscid, Part<FluidForceField>(f => f.Kind = ForceFieldKind.Wind), new[]
             {
-                "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *", "-1 VelocityUpdate.compute UpdateVelocity", "+1 VelocityUpdate.compute UpdateVelocityViscous",     // which has the density
+                // which has the density
+                "+1 ForceFields.compute Accelerate", "+1 Rill.Fields *", "-1 VelocityUpdate.compute UpdateVelocity",
+                    "+1 VelocityUpdate.compute UpdateVelocityViscous",
             }),
-            ("a probe", null, Part<FluidProbe>(), new[] { "+1 Queries.compute FindSurface", "+1 Queries.compute FindSurroundings", "+1 Queries.compute FitNormal", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
-            ("a detector", null, Part<FluidDetector>(), new[] { "+1 Queries.compute Detect", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
-            ("a second probe and a detector beside one", Part<FluidProbe>(), s => { Part<FluidProbe>()(s); Part<FluidDetector>()(s); }, new[] { "+1 Queries.compute Detect" }),
-            ("a probe beside a phase", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), Part<FluidProbe>(), new[] { $"+1 Queries.compute FindSurface {ParticleTags.Keyword}", $"+1 Queries.compute FindSurroundings {ParticleTags.Keyword}", $"+1 Queries.compute FitNormal {ParticleTags.Keyword}", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
-            ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still), new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}", "+1 Rill.Emitters.*" }),
-            ("foam", null, s => { s.gameObject.AddComponent<FluidFoam>(); PlayerLoop.Frame(FrameTime); }, new[]      // it asks for foam in its first frame
+            ("a probe", null, Part<FluidProbe>(),
+                new[] { "+1 Queries.compute FindSurface", "+1 Queries.compute FindSurroundings", "+1 Queries.compute FitNormal",
+                "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a detector", null, Part<FluidDetector>(),
+                new[] { "+1 Queries.compute Detect", "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a second probe and a detector beside one", Part<FluidProbe>(), s => { Part<FluidProbe>()(s); Part<FluidDetector>()(s); },
+                new[] { "+1 Queries.compute Detect" }),
+            ("a probe beside a phase", Part<FluidEmitter>(e => { Still(e); e.Phase = 1; }), Part<FluidProbe>(),
+                new[] { $"+1 Queries.compute FindSurface {ParticleTags.Keyword}",
+                $"+1 Queries.compute FindSurroundings {ParticleTags.Keyword}", $"+1 Queries.compute FitNormal {ParticleTags.Keyword}",
+                "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still),
+                new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}",
+                "+1 Rill.Emitters.*" }),
+            // it asks for foam in its first frame
+            ("foam", null, s => { s.gameObject.AddComponent<FluidFoam>(); PlayerLoop.Frame(FrameTime); }, new[]
             {
-                "+1 FoamSources.compute FindPotentials", "+1 FoamSources.compute CountSpawned", "+1 Foam.compute AverageCells", "+1 Foam.compute Move", "+1 PrefixSum.compute SumTiles",
-                "+1 PrefixSum.compute ScanFewTiles", "+1 Foam.compute Compact", "+1 Foam.compute Spawn", "+1 Foam.compute Commit", "+1 FoamParticles.shader", "+1 Rill.Foam.*", "+1 Rill.PrefixSum.TileSums *",
+                "+1 FoamSources.compute FindPotentials", "+1 FoamSources.compute CountSpawned", "+1 Foam.compute AverageCells",
+                    "+1 Foam.compute Move", "+1 PrefixSum.compute SumTiles",
+                "+1 PrefixSum.compute ScanFewTiles", "+1 Foam.compute Compact", "+1 Foam.compute Spawn", "+1 Foam.compute Commit",
+                    "+1 FoamParticles.shader", "+1 Rill.Foam.*", "+1 Rill.PrefixSum.TileSums *",
             }),
             ("a pass of a script", null, s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilled" }),
-            ("a pass of a script where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilledAsleep" }),
+            ("a pass of a script where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f),
+                s => s.BeforeStep += Nothing, new[] { "+1 ParticleAccess.compute RemoveKilledAsleep" }),
             ("a recorder that does not record", null, s => s.gameObject.AddComponent<FluidRecorder>(), new string[0]),
             ("a playback without a recording", null, s => s.gameObject.AddComponent<FluidPlayback>(), new string[0]),
             ("a recording", null, Record, new[] { "+1 Recording.compute PackFrame", "+2 Rill.RecordedFrame *" }),
-            ("phases for a script", null, s => s.TrackPhases = true, new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *" }),
-            ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++), new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute ApplyDeltaP" }),
+            ("phases for a script", null, s => s.TrackPhases = true,
+                new[] { "+1 NeighborSearch.compute GatherTags", "+1 Rill.Tags *", "+1 Rill.SortedTags *" }),
+            ("one more iteration", null, Settings((ref SolverSettings v) => v.iterations++),
+                new[] { "+1 DensityConstraint.compute SolveLambda", "+1 DensityConstraint.compute ApplyDeltaP" }),
         };
 
         static void Record(FluidSimulation simulation)
@@ -184,7 +238,8 @@ namespace Host.Tests
             Footprint before = FullestFrame();
             simulation.StatisticsInterval = 1;
             var expected = FullestFrame().Since(before).Where(change => change.Contains(".compute"));
-            Assert.That(simulation.Describe().SelectMany(stage => stage.Kernels).Where(kernel => kernel.perStep == 0).Select(kernel => "+1 " + Footprint.Short(kernel.kernel)), Is.EquivalentTo(expected));
+            Assert.That(simulation.Describe().SelectMany(stage => stage.Kernels).Where(kernel => kernel.perStep == 0)
+                .Select(kernel => "+1 " + Footprint.Short(kernel.kernel)), Is.EquivalentTo(expected));
         }
 
         [Test]
@@ -196,7 +251,8 @@ namespace Host.Tests
             List<string> changes = FullestFrame().Since(before);
             Assert.That(changes, Is.SupersetOf(new[] { "+1 PrefixSum.compute ScanFewTiles", $"+1 {Intruder.BufferName} 32" }));
             Assert.Throws<AssertionException>(() => AssertExactly(changes, new string[0]));
-            Assert.Throws<AssertionException>(() => AssertExactly(new List<string>(), new[] { "+1 PrefixSum.compute *" }), "what is missing is seen too");
+            Assert.Throws<AssertionException>(() => AssertExactly(new List<string>(), new[] { "+1 PrefixSum.compute *" }),
+                "what is missing is seen too");
         }
 
         [Test]
@@ -205,10 +261,13 @@ namespace Host.Tests
             Footprint one = StepWithLists(long.MaxValue), two = StepWithLists(2 * 128 * 64 * sizeof(uint));
             string[] kernels = one.Work.Where(entry => entry.StartsWith("DensityConstraint") || entry.StartsWith("VelocityUpdate")).ToArray();
             Assert.That(kernels.Distinct().Count(), Is.EqualTo(4));
-            var expected = kernels.GroupBy(entry => entry).SelectMany(entry => new[] { $"-{entry.Count()} {entry.Key}", $"+{entry.Count()} {entry.Key} {NeighborLists.TwoListsKeyword}" });
+            var expected = kernels.GroupBy(entry => entry)
+                .SelectMany(entry => new[] { $"-{entry.Count()} {entry.Key}",
+                $"+{entry.Count()} {entry.Key} {NeighborLists.TwoListsKeyword}" });
             AssertExactly(two.Since(one), expected.Append("-1 Rill.Neighbors *").Append("+1 Rill.Neighbors *").Append("+1 Rill.MoreNeighbors *"));
             Assert.That(Unneeded(one), Is.Empty);
-            Assert.That(Unneeded(two), Has.Member("DensityConstraint.compute BuildList " + NeighborLists.TwoListsKeyword).And.Some.StartsWith("Rill.MoreNeighbors"));
+            Assert.That(Unneeded(two), Has.Member("DensityConstraint.compute BuildList "
+                + NeighborLists.TwoListsKeyword).And.Some.StartsWith("Rill.MoreNeighbors"));
         }
 
         [TestCase("Still Pool", false)]
@@ -229,7 +288,8 @@ namespace Host.Tests
                     PlayerLoop.Frame(FrameTime);
                 Footprint frame = Footprint.Of(() => PlayerLoop.Frame(FrameTime));       // the third: none of the samples measures before the fourth
                 List<StageDescription> stages = simulation.Describe();
-                // The sky and the copy of the opaque scene are the camera's, however many fluids it sees; the surface's particles are found once a frame.
+                // The sky and the copy of the opaque scene are the camera's, however many fluids it sees; the surface's particles are found
+                // once a frame.
                 string[] others = { "BlitCopy.shader", "SkyboxProcedural.shader", "SurfaceParticles.compute" };
                 Assert.That(frame.Work.Where(entry => !others.Any(entry.StartsWith)).ToArray(), Is.EqualTo(Footprint.Explained(stages)));
                 StageDescription coarse = stages.Single(stage => stage.Name == "Coarse correction");
@@ -267,7 +327,10 @@ namespace Host.Tests
                 "+1 Rill.Colliders.*", "+1 Colliders.compute CollidePaths" + react,
                 $"+{Iterations - 1} Colliders.compute Collide" + react, "+1 Colliders.compute CollideLast" + react,
             }
-                .Concat(Instead(1, "NeighborSearch.compute CountCells", "WithColliders")).Concat(Instead(1, "NeighborSearch.compute Gather", "WithColliders")).Concat(Instead(1, "DensityConstraint.compute BuildList", "WithColliders")).Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "WithColliders"))
+                .Concat(Instead(1, "NeighborSearch.compute CountCells", "WithColliders"))
+                    .Concat(Instead(1, "NeighborSearch.compute Gather", "WithColliders"))
+                    .Concat(Instead(1, "DensityConstraint.compute BuildList", "WithColliders"))
+                    .Concat(Instead(Iterations - 1, "DensityConstraint.compute SolveLambda", "WithColliders"))
                 .Concat(Instead(1, "VelocityUpdate.compute UpdateVelocityViscous", "WithColliders")).ToArray();
         }
 
@@ -284,9 +347,11 @@ namespace Host.Tests
             collider.MeasuresForce = measuresForce;
         }
 
-        static IEnumerable<string> InVariant(string keyword, params string[] kernels) => kernels.SelectMany(kernel => new[] { $"-1 {kernel}", $"+1 {kernel} {keyword}" });
+        static IEnumerable<string> InVariant(string keyword, params string[] kernels)
+            => kernels.SelectMany(kernel => new[] { $"-1 {kernel}", $"+1 {kernel} {keyword}" });
 
-        static IEnumerable<string> Unneeded(Footprint footprint) => footprint.Work.Concat(footprint.Buffers).Where(entry => NotForAShallowPool.Any(entry.Contains));
+        static IEnumerable<string> Unneeded(Footprint footprint)
+            => footprint.Work.Concat(footprint.Buffers).Where(entry => NotForAShallowPool.Any(entry.Contains));
 
         static void AssertExactly(List<string> changes, IEnumerable<string> expected)
         {
@@ -303,7 +368,8 @@ namespace Host.Tests
         static Footprint FullestFrame()
         {
             PlayerLoop.Frame(FrameTime);
-            return Enumerable.Range(0, 4).Select(_ => Footprint.Of(() => PlayerLoop.Frame(FrameTime))).OrderByDescending(frame => frame.Work.Count).First();
+            return Enumerable.Range(0, 4).Select(_ => Footprint.Of(() => PlayerLoop.Frame(FrameTime)))
+                .OrderByDescending(frame => frame.Work.Count).First();
         }
 
         // 8 x 3 x 8 particles on the floor of a box that they fill, drawn.
@@ -327,7 +393,8 @@ namespace Host.Tests
 
         static Footprint StepWithLists(long maxBinding)
         {
-            StepInput input = new StepInput { timeStep = FrameTime, gravity = new float3(0f, -9.81f, 0f), settings = SolverSettings.Default, material = FluidMaterial.Water };
+            StepInput input = new StepInput { timeStep = FrameTime, gravity = new float3(0f, -9.81f, 0f), settings = SolverSettings.Default,
+                material = FluidMaterial.Water };
             using var solver = new PbfSolver(new SolverLayout(8f * Spacing, Spacing, 500, 64, 1f, maxBinding));
             using (var places = new NativeArray<float4>(1, Allocator.Persistent))
                 solver.Add(places, places);
@@ -375,7 +442,8 @@ namespace Host.Tests
 
         static void Inviscid(FluidSimulation simulation) => Material((ref FluidMaterial v) => v.velocitySmoothing = 0f)(simulation);
 
-        static void ColorByDensity(FluidSimulation simulation) => simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
+        static void ColorByDensity(FluidSimulation simulation)
+            => simulation.GetComponent<ParticleRenderer>().ColorBy = ParticleRenderer.Quantity.Density;
 
         /// <summary>Work that no stage of the fluid answers for.</summary>
         sealed class Intruder : MonoBehaviour

@@ -25,14 +25,16 @@ namespace Host.Tests
         [TestCase("## One\n\ntext\n", false)]
         public void A_page_that_differs_from_the_code_is_seen(string page, bool same)
         {
-            const string Code = "class A\n{\n    void F()\n    {\n        #region One\n        a();\n            b();\n        #endregion\n    }\n}\n";
+            const string Code =
+                "class A\n{\n    void F()\n    {\n        #region One\n        a();\n            b();\n        #endregion\n    }\n}\n";
             Assert.That(Blocks(page).SequenceEqual(Regions(Code)), Is.EqualTo(same));
         }
 
         // Heading above it and text of each code block, in order.
         static List<(string title, string text)> Blocks(string page)
         {
-            return Regex.Matches(Lines(page), @"^## (?<title>.+)\n(?:(?!^## |^```)[^\n]*\n)*^```csharp\n(?<text>(?:.*\n)*?)```$", RegexOptions.Multiline)
+            return Regex.Matches(Lines(page), @"^## (?<title>.+)\n(?:(?!^## |^```)[^\n]*\n)*^```csharp\n(?<text>(?:.*\n)*?)```$",
+                RegexOptions.Multiline)
                 .Select(match => (match.Groups["title"].Value, match.Groups["text"].Value)).ToList();
         }
 
@@ -40,7 +42,8 @@ namespace Host.Tests
         static List<(string title, string text)> Regions(string code)
         {
             return Regex.Matches(Lines(code), @"^(?<indent> *)#region (?<title>.+)\n(?<text>(?:.*\n)*?) *#endregion$", RegexOptions.Multiline)
-                .Select(match => (match.Groups["title"].Value, Regex.Replace(match.Groups["text"].Value, "^" + match.Groups["indent"].Value, "", RegexOptions.Multiline))).ToList();
+                .Select(match => (match.Groups["title"].Value,
+                    Regex.Replace(match.Groups["text"].Value, "^" + match.Groups["indent"].Value, "", RegexOptions.Multiline))).ToList();
         }
 
         static string Lines(string text) => text.Replace("\r\n", "\n");

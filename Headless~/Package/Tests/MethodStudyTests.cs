@@ -168,7 +168,8 @@ namespace Host.Tests
                 {
                     double following = (1 + Math.Sqrt(1 + 4 * t * t)) / 2;
                     float3[] from = y, last = x, made = constraint.Jacobi(y);
-                    y = made.Select((p, i) => restart && math.dot(from[i] - p, p - last[i]) > 0f ? p : p + (float)((t - 1) / following) * (p - last[i])).ToArray();
+                    y = made.Select((p, i) => restart && math.dot(from[i] - p, p - last[i]) > 0f ? p
+                        : p + (float)((t - 1) / following) * (p - last[i])).ToArray();
                     (x, t) = (made, following);
                 }
                 return x;
@@ -199,7 +200,9 @@ namespace Host.Tests
         {
             StepInput input = Input(DeepWater.On, 1, 2);
             float4[] positions = Pool(), package = Play(input, new Jacobi(), positions, 4);
-            foreach (CoarseVariation variation in new[] { new CoarseVariation { WarmStart = false }, new CoarseVariation { CellSize = 3f }, new CoarseVariation { ScreeningLength = 5f }, new CoarseVariation { SurfaceDistance = false }, new CoarseVariation { Cycles = 3 } })
+            foreach (CoarseVariation variation in new[] { new CoarseVariation { WarmStart = false }, new CoarseVariation { CellSize = 3f },
+                new CoarseVariation { ScreeningLength = 5f }, new CoarseVariation { SurfaceDistance = false },
+                new CoarseVariation { Cycles = 3 } })
                 Assert.That(Different(Play(input, new Jacobi(), positions, 4, variation), package), Is.GreaterThan(500), variation.ToString());
         }
 
@@ -210,16 +213,20 @@ namespace Host.Tests
             input.settings.relaxation = 0f;         // no method moves anything, and the viscosity has what it needs
             input.material.velocitySmoothing = 0.5f;
             float4[] package = Play(input, new Jacobi(), Block(), 3);
-            foreach (ConstraintMethod method in new ConstraintMethod[] { new ScheduledJacobi(0f), new ChebyshevJacobi(0.9, 1), new NesterovJacobi(true), new NeighborMean(0f), new GaussSeidel(false), new GaussSeidel(true) })
+            foreach (ConstraintMethod method in new ConstraintMethod[] { new ScheduledJacobi(0f), new ChebyshevJacobi(0.9, 1),
+                new NesterovJacobi(true), new NeighborMean(0f), new GaussSeidel(false), new GaussSeidel(true) })
                 Assert.That(Different(Play(input, method, Block(), 3), package), Is.Zero, method.GetType().Name);
         }
 
-        static void AssertSame(in StepInput input, ConstraintMethod one, ConstraintMethod other) => Assert.That(Different(Play(input, one, Block(), 3), Play(input, other, Block(), 3)), Is.Zero);
+        static void AssertSame(in StepInput input, ConstraintMethod one, ConstraintMethod other)
+            => Assert.That(Different(Play(input, one, Block(), 3), Play(input, other, Block(), 3)), Is.Zero);
 
-        static void AssertOther(in StepInput input, ConstraintMethod one, ConstraintMethod other) => Assert.That(Different(Play(input, one, Block(), 3), Play(input, other, Block(), 3)), Is.GreaterThan(100));
+        static void AssertOther(in StepInput input, ConstraintMethod one, ConstraintMethod other)
+            => Assert.That(Different(Play(input, one, Block(), 3), Play(input, other, Block(), 3)), Is.GreaterThan(100));
 
         // Particles that are not bit for bit at the same place.
-        static int Different(float4[] one, float4[] other) => one.Zip(other, (a, b) => math.any(math.asuint(a) != math.asuint(b))).Count(different => different);
+        static int Different(float4[] one, float4[] other)
+            => one.Zip(other, (a, b) => math.any(math.asuint(a) != math.asuint(b))).Count(different => different);
 
         static StepInput Input(DeepWater deep, int substeps, int iterations) =>
             new MethodVariant { TwoLevel = deep == DeepWater.On, Substeps = substeps, Iterations = iterations }.Input();
@@ -248,14 +255,16 @@ namespace Host.Tests
         static float4[] Block()
         {
             var random = new Random(5);
-            return Enumerable.Range(0, 512).Select(i => new float4(new float3(i % 8, i / 8 % 8, i / 64) * 0.95f + 0.5f + random.NextFloat3(-0.02f, 0.02f), 0f)).ToArray();
+            return Enumerable.Range(0, 512).Select(i => new float4(new float3(i % 8, i / 8 % 8, i / 64) * 0.95f + 0.5f
+                + random.NextFloat3(-0.02f, 0.02f), 0f)).ToArray();
         }
 
         // Still water that fills the floor.
         static float4[] Pool()
         {
             var random = new Random(5);
-            return Enumerable.Range(0, 1008).Select(i => new float4(new float3(i % 12, i / 144, i / 12 % 12) + 0.5f + random.NextFloat3(-0.02f, 0.02f), 0f)).ToArray();
+            return Enumerable.Range(0, 1008).Select(i => new float4(new float3(i % 12, i / 144, i / 12 % 12) + 0.5f
+                + random.NextFloat3(-0.02f, 0.02f), 0f)).ToArray();
         }
 
         // Away from the walls, dense in places, and none so near another that the package pushes it apart by other rules.
@@ -272,7 +281,8 @@ namespace Host.Tests
             return cloud.ToArray();
         }
 
-        static SolverLayout Layout(in StepInput input) => new SolverLayout(Box * Spacing, Spacing, 1024, input.settings.neighborCapacity, input.settings.listMargin);
+        static SolverLayout Layout(in StepInput input)
+            => new SolverLayout(Box * Spacing, Spacing, 1024, input.settings.neighborCapacity, input.settings.listMargin);
 
         /// <returns>By the particles' numbers, d.</returns>
         static float4[] Play(in StepInput input, ConstraintMethod method, float4[] positions, int steps, CoarseVariation variation = null)

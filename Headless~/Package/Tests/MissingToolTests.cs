@@ -29,7 +29,8 @@ namespace Host.Tests
         static int Rill(string[] arguments, out string[] said)
         {
             string host = Path.Combine(Path.GetDirectoryName(typeof(Session).Assembly.Location), "Host.dll");
-            using var process = Process.Start(new ProcessStartInfo("sh", new[] { "-c", "exec dotnet \"$0\" \"$@\" 2>&1", host }.Concat(arguments)) { RedirectStandardOutput = true });
+            using var process = Process.Start(new ProcessStartInfo("sh",
+                new[] { "-c", "exec dotnet \"$0\" \"$@\" 2>&1", host }.Concat(arguments)) { RedirectStandardOutput = true });
             string output = process.StandardOutput.ReadToEnd();
             process.WaitForExit();
             TestContext.WriteLine(output);
@@ -38,7 +39,8 @@ namespace Host.Tests
         }
 
         int Play(out string[] said, params string[] more) =>
-            Rill(new[] { "run", "Still Pool", "--frames", "2", "--every", "1", "--size", "64x36", "--stills", "0", "--out", folder }.Concat(more).ToArray(), out said);
+            Rill(new[] { "run", "Still Pool", "--frames", "2", "--every", "1", "--size", "64x36", "--stills", "0", "--out",
+            folder }.Concat(more).ToArray(), out said);
 
         static void Begins(string[] said, string warning)
         {
@@ -46,7 +48,8 @@ namespace Host.Tests
             Assert.That(said.Skip(1).Where(IsComplaint), Is.Empty);
         }
 
-        static bool IsComplaint(string line) => line.StartsWith("warning:", StringComparison.Ordinal) || line.StartsWith("rill:", StringComparison.Ordinal);
+        static bool IsComplaint(string line) => line.StartsWith("warning:", StringComparison.Ordinal)
+            || line.StartsWith("rill:", StringComparison.Ordinal);
 
         /// <summary>What lies in the folder beside the frames, and that the pages show no picture but these.</summary>
         void Holds(IEnumerable<string> expected)
@@ -83,7 +86,8 @@ namespace Host.Tests
         {
             using var path = ToolPath.Without("gnuplot", "ffmpeg");
             Assert.That(Play(out string[] said, "--no-video"), Is.EqualTo(0));
-            Begins(said, "warning: gnuplot is not installed (Debian package gnuplot-nox): no plots; ffmpeg is not installed (Debian package ffmpeg): no contact sheet, stills");
+            Begins(said, "warning: gnuplot is not installed (Debian package gnuplot-nox): no plots; ffmpeg is not installed (Debian " +
+                "package ffmpeg): no contact sheet, stills");
             Holds(Written);
         }
 
@@ -100,7 +104,8 @@ namespace Host.Tests
         public void Without_gnuplot_a_bake_writes_its_asset_and_no_slices()
         {
             string mesh = Path.Combine(folder, "Box.obj");
-            File.WriteAllText(mesh, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n");
+            File.WriteAllText(mesh, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 4 3 2\nf 5 6 7 8\nf 1 " +
+                "2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n");
             using var path = ToolPath.Without("gnuplot");
             Assert.That(Rill(new[] { "bake", mesh, "--resolution", "8", "--out", folder }, out string[] said), Is.EqualTo(0));
             Begins(said, "warning: gnuplot is not installed (Debian package gnuplot-nox): no picture of the slices");
@@ -124,9 +129,12 @@ namespace Host.Tests
                     Console.SetError(console);
                 }
                 Assert.That(Rill(new[] { "report", "--write-only", "--out", folder }, out string[] refused), Is.EqualTo(2));
-                Assert.That(refused, Is.EqualTo(new[] { "rill: gnuplot is not installed (Debian package gnuplot-nox), and the report's page consists of plots." }));
+                Assert.That(refused, Is.EqualTo(new[] {
+                    "rill: gnuplot is not installed (Debian package gnuplot-nox), and the report's page consists of plots." }));
             }
-            Assert.That(errors.ToString(), Does.StartWith("warning: gnuplot is not installed (Debian package gnuplot-nox): no plots and no page").And.Contain("rill report --write-only"));
+            Assert.That(errors.ToString(), Does.StartWith(
+                "warning: gnuplot is not installed (Debian package gnuplot-nox): no plots and no page").And.Contain(
+                "rill report --write-only"));
             Assert.That(Directory.GetFileSystemEntries(folder), Is.Empty);
             Assert.That(ReportCommand.CanWrite(measure: false), "with it");
         }

@@ -91,11 +91,13 @@ namespace Host.Tests
 
         // In a tank three bodies wide, as it was, waves are back after 1.3 and 0.8 of the theory's period.
         [Test]
-        public void A_body_swings_as_if_the_tank_had_no_walls_while_its_period_is_fitted([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        public void A_body_swings_as_if_the_tank_had_no_walls_while_its_period_is_fitted([Values(ColliderShape.Sphere,
+            ColliderShape.Box)] ColliderShape shape)
         {
             const double size = 0.4;
             double period = FloatingBody.PeriodOf(shape, size), back = FloatingBody.WavesReturn(size, FloatingBody.WidthsAcross * size, period);
-            TestContext.WriteLine($"period {period:0.000} s, waves are back after {back:0.00} s, fitted are {FloatingBody.FittedTime(period):0.00} s");
+            TestContext.WriteLine(
+                $"period {period:0.000} s, waves are back after {back:0.00} s, fitted are {FloatingBody.FittedTime(period):0.00} s");
             Assert.That(back, Is.GreaterThan(FloatingBody.FittedTime(period)));
             Assert.That(FloatingBody.WavesReturn(size, 3 * size, period), Is.LessThan(FloatingBody.FittedTime(period)));
         }
@@ -105,7 +107,8 @@ namespace Host.Tests
         public void A_bucket_is_as_steep_as_its_rings_and_water_that_turns_slower_is_told_apart(double fraction)
         {
             const double speed = 4, depth = 0.6;
-            var rings = Enumerable.Range(0, RotatingBucket.Rings).Select(i => 0.05 + 0.1 * i).Select(r => (r, RotatingBucket.Surface(depth, fraction * speed, r), fraction * speed)).ToArray();
+            var rings = Enumerable.Range(0, RotatingBucket.Rings).Select(i => 0.05 + 0.1 * i)
+                .Select(r => (r, RotatingBucket.Surface(depth, fraction * speed, r), fraction * speed)).ToArray();
             var bucket = new RotatingBucket { RestDepth = depth };
             bucket.Compare(speed, rings);
             Assert.That(bucket.Steepness, Is.EqualTo(fraction * fraction).Within(1e-6));

@@ -9,7 +9,8 @@ namespace Host.Tests
     /// <summary>A copy of the package in a temporary folder, in which a test plants the fault that a rule exists for.</summary>
     sealed class PackageCopy : IDisposable
     {
-        static readonly string[] NotNeeded = { "Headless~/Engine/", "Headless~/Package/Tests/", "Headless~/Package/Host/", "Headless~/Package/data/" };
+        static readonly string[] NotNeeded = { "Headless~/Engine/", "Headless~/Package/Tests/", "Headless~/Package/Host/",
+            "Headless~/Package/data/" };
 
         public readonly string Root = Path.Combine(Path.GetTempPath(), "rill-check-" + Guid.NewGuid().ToString("N"));
         readonly string assemblies;
@@ -19,7 +20,9 @@ namespace Host.Tests
         {
             this.assemblies = assemblies;
             string package = PackageFolder.Path;
-            foreach (string file in new PackageTree(package).Files.Where(f => !NotNeeded.Any(folder => f.StartsWith(folder, StringComparison.Ordinal))).Append("Headless~/Engine/README.md").Append(".npmignore").Append("TestProject~/Assets/.gitkeep"))
+            foreach (string file in new PackageTree(package).Files.Where(f =>
+                !NotNeeded.Any(folder => f.StartsWith(folder, StringComparison.Ordinal))).Append("Headless~/Engine/README.md")
+                .Append(".npmignore").Append("TestProject~/Assets/.gitkeep"))
                 Write(file, File.ReadAllBytes(Path.Combine(package, file)));
         }
 
@@ -53,7 +56,8 @@ namespace Host.Tests
             Assert.That(Examine(rule).Faults, Is.Empty, "before the fault is planted");
             plant();
             var faults = Examine(rule).Faults;
-            Assert.That(faults.Any(fault => words.All(fault.Contains)), $"a fault with \"{string.Join("\" and \"", words)}\" among:\n{string.Join("\n", faults)}");
+            Assert.That(faults.Any(fault => words.All(fault.Contains)),
+                $"a fault with \"{string.Join("\" and \"", words)}\" among:\n{string.Join("\n", faults)}");
         }
 
         public void Dispose() => Directory.Delete(Root, true);

@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 
 namespace Host.Tests
 {
-    /// <summary>The package that the tests are of, and their own folder in it; a published copy of the tests may run where they lie elsewhere.</summary>
+    /// <summary>The package that the tests are of, and their own folder in it; a published copy of the tests may run where they lie
+    /// elsewhere.</summary>
     static class PackageFolder
     {
         public static string Path { get; } = Find();

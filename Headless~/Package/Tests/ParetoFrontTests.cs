@@ -32,7 +32,8 @@ namespace Host.Tests
         [TestCase(1.0, double.NaN, 1.0, 0, false, "collapsed")]
         [TestCase(1.0, 1.0, 1.2, 0, true, "boiled")]
         [TestCase(1.0, 1.0, 1.2, 0, false, "stands")]
-        public void A_run_stands_by_its_energy_its_volume_and_its_particles(double energy, double lowest, double settled, int nonFinite, bool still, string state) =>
+        public void A_run_stands_by_its_energy_its_volume_and_its_particles(double energy, double lowest, double settled, int nonFinite,
+            bool still, string state) =>
             Assert.That(MethodRun.StateOf(energy, lowest, settled, nonFinite, still), Is.EqualTo(state));
     }
 }

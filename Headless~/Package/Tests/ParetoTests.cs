@@ -7,7 +7,8 @@ namespace Host.Tests
 {
     public class ParetoTests
     {
-        static List<(double cost, double error)> Front(params (double cost, double error)[] all) => Pareto.Front(all, one => one.cost, one => one.error);
+        static List<(double cost, double error)> Front(params (double cost, double error)[] all)
+            => Pareto.Front(all, one => one.cost, one => one.error);
 
         [Test]
         public void The_front_is_what_none_beats_by_rising_cost()
@@ -38,7 +39,8 @@ namespace Host.Tests
         {
             var random = new System.Random(5);
             var all = Enumerable.Range(0, 300).Select(_ => ((double)random.Next(40), (double)random.Next(40))).ToArray();
-            var left = all.Where(a => !all.Any(b => b.Item1 <= a.Item1 && b.Item2 <= a.Item2 && (b.Item1 < a.Item1 || b.Item2 < a.Item2))).OrderBy(a => a.Item1);
+            var left = all.Where(a => !all.Any(b => b.Item1 <= a.Item1 && b.Item2 <= a.Item2 && (b.Item1 < a.Item1 || b.Item2 < a.Item2)))
+                .OrderBy(a => a.Item1);
             Assert.That(Front(all), Is.EqualTo(left));
         }
     }

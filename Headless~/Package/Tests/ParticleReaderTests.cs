@@ -11,7 +11,8 @@ using Unity.Mathematics;
 
 namespace Host.Tests
 {
-    /// <summary>Files of particles as programs read them that others wrote: VTK's own readers, and meshio (Debian packages python3-vtk9 and python3-meshio).</summary>
+    /// <summary>Files of particles as programs read them that others wrote: VTK's own readers, and meshio (Debian packages python3-vtk9 and
+    /// python3-meshio).</summary>
     public sealed class ParticleReaderTests
     {
         const string Python = "/usr/bin/python3";       // Debian's, which has Debian's packages
@@ -109,12 +110,16 @@ for i in range(data.GetNumberOfPoints()):
         }
 
         [Test]
-        public void A_format_that_is_none_is_refused_by_name() => Assert.That(Assert.Throws<HostException>(() => ExportCommand.FormatOf("obj")).Message, Does.Contain("--format obj").And.Contain("ply or vtk"));
+        public void A_format_that_is_none_is_refused_by_name()
+            => Assert.That(Assert.Throws<HostException>(() => ExportCommand.FormatOf("obj")).Message,
+            Does.Contain("--format obj").And.Contain("ply or vtk"));
 
         static ParticleFrame Random(int count)
         {
             var random = new System.Random(count + 3);
-            float3[] Vectors() => Enumerable.Range(0, count).Select(_ => new float3((float)random.NextDouble() - 0.5f, 1e6f * (float)random.NextDouble(), 1e-6f * (float)random.NextDouble())).ToArray();
+            float3[] Vectors() => Enumerable.Range(0, count)
+                .Select(_ => new float3((float)random.NextDouble() - 0.5f, 1e6f * (float)random.NextDouble(),
+                1e-6f * (float)random.NextDouble())).ToArray();
             float[] densities = Enumerable.Range(0, count).Select(_ => 1000f * (float)random.NextDouble()).ToArray();
             byte[] phases = Enumerable.Range(0, count).Select(_ => (byte)random.Next(8)).ToArray();
             uint[] ids = Enumerable.Range(0, count).Select(i => uint.MaxValue - (uint)(3 * i)).ToArray();
@@ -135,7 +140,8 @@ for i in range(data.GetNumberOfPoints()):
             Assert.That(all, Has.Length.EqualTo(frame.Count));
             for (int i = 0; i < frame.Count; i++)
             {
-                double[] expected = { frame.Positions[i].x, frame.Positions[i].y, frame.Positions[i].z, frame.Velocities[i].x, frame.Velocities[i].y, frame.Velocities[i].z, frame.Densities[i], frame.Phases[i], frame.Ids[i] };
+                double[] expected = { frame.Positions[i].x, frame.Positions[i].y, frame.Positions[i].z, frame.Velocities[i].x,
+                    frame.Velocities[i].y, frame.Velocities[i].z, frame.Densities[i], frame.Phases[i], frame.Ids[i] };
                 double[] read = all[i].Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray();
                 Assert.That(read, Is.EqualTo(expected.Take(columns)), $"particle {i}");
             }

@@ -68,7 +68,8 @@ namespace Host.Tests
         /// <summary>The same with a fault in the adapter: what the tests would see.</summary>
         private protected void BuildWithFault(PipelineKind kind, string version, string file, string line, string instead)
         {
-            string root = Path.Combine(Path.GetTempPath(), "rill-adapter-" + Guid.NewGuid().ToString("N")), adapter = Path.GetDirectoryName(Check.Api.PipelineAdapters.FileOf(kind)), folder = Path.Combine(root, adapter);
+            string root = Path.Combine(Path.GetTempPath(), "rill-adapter-" + Guid.NewGuid().ToString("N")),
+                adapter = Path.GetDirectoryName(Check.Api.PipelineAdapters.FileOf(kind)), folder = Path.Combine(root, adapter);
             Directory.CreateDirectory(folder);
             try
             {

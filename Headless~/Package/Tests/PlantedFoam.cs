@@ -19,7 +19,8 @@ namespace Host.Tests
             return foam;
         }
 
-        /// <summary>Of the largest size, in the middle of its life: on a square on top of a block of water and spray beside it. The fluid is paused.</summary>
+        /// <summary>Of the largest size, in the middle of its life: on a square on top of a block of water and spray beside it. The fluid
+        /// is paused.</summary>
         /// <param name="top">Middle of the block's upper face, from the middle of the domain, m.</param>
         public static void Plant(FluidSimulation fluid, Vector3 top)
         {
@@ -29,7 +30,8 @@ namespace Host.Tests
                 bool isSpray = i >= 32;
                 var at = new float3((i % 8 - 3.5f) * 0.1f, isSpray ? 0.3f : 0f, (i / 8 % 4 - 1.5f) * 0.15f);
                 float3 position = ((float3)(top + 0.5f * fluid.DomainSize) + at) / fluid.ParticleSpacing;
-                return new FoamParticle { a = new uint4(math.asuint(position), math.asuint(20f)), b = new uint4(0u, 0u, 0u, (isSpray ? 1u : 2u) | 6400u << 2 | 255u << 16) };
+                return new FoamParticle { a = new uint4(math.asuint(position), math.asuint(20f)),
+                    b = new uint4(0u, 0u, 0u, (isSpray ? 1u : 2u) | 6400u << 2 | 255u << 16) };
             }).ToArray();
             stage.Particles.SetData(particles, 0, 0, particles.Length);
             stage.Counters.SetData(new[] { (uint)particles.Length, 0u, 0u, 0u, 0u, 0u, 0u, 0u });

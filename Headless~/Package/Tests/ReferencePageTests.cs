@@ -44,7 +44,8 @@ namespace Host.Tests
         [Test]
         public void Each_stored_field_has_its_default_range_and_tooltip()
         {
-            Assert.That(ReferencePage.Describe(typeof(Known)), Is.EqualTo("\n## Known Part\n\n| field | default | range | |\n| --- | --- | --- | --- |\n" +
+            Assert.That(ReferencePage.Describe(typeof(Known)),
+                Is.EqualTo("\n## Known Part\n\n| field | default | range | |\n| --- | --- | --- | --- |\n" +
                 "| Choice | Second | First One, Second |  |\n" +
                 "| Is On | on |  | Of the base class. |\n" +
                 "| Size | 1, 2.5, 0 |  |  |\n" +
@@ -60,7 +61,8 @@ namespace Host.Tests
             var findings = new Findings();
             string text = new ReferencePage().Text(new PackageTree(Session.Root()), findings);
             Assert.That(findings.Faults, Is.Empty);
-            Assert.That(text, Does.Contain("\n## Fluid Simulation\n").And.Contain("\n## Fluid Buoyancy\n").And.Contain("\n| Particle Spacing | 0.05 |"));
+            Assert.That(text, Does.Contain("\n## Fluid Simulation\n").And.Contain("\n## Fluid Buoyancy\n").And.Contain(
+                "\n| Particle Spacing | 0.05 |"));
             Assert.That(File.ReadAllText(Path.Combine(Session.Root(), "Documentation~", "reference.md")).Replace("\r\n", "\n"), Is.EqualTo(text));
         }
     }

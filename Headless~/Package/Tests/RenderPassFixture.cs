@@ -38,7 +38,8 @@ namespace Host.Tests
             block.SetVector("_AmbientColor", new Vector4(0.2f, 0.2f, 0.2f, 1));
             block.SetFloat("_ReceiveShadows", 1);
 
-            target = new RenderTexture(Width, Height, UnityEngine.Experimental.Rendering.GraphicsFormat.R32G32B32A32_SFloat, UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
+            target = new RenderTexture(Width, Height, UnityEngine.Experimental.Rendering.GraphicsFormat.R32G32B32A32_SFloat,
+                UnityEngine.Experimental.Rendering.GraphicsFormat.D32_SFloat);
             camera = new GameObject("Camera").AddComponent<Camera>();
             camera.transform.position = new Vector3(0, 3, -6);
             camera.transform.LookAt(new Vector3(0, 0.5f, 0));
@@ -71,7 +72,8 @@ namespace Host.Tests
         internal static Material MaterialOf(string file, string pipeline = "", Func<string, string> edit = null)
         {
             string folder = Path.Combine(PackageFolder.Path, "Shaders", "Rendering"), path = Path.Combine(folder, file), edited = null;
-            string Resolve(string name) => name.Contains(pipeline == "HDRenderPipeline" ? "high-definition" : "universal") ? pipeline.Length > 0 ? path : null : edit != null && name.EndsWith(".hlsl") ? Path.Combine(folder, name) : null;
+            string Resolve(string name) => name.Contains(pipeline == "HDRenderPipeline" ? "high-definition" : "universal")
+                ? pipeline.Length > 0 ? path : null : edit != null && name.EndsWith(".hlsl") ? Path.Combine(folder, name) : null;
             if (edit != null)
             {
                 edited = Path.Combine(Directory.CreateTempSubdirectory("rill-shader").FullName, file);
@@ -79,7 +81,8 @@ namespace Host.Tests
             }
             try
             {
-                return new Material(Shader.Create(ShaderImporter.ImportShader(edited ?? path, "Shaders/Rendering/" + file, Resolve, new ShaderCache(), pipeline)));
+                return new Material(Shader.Create(ShaderImporter.ImportShader(edited ?? path, "Shaders/Rendering/" + file, Resolve,
+                    new ShaderCache(), pipeline)));
             }
             finally
             {
@@ -155,7 +158,8 @@ namespace Host.Tests
         protected (Matrix4x4 Now, Matrix4x4 Last) SetMotionMatrices(string pipeline)
         {
             Matrix4x4 projection = GL.GetGPUProjectionMatrix(camera.projectionMatrix, true);
-            Matrix4x4 now = projection * camera.worldToCameraMatrix, last = projection * (camera.worldToCameraMatrix * Matrix4x4.Translate(new Vector3(0.3f, 0, 0)));
+            Matrix4x4 now = projection * camera.worldToCameraMatrix,
+                last = projection * (camera.worldToCameraMatrix * Matrix4x4.Translate(new Vector3(0.3f, 0, 0)));
             Shader.SetGlobalMatrix(pipeline == "" ? "_NonJitteredVP" : "_NonJitteredViewProjMatrix", now);
             Shader.SetGlobalMatrix(pipeline == "" ? "_PreviousVP" : "_PrevViewProjMatrix", last);
             SetMotion(pipeline, true);

@@ -96,7 +96,8 @@ namespace Host.Tests
                 for (int x = 0; x < Width; x++)
                 {
                     bool hit = Hit(x, y, out Vector3 normal);
-                    Vector4 clip = GL.GetGPUProjectionMatrix(camera.projectionMatrix, true) * camera.worldToCameraMatrix * Point(Center + normal * Radius);
+                    Vector4 clip = GL.GetGPUProjectionMatrix(camera.projectionMatrix, true) * camera.worldToCameraMatrix
+                        * Point(Center + normal * Radius);
                     if (hit)
                         Assert.That(only[y * Width + x].x, Is.EqualTo(clip.z / clip.w).Within(1e-5f), $"pixel {x}, {y}");
                     else if (only[y * Width + x].x != 0)
@@ -151,7 +152,8 @@ namespace Host.Tests
         // ---- two eyes
 
         [Test]
-        public void Each_eye_of_a_single_pass_sees_what_a_camera_there_sees([Values("Particles.shader", "Solid.shader")] string file, [Values("", "UniversalPipeline")] string pipeline)
+        public void Each_eye_of_a_single_pass_sees_what_a_camera_there_sees([Values("Particles.shader", "Solid.shader")] string file,
+            [Values("", "UniversalPipeline")] string pipeline)
         {
             Material material = MaterialOf(file, pipeline);
             Mesh mesh = file == "Solid.shader" ? floor.GetComponent<MeshFilter>().sharedMesh : null;
@@ -159,9 +161,11 @@ namespace Host.Tests
             Shader.SetGlobalVector("_MainLightColor", Vector4.one);
             Shader.SetGlobalVector("_WorldSpaceLightPos0", new Vector4(0, 1, 0, 0));
             Shader.SetGlobalVector("_LightColor0", Vector4.one);
-            Matrix4x4[] views = { Matrix4x4.Translate(new Vector3(0.2f, 0, 0)) * camera.worldToCameraMatrix, Matrix4x4.Translate(new Vector3(-0.2f, 0, 0)) * camera.worldToCameraMatrix };
+            Matrix4x4[] views = { Matrix4x4.Translate(new Vector3(0.2f, 0, 0)) * camera.worldToCameraMatrix,
+                Matrix4x4.Translate(new Vector3(-0.2f, 0, 0)) * camera.worldToCameraMatrix };
 
-            var eyes = new RenderTexture(new RenderTextureDescriptor(Width, Height, target.graphicsFormat, target.depthStencilFormat) { dimension = TextureDimension.Tex2DArray, volumeDepth = 2 });
+            var eyes = new RenderTexture(new RenderTextureDescriptor(Width, Height, target.graphicsFormat,
+                target.depthStencilFormat) { dimension = TextureDimension.Tex2DArray, volumeDepth = 2 });
             BuiltinVariables.SetStereo(views, new[] { camera.projectionMatrix, camera.projectionMatrix });
             Shader.EnableKeyword("STEREO_INSTANCING_ON");
             using (var cmd = new CommandBuffer())
@@ -198,10 +202,12 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Where_one_eye_is_drawn_a_second_instance_adds_nothing([Values("Particles.shader", "Domain.shader", "Solid.shader")] string file, [Values("", "UniversalPipeline")] string pipeline)
+        public void Where_one_eye_is_drawn_a_second_instance_adds_nothing([Values("Particles.shader", "Domain.shader",
+            "Solid.shader")] string file, [Values("", "UniversalPipeline")] string pipeline)
         {
             // What is drawn twice is twice as bright, in every pass.
-            Material material = MaterialOf(file, pipeline, text => Regex.Replace(text, "ColorMask \\w+|Blend \\[.*", "").Replace("ZTest LEqual", "ZTest Always Blend One One"));
+            Material material = MaterialOf(file, pipeline, text => Regex.Replace(text, "ColorMask \\w+|Blend \\[.*", "")
+                .Replace("ZTest LEqual", "ZTest Always Blend One One"));
             SetMotionMatrices(pipeline);
             Shader.SetGlobalMatrix(pipeline == "" ? "_PreviousM" : "unity_MatrixPreviousM", Matrix4x4.identity);
             block.SetMatrix("_BoxToWorld", Matrix4x4.Scale(Vector3.one * 2));

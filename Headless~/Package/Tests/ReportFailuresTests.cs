@@ -10,7 +10,8 @@ namespace Host.Tests
     {
         static readonly string[] Columns = { "body", "deep water", "draft", "error", "within 5 %", "damping" };
 
-        static string[] Row(string body, string deep, double error, bool? holds) => new[] { body, deep, "0.2", $"{error} %", Verdict.Of(holds), "0.1" };
+        static string[] Row(string body, string deep, double error, bool? holds)
+            => new[] { body, deep, "0.2", $"{error} %", Verdict.Of(holds), "0.1" };
 
         static string[][] Found(string[] columns, params string[][] rows)
         {

@@ -91,7 +91,8 @@ namespace Host.Tests
             ReportFolders folders = ReportFolders.Of(folder, Path.Combine(folder, "pages", "report.md"));
             ReportWriter.Write(new[] { Three[0] }, folders);
             Assert.That(File.Exists(Path.Combine(folder, "pages", "images", "report", "first.png")));
-            Assert.That(File.ReadAllText(Path.Combine(folder, "pages", "data", "first.csv")), Is.EqualTo(File.ReadAllText(Path.Combine(folder, "data", "first.csv"))));
+            Assert.That(File.ReadAllText(Path.Combine(folder, "pages", "data", "first.csv")),
+                Is.EqualTo(File.ReadAllText(Path.Combine(folder, "data", "first.csv"))));
             Links_lead_somewhere(folders.Page);
         }
 
@@ -131,10 +132,12 @@ namespace Host.Tests
         public void Sections_are_chosen_by_name_or_all_but_the_long_ones_or_those_measured()
         {
             string data = Path.Combine(folder, "data");
-            string[] Chosen(bool measure, params string[] names) => ReportCommand.Chosen(Three, names, measure, data).Select(section => section.Name).ToArray();
+            string[] Chosen(bool measure, params string[] names)
+                => ReportCommand.Chosen(Three, names, measure, data).Select(section => section.Name).ToArray();
             Assert.That(Chosen(true), Is.EqualTo(new[] { "first", "second" }));
             Assert.That(Chosen(true, "long"), Is.EqualTo(new[] { "long" }));
-            Assert.That(Assert.Throws<HostException>(() => Chosen(true, "third")).Message, Does.Contain("\"third\"").And.Contain("first, second, long"));
+            Assert.That(Assert.Throws<HostException>(() => Chosen(true, "third")).Message,
+                Does.Contain("\"third\"").And.Contain("first, second, long"));
             Assert.That(Assert.Throws<HostException>(() => Chosen(false)).Message, Does.Contain(data).And.Contain("--write-only"));
             Measure(Three[2]);
             Assert.That(Chosen(false), Is.EqualTo(new[] { "long" }));
@@ -145,7 +148,8 @@ namespace Host.Tests
         {
             var page = new ReportPage(folder, folder, "images");
             var values = new[] { 0.02, 5 };
-            page.Plot("some", "Two points", new PlotData().Add("using 1:2 with points title 'none'", new object[0][]).Add("using 1:2 with lines title 'it''s'", values.Select(v => new object[] { v, v }))
+            page.Plot("some", "Two points", new PlotData().Add("using 1:2 with points title 'none'", new object[0][])
+                .Add("using 1:2 with lines title 'it''s'", values.Select(v => new object[] { v, v }))
                 .Script(LogAxis.Script("x", values) + LogAxis.Script("y", values)));
             page.Plot("none", "Nothing", new PlotData().Script(LogAxis.Script("x", new double[0])));
             foreach (string name in new[] { "some", "none" })
@@ -166,7 +170,8 @@ namespace Host.Tests
             var section = new ErrorTimeSection(new ErrorTimePlan[0], new[] { plan });
             Measure(section, quick: true, device: "any (in software)");
 
-            ReportTable sweep = ReportTable.Load(Path.Combine(folder, "data", "error-time.csv")), front = ReportTable.Load(Path.Combine(folder, "data", "front.csv"));
+            ReportTable sweep = ReportTable.Load(Path.Combine(folder, "data", "error-time.csv")),
+                front = ReportTable.Load(Path.Combine(folder, "data", "front.csv"));
             Assert.That(sweep.Rows.Select(row => row["deep"]), Is.EqualTo(new[] { "off", "on" }));
             foreach (ReportTable.Row row in sweep.Rows)
             {

@@ -20,7 +20,8 @@ namespace Host.Tests
         {
             LocatedScene located = Session.Locate(sample);
             path = located.AssetPath;
-            assets = new ProjectAssets(located.Mounts, new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly, Assembly.Load("Rill.Samples") }, strict: true);
+            assets = new ProjectAssets(located.Mounts,
+                new[] { typeof(FluidSimulation).Assembly, typeof(FluidBuoyancy).Assembly, Assembly.Load("Rill.Samples") }, strict: true);
             Player.Assets = assets;
             StageShader.EditorFind = null;
             SceneManager.SceneLoader = name => SceneAsset.Load(assets, name);

@@ -6,7 +6,8 @@ using Unity.Mathematics;
 
 namespace Host.Tests
 {
-    /// <summary>The density constraint particle after particle, away from the walls and without pairs of 0.25 d: the slow twin of the study's kernels.</summary>
+    /// <summary>The density constraint particle after particle, away from the walls and without pairs of 0.25 d: the slow twin of the
+    /// study's kernels.</summary>
     sealed class SerialConstraint
     {
         readonly SolverLayout layout;
@@ -20,7 +21,8 @@ namespace Host.Tests
         {
             this.layout = layout;
             c = SolverConstants.For(layout, input, 1);
-            neighbors = start.Select((a, i) => Enumerable.Range(0, start.Length).Where(j => j != i && math.distancesq(a, start[j]) < c.listRadiusSquared).ToArray()).ToArray();
+            neighbors = start.Select((a, i) => Enumerable.Range(0, start.Length)
+                .Where(j => j != i && math.distancesq(a, start[j]) < c.listRadiusSquared).ToArray()).ToArray();
             cells = start.Select(Cell).ToArray();
             blocks = start.Select(p => Block(p, layout)).ToArray();
         }

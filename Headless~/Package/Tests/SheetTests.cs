@@ -28,7 +28,8 @@ namespace Host.Tests
         [Test]
         public void A_heap_is_uneven_and_no_more_in_volume()
         {
-            var sheet = new Sheet(Lattice(4, new int2(8, 24)).Concat(Lattice(2, new int2(8, 24)).Select(p => p + new float3(8f, 0f, 0f))), new float2(16f, 24f));
+            var sheet = new Sheet(Lattice(4, new int2(8, 24)).Concat(Lattice(2, new int2(8, 24)).Select(p => p + new float3(8f, 0f, 0f))),
+                new float2(16f, 24f));
             Assert.That(sheet.LocalVolume, Is.EqualTo(1.0).Within(1e-5));
             Assert.That(sheet.Unevenness, Is.EqualTo(1.0).Within(1e-5));
         }
@@ -44,6 +45,7 @@ namespace Host.Tests
         static IEnumerable<float3> Lattice(int layers) => Lattice(layers, new int2(17, 26));
 
         static IEnumerable<float3> Lattice(int layers, int2 counts) =>
-            Enumerable.Range(0, counts.x * counts.y * layers).Select(i => new float3(i % counts.x, i / (counts.x * counts.y), i / counts.x % counts.y) + 0.5f);
+            Enumerable.Range(0, counts.x * counts.y * layers)
+            .Select(i => new float3(i % counts.x, i / (counts.x * counts.y), i / counts.x % counts.y) + 0.5f);
     }
 }

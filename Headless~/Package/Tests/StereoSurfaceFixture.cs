@@ -75,11 +75,13 @@ namespace Host.Tests
             Foam stage = simulation.Solver.Foam;
             stage.Particles.SetData(Enumerable.Range(0, count).Select(i => new FoamParticle
             {
-                a = new uint4(math.asuint((new float3(-0.5f + 0.2f * (i % 6), -0.2f + 0.15f * (i / 6), -0.6f) + 0.8f) / 0.1f), math.asuint(20f)), b = new uint4(0u, 0u, 0u, 1u | 6400u << 2 | 255u << 16),
+                a = new uint4(math.asuint((new float3(-0.5f + 0.2f * (i % 6), -0.2f + 0.15f * (i / 6), -0.6f) + 0.8f) / 0.1f),
+                    math.asuint(20f)), b = new uint4(0u, 0u, 0u, 1u | 6400u << 2 | 255u << 16),
             }).ToArray(), 0, 0, count);
             stage.Counters.SetData(new[] { (uint)count, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
             const uint vertices = count * ParticleRenderer.VerticesPerParticle;
-            stage.Arguments.SetData(new[] { vertices, 1u, 0u, 0u, 1u, 1u, 1u, (uint)count, vertices, 2u, 0u, 0u });     // as Arguments.hlsl writes them
+            // as Arguments.hlsl writes them
+            stage.Arguments.SetData(new[] { vertices, 1u, 0u, 0u, 1u, 1u, 1u, (uint)count, vertices, 2u, 0u, 0u });
         }
 
         /// <summary>Pixels of the eyes that a camera there sees otherwise, and of the left one that the right one sees otherwise.</summary>
@@ -119,7 +121,8 @@ namespace Host.Tests
             // Not for the camera with one eye, which is right.
             string faulty = "#ifdef RILL_STEREO\n" + source.Replace(line, instead) + "\n#else\n" + source + "\n#endif";
             string both = "#include \"View.hlsl\"\n" + faulty;
-            Material material = RenderPassFixture.MaterialOf("Surface.shader", Player.PipelineTag, text => Regex.Replace(text, "#include \"Surface.hlsl\"", _ => both));
+            Material material = RenderPassFixture.MaterialOf("Surface.shader", Player.PipelineTag,
+                text => Regex.Replace(text, "#include \"Surface.hlsl\"", _ => both));
             material.EnableKeyword("RILL_REFRACTION");
             Surface.Material = material;
         }
@@ -152,6 +155,7 @@ namespace Host.Tests
             return request.GetData<Color32>().ToArray();
         }
 
-        static int Unlike(Color32[] a, Color32[] b) => a.Zip(b, (x, y) => Math.Abs(x.r - y.r) > 2 || Math.Abs(x.g - y.g) > 2 || Math.Abs(x.b - y.b) > 2).Count(unlike => unlike);
+        static int Unlike(Color32[] a, Color32[] b)
+            => a.Zip(b, (x, y) => Math.Abs(x.r - y.r) > 2 || Math.Abs(x.g - y.g) > 2 || Math.Abs(x.b - y.b) > 2).Count(unlike => unlike);
     }
 }

@@ -184,8 +184,11 @@ namespace Host.Tests
             return request.GetData<Color32>().ToArray();
         }
 
-        static Color32[] Half(Color32[] screen, int eye) => Enumerable.Range(0, Width * Height).Select(i => screen[i / Width * 2 * Width + eye * Width + i % Width]).ToArray();
+        static Color32[] Half(Color32[] screen, int eye)
+            => Enumerable.Range(0, Width * Height).Select(i => screen[i / Width * 2 * Width + eye * Width + i % Width]).ToArray();
 
-        static int Unlike(Color32[] a, Color32[] b) => a.Zip(b, (x, y) => System.Math.Abs(x.r - y.r) > 2 || System.Math.Abs(x.g - y.g) > 2 || System.Math.Abs(x.b - y.b) > 2).Count(unlike => unlike);
+        static int Unlike(Color32[] a, Color32[] b)
+            => a.Zip(b, (x, y) => System.Math.Abs(x.r - y.r) > 2 || System.Math.Abs(x.g - y.g) > 2 || System.Math.Abs(x.b - y.b) > 2)
+            .Count(unlike => unlike);
     }
 }

@@ -35,7 +35,8 @@ namespace Host.Tests
         /// <summary>Reversed, of the water at least; 0 where there is none.</summary>
         private protected abstract float[] Depth(int eye);
 
-        private protected void MakePicture() => camera.targetTexture = picture = new RenderTexture(Wide, High, GraphicsFormat.R16G16B16A16_SFloat, GraphicsFormat.D32_SFloat);
+        private protected void MakePicture() => camera.targetTexture = picture = new RenderTexture(Wide, High,
+            GraphicsFormat.R16G16B16A16_SFloat, GraphicsFormat.D32_SFloat);
 
         private protected void PutOnHeadset()
         {
@@ -55,7 +56,8 @@ namespace Host.Tests
             AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(Shader.GetGlobalTexture(MotionTexture), 0, 0, Wide, 0, High, eye, 1);
             request.WaitForCompletion();
             ushort[] halves = request.GetData<ushort>().ToArray();
-            return Enumerable.Range(0, Wide * High).Select(i => new Vector2(Mathf.HalfToFloat(halves[2 * i]) * Wide, Mathf.HalfToFloat(halves[2 * i + 1]) * High)).ToArray();
+            return Enumerable.Range(0, Wide * High)
+                .Select(i => new Vector2(Mathf.HalfToFloat(halves[2 * i]) * Wide, Mathf.HalfToFloat(halves[2 * i + 1]) * High)).ToArray();
         }
 
         private protected static float[] Floats(Texture texture, int eye)
@@ -86,10 +88,12 @@ namespace Host.Tests
         // Where the water alone stands: nothing else is as near as its box.
         static bool IsWater(Vector3 world) => Mathf.Abs(world.x) < 0.85f && world.y > -0.79f && Mathf.Abs(world.z) < 0.85f;
 
-        private protected (float worst, float largest, int pixels) Compare(in Matrix4x4 lastWorldToClip, Func<Vector3, Vector3> before) => Compare(WorldToClip, lastWorldToClip, before);
+        private protected (float worst, float largest, int pixels) Compare(in Matrix4x4 lastWorldToClip, Func<Vector3, Vector3> before)
+            => Compare(WorldToClip, lastWorldToClip, before);
 
         /// <summary>How far off the drawn motion is, at worst; each pixel of the water came from where "before" says.</summary>
-        private protected (float worst, float largest, int pixels) Compare(in Matrix4x4 worldToClip, in Matrix4x4 lastWorldToClip, Func<Vector3, Vector3> before, int eye = 0)
+        private protected (float worst, float largest, int pixels) Compare(in Matrix4x4 worldToClip, in Matrix4x4 lastWorldToClip,
+            Func<Vector3, Vector3> before, int eye = 0)
         {
             Vector2[] motion = Motion(eye);
             float[] depth = Depth(eye);
@@ -127,7 +131,8 @@ namespace Host.Tests
             return simulation.DomainToWorld.MultiplyPoint3x4(sum / now.Length);
         }
 
-        /// <summary>How far off the motion of water is that has fallen so far and falls on; well above the floor, which slows the lowest first.</summary>
+        /// <summary>How far off the motion of water is that has fallen so far and falls on; well above the floor, which slows the lowest
+        /// first.</summary>
         private protected (float worst, float largest, int pixels) Fall(int rate)
         {
             PlayMore((int)(rate * 0.15f), 1f / rate);
@@ -155,8 +160,10 @@ namespace Host.Tests
                 Assert.That(pixels, Is.GreaterThan(5000));
                 Assert.That(largest, Is.GreaterThan(3f), "it moves");
                 Assert.That(worst, Is.LessThan(Bar));
-                Assert.That(Compare(WorldToClipOf(eye), last[eye], back.MultiplyPoint3x4, 1 - eye).worst, Is.GreaterThan(2 * Bar), "the other eye's slice is another");
-                Assert.That(Compare(WorldToClipOf(eye), last[1 - eye], back.MultiplyPoint3x4, eye).worst, Is.GreaterThan(2 * Bar), "the other eye was elsewhere");
+                Assert.That(Compare(WorldToClipOf(eye), last[eye], back.MultiplyPoint3x4, 1 - eye).worst, Is.GreaterThan(2 * Bar),
+                    "the other eye's slice is another");
+                Assert.That(Compare(WorldToClipOf(eye), last[1 - eye], back.MultiplyPoint3x4, eye).worst, Is.GreaterThan(2 * Bar),
+                    "the other eye was elsewhere");
             }
         }
 

@@ -20,7 +20,8 @@ namespace Host.Tests
             var surface = simulation.gameObject.AddComponent<FluidSurface>();
             Play(3);
             Footprint on = Footprint.Of(() => Play(1));
-            Assert.That(on.Work, Has.Member("Surface.shader").And.Member("SurfaceParticles.compute Shape").And.Member("SurfaceFilter.compute FindNormals"));
+            Assert.That(on.Work, Has.Member("Surface.shader").And.Member("SurfaceParticles.compute Shape").And.Member(
+                "SurfaceFilter.compute FindNormals"));
             Assert.That(Textures(), Is.Not.Empty);
 
             surface.enabled = false;
@@ -29,6 +30,7 @@ namespace Host.Tests
             Assert.That(Textures(), Is.Empty);
         }
 
-        static string[] Textures() => Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name.StartsWith("Rill.") && texture.IsCreated()).Select(texture => texture.name).ToArray();
+        static string[] Textures() => Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name.StartsWith("Rill.")
+            && texture.IsCreated()).Select(texture => texture.name).ToArray();
     }
 }

@@ -20,7 +20,8 @@ namespace Host.Tests
         static SweepResult Result(params (string column, object value)[] changes)
         {
             var table = new ReportTable(ExperimentFigures.Columns);
-            table.Add(ExperimentFigures.Columns.Select(column => changes.Where(change => change.column == column).Select(change => change.value).FirstOrDefault() ?? (Good.TryGetValue(column, out object value) ? value : 0)).ToArray());
+            table.Add(ExperimentFigures.Columns.Select(column => changes.Where(change => change.column == column)
+                .Select(change => change.value).FirstOrDefault() ?? (Good.TryGetValue(column, out object value) ? value : 0)).ToArray());
             return SweepResult.All(table).Single();
         }
 
@@ -36,7 +37,8 @@ namespace Host.Tests
         [TestCase("volume", 1.06, "boils")]
         [TestCase("error_moving", 0.031, "is too dense")]
         [TestCase("error_settled", double.NaN, "is too dense")]
-        public void A_run_beyond_a_limit_does_not_hold(string column, double value, string fault) => Assert.That(Result((column, value)).Fault, Is.EqualTo(fault));
+        public void A_run_beyond_a_limit_does_not_hold(string column, double value, string fault)
+            => Assert.That(Result((column, value)).Fault, Is.EqualTo(fault));
 
         [Test]
         public void The_volume_of_water_that_still_moves_is_not_judged() => Assert.That(Result(("seconds", 2), ("volume", 1.3)).Fault, Is.Null);

@@ -74,7 +74,8 @@ namespace Host.Tests
             List<double> turns = TurningPoints.Of(Swing(1, ripple), 0.03, 0.15);
             Assert.That(turns.Count, Is.EqualTo(3), "neither the start nor the end nor a ripple");
             for (int i = 0; i < turns.Count; i++)
-                Assert.That(turns[i], Is.EqualTo(((i + 1) * Math.PI - Math.Atan(0.3 / 2.5)) / 2.5).Within(ripple > 0 ? 0.03 : 2e-3), "a parabola leaves out the cubic part");
+                Assert.That(turns[i], Is.EqualTo(((i + 1) * Math.PI - Math.Atan(0.3 / 2.5)) / 2.5).Within(ripple > 0 ? 0.03 : 2e-3),
+                    "a parabola leaves out the cubic part");
             Assert.That(TurningPoints.Of(Swing(1, 0.05), 0.01, 0.15).Count, Is.GreaterThan(3), "ripples above what is left out are turns");
         }
 
@@ -158,7 +159,8 @@ namespace Host.Tests
         {
             var random = new Random(3);
             var samples = Enumerable.Range(0, 200).Select(i => i / 30.0)
-                .Select(t => (t, 0.5 + 0.02 * (Math.Exp(-damping * t) * Math.Cos(frequency * t + 1) + noise * (2 * random.NextDouble() - 1)))).ToList();
+                .Select(t => (t, 0.5 + 0.02 * (Math.Exp(-damping * t) * Math.Cos(frequency * t + 1)
+                    + noise * (2 * random.NextDouble() - 1)))).ToList();
             DampedCosine fit = DampedCosine.Fit(samples);
             double tolerance = noise > 0 ? 0.01 : 1e-5;
             Assert.That(fit.Period, Is.EqualTo(2 * Math.PI / frequency).Within(tolerance));

@@ -13,7 +13,8 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>URP's motion vectors hold the water's own motion and the camera's where something asks for them, and cost nothing elsewhere.</summary>
+    /// <summary>URP's motion vectors hold the water's own motion and the camera's where something asks for them, and cost nothing
+    /// elsewhere.</summary>
     public class UniversalMotionTests : SurfaceMotionFixture
     {
         private protected override string MotionTexture => "_MotionVectorTexture";
@@ -38,7 +39,8 @@ namespace Host.Tests
             Set(data, "antialiasing", Enum.ToObject(data.GetType().GetProperty("antialiasing").PropertyType, 3));
         }
 
-        // At 30 frames a second there are two steps in a frame, of which the second alone is known: what falls has come g (1/60 s)^2, 2.7 mm, less far.
+        // At 30 frames a second there are two steps in a frame, of which the second alone is known: what falls has come g (1/60 s)^2, 2.7
+        // mm, less far.
         [TestCase("17", 60, Bar)]
         [TestCase("17.3", 60, Bar)]
         [TestCase("17 by Execute", 60, Bar)]
@@ -145,8 +147,10 @@ namespace Host.Tests
             Assert.That(Motion().Max(motion => motion.magnitude), Is.GreaterThan(1f));
         }
 
-        [TestCase("builder.UseTexture(motion, AccessFlags.Write);", "builder.AllowPassCulling(false);", "(_MotionVectorTexture) that the pass 'Rill.Surface.Motion' has not declared")]
-        [TestCase("builder.UseTexture(motionDepth, AccessFlags.Write);", "", "(_MotionVectorDepthTexture) that the pass 'Rill.Surface.Motion' has not declared")]
+        [TestCase("builder.UseTexture(motion, AccessFlags.Write);", "builder.AllowPassCulling(false);",
+            "(_MotionVectorTexture) that the pass 'Rill.Surface.Motion' has not declared")]
+        [TestCase("builder.UseTexture(motionDepth, AccessFlags.Write);", "",
+            "(_MotionVectorDepthTexture) that the pass 'Rill.Surface.Motion' has not declared")]
         public void A_pass_that_draws_on_what_it_has_not_declared_is_caught(string line, string instead, string words)
         {
             BuildWithFault(PipelineKind.Universal, "17", "SurfacePass.cs", line, instead);

@@ -43,7 +43,8 @@ namespace Host.Tests
         int UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(Action build)
         {
             build();
-            FieldInfo scale = pipeline["Unity.RenderPipelines.Core.Runtime"].GetType("UnityEngine.Experimental.Rendering.XRPass").GetField("TextureScale", BindingFlags.Static | BindingFlags.NonPublic);
+            FieldInfo scale = pipeline["Unity.RenderPipelines.Core.Runtime"].GetType("UnityEngine.Experimental.Rendering.XRPass")
+                .GetField("TextureScale", BindingFlags.Static | BindingFlags.NonPublic);
             scale.SetValue(null, 0.5f);
             try
             {
@@ -69,13 +70,16 @@ namespace Host.Tests
 
         [Test]
         public void What_the_camera_says_for_what_is_there_is_seen() =>
-            Assert.That(UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(() => BuildWithFault(PipelineKind.Universal, "17", "UniversalSurfaces.cs", Line, "if (views.eyes == 2) views.sceneSize = new Vector2(views.width, views.height); " + Line)), Is.GreaterThan(6 * Few));
+            Assert.That(UnlikeWhereTheHeadsetsTexturesAreSmallerThanTheCameraSays(() => BuildWithFault(PipelineKind.Universal, "17",
+            "UniversalSurfaces.cs", Line, "if (views.eyes == 2) views.sceneSize = new Vector2(views.width, views.height); " + Line)),
+            Is.GreaterThan(6 * Few));
 
         [Test]
         public void A_camera_that_is_kept_from_the_headset_draws_one_eye([Values("14", "17")] string version)
         {
             Build(version);
-            Component data = camera.gameObject.AddComponent(pipeline.Asset.GetType().Assembly.GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData"));
+            Component data = camera.gameObject.AddComponent(
+                pipeline.Asset.GetType().Assembly.GetType("UnityEngine.Rendering.Universal.UniversalAdditionalCameraData"));
             Set(data, "allowXRRendering", false);
             Arrange(Refracting);
             int shown = PixelsOfWaterOnTheScreen();
@@ -92,10 +96,13 @@ namespace Host.Tests
             AssertTheFaultIsSeen();
         }
 
-        [TestCase("_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)", "_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, 0), 0)", TestName = "The_scene_of_the_other_eye_is_seen")]
+        [TestCase("_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, eyeIndex), 0)",
+            "_SceneColor.SampleLevel(rill_linear_clamp_sampler, float3(uv, 0), 0)", TestName = "The_scene_of_the_other_eye_is_seen")]
         [TestCase("SceneDepth(picture, eyeIndex)", "SceneDepth(picture, 0)", TestName = "The_depth_of_the_other_eye_is_seen")]
-        [TestCase("float3 at = float3(picture * 0.5 + 0.5, eyeIndex);", "float3 at = float3(picture * 0.5 + 0.5, 0);", TestName = "The_thickness_of_the_other_eye_is_seen")]
-        [TestCase("float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));", "float depth = _SurfaceDepth.Load(int4(texel, 0, 0));", TestName = "The_surface_of_the_other_eye_is_seen")]
+        [TestCase("float3 at = float3(picture * 0.5 + 0.5, eyeIndex);", "float3 at = float3(picture * 0.5 + 0.5, 0);",
+            TestName = "The_thickness_of_the_other_eye_is_seen")]
+        [TestCase("float depth = _SurfaceDepth.Load(int4(texel, eyeIndex, 0));", "float depth = _SurfaceDepth.Load(int4(texel, 0, 0));",
+            TestName = "The_surface_of_the_other_eye_is_seen")]
         public void A_wrong_slice_is_seen(string line, string instead)
         {
             Build("17");

@@ -7,6 +7,7 @@ namespace Host.Tests
     {
         private protected void Build(string version, bool editor = false) => Build(PipelineKind.Universal, version, editor);
 
-        private protected void BuildWithFault(string version, string file, string line, string instead) => BuildWithFault(PipelineKind.Universal, version, file, line, instead);
+        private protected void BuildWithFault(string version, string file, string line, string instead)
+            => BuildWithFault(PipelineKind.Universal, version, file, line, instead);
     }
 }

@@ -9,11 +9,13 @@ using UnityEngine.TestTools;
 
 namespace Host.Tests
 {
-    /// <summary>The package's adapter for URP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows them.</summary>
+    /// <summary>The package's adapter for URP draws fluid surfaces in every version without a step by hand, as the Built-in pipeline shows
+    /// them.</summary>
     public class UniversalSurfaceTests : UniversalSurfaceFixture
     {
         [Test]
-        public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17 by Execute", "17.3", "17.3-compatibility by Execute", "17.4")] string version)
+        public void The_water_is_there_without_a_step_by_hand([Values("14", "17", "17 by Execute", "17.3", "17.3-compatibility by Execute",
+            "17.4")] string version)
         {
             Build(version);
             Play(2);
@@ -52,7 +54,8 @@ namespace Host.Tests
             Plant();
             Play(1);
             Vector4[] universal = Pixels();
-            return (universal.Where((pixel, i) => (pixel - without[i]).magnitude > 0.1f).Count(), universal.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.1f).Count());
+            return (universal.Where((pixel, i) => (pixel - without[i]).magnitude > 0.1f).Count(),
+                universal.Where((pixel, i) => (pixel - builtIn[i]).magnitude > 0.1f).Count());
         }
 
         [Test]
@@ -128,7 +131,8 @@ namespace Host.Tests
             Play(2);
             Vector4[] drawn = Pixels();
             Assert.That(Errors, Is.Empty);
-            int[] widths = Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name == "Rill.Surface.Depth" && texture.IsCreated()).Select(texture => texture.width).ToArray();
+            int[] widths = Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.name == "Rill.Surface.Depth"
+                && texture.IsCreated()).Select(texture => texture.width).ToArray();
             Assert.That(Covered(whole), Is.GreaterThan(Width * Height / 20));
             var sums = new Vector4[Width / 4 * (Height / 4)];
             for (int i = 0; i < drawn.Length; i++)
@@ -178,9 +182,12 @@ namespace Host.Tests
             Assert.That(Covered(Pixels()), Is.GreaterThan(Width * Height / 20));
         }
 
-        [TestCase("builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);", "", "'Rill.Surface' of the render graph has not declared")]
-        [TestCase("ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color", "ScriptableRenderPassInput.Color", "Trying to use an invalid resource (pass Rill.Surface)")]
-        [TestCase("DefaultEvent = RenderPassEvent.BeforeRenderingTransparents", "DefaultEvent = RenderPassEvent.AfterRenderingShadows", "that nothing has written to yet")]
+        [TestCase("builder.UseTexture(frameData.Get<UniversalResourceData>().cameraDepthTexture);", "",
+            "'Rill.Surface' of the render graph has not declared")]
+        [TestCase("ScriptableRenderPassInput.Depth | ScriptableRenderPassInput.Color", "ScriptableRenderPassInput.Color",
+            "Trying to use an invalid resource (pass Rill.Surface)")]
+        [TestCase("DefaultEvent = RenderPassEvent.BeforeRenderingTransparents", "DefaultEvent = RenderPassEvent.AfterRenderingShadows",
+            "that nothing has written to yet")]
         public void A_pass_that_reads_what_it_must_not_is_caught(string line, string instead, string words)
         {
             BuildWithFault("17", "SurfacePass.cs", line, instead);
@@ -192,7 +199,8 @@ namespace Host.Tests
 
         [TestCase("17", "builder.AllowPassCulling(false);", "")]
         [TestCase("17", "renderPassEvent = LastEvent;", "renderPassEvent = RenderPassEvent.AfterRenderingTransparents;")]
-        [TestCase("14", "cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);", "")]
+        [TestCase("14", "cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, " +
+            "CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);", "")]
         public void Without_the_line_the_water_is_not_there(string version, string line, string instead)
         {
             BuildWithFault(version, "SurfacePass.cs", line, instead);

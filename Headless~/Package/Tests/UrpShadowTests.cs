@@ -22,7 +22,8 @@ namespace Host.Tests
             projection = Matrix4x4.Ortho(-4, 4, -4, 4, 0, 10);
             map = new RenderTexture(256, 256, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
             DrawSphere(new Vector4(-0.02f, -0.02f, 0, 0));
-            toShadow = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1)) * GL.GetGPUProjectionMatrix(projection, false) * view;
+            toShadow = Matrix4x4.Translate(new Vector3(0.5f, 0.5f, 0)) * Matrix4x4.Scale(new Vector3(0.5f, 0.5f, 1))
+                * GL.GetGPUProjectionMatrix(projection, false) * view;
 
             Shader.SetGlobalTexture("_MainLightShadowmapTexture", map, RenderTextureSubElement.Depth);
             Shader.SetGlobalVector("_MainLightPosition", new Vector4(0, 1, 0, 0));
@@ -60,7 +61,9 @@ namespace Host.Tests
             for (int y = 0; y < 256; y++)
                 for (int x = 0; x < 256; x++)
                 {
-                    float across = ((x + 0.5f) * (x + 0.5f) - 256 * (x + 0.5f) + (y + 0.5f) * (y + 0.5f) - 256 * (y + 0.5f) + 2 * 128 * 128) / (32 * 32);     // squared, m
+                    // squared, m
+                    float across = ((x + 0.5f) * (x + 0.5f) - 256 * (x + 0.5f) + (y + 0.5f) * (y + 0.5f) - 256 * (y + 0.5f) + 2 * 128 * 128)
+                        / (32 * 32);
                     if (across > 0.9f * Radius * Radius)
                         continue;
                     hits++;
@@ -118,7 +121,8 @@ namespace Host.Tests
             Assert.That(DrawFloor("_MAIN_LIGHT_SHADOWS")[Index(Below)].x, Is.EqualTo((lit + dark) / 2).Within(1e-3f));
             // Three quarters gone at this distance, and nothing at the eye.
             Shader.SetGlobalVector("_MainLightShadowParams", new Vector4(1, 0, 0.75f / (Below - camera.transform.position).sqrMagnitude, 0));
-            Assert.That(DrawFloor("_MAIN_LIGHT_SHADOWS")[Index(Below)].x, Is.EqualTo(dark + 0.75f * (lit - dark)).Within(0.03f * (lit - dark)), "within the pixel");
+            Assert.That(DrawFloor("_MAIN_LIGHT_SHADOWS")[Index(Below)].x,
+                Is.EqualTo(dark + 0.75f * (lit - dark)).Within(0.03f * (lit - dark)), "within the pixel");
         }
 
         [Test]
@@ -141,7 +145,8 @@ namespace Host.Tests
                 if (mask[i].x > 0)
                 {
                     drawn++;
-                    Assert.That(shaded[i].x, Is.EqualTo(dark[i].x + mask[i].x * (lit[i].x - dark[i].x)).Within(1e-4f), $"pixel {i % Width}, {i / Width}");
+                    Assert.That(shaded[i].x, Is.EqualTo(dark[i].x + mask[i].x * (lit[i].x - dark[i].x)).Within(1e-4f),
+                        $"pixel {i % Width}, {i / Width}");
                 }
             Assert.That(drawn, Is.GreaterThan(Width * Height / 2));
             Assert.That(lit[Index(Below)].x, Is.GreaterThan(1.2f * dark[Index(Below)].x), "the mask matters");
@@ -171,7 +176,8 @@ namespace Host.Tests
             Shader.SetGlobalMatrixArray("_MainLightWorldToShadow", matrices);
             for (int i = 0; i < 4; i++)
                 Shader.SetGlobalVector("_CascadeShadowSplitSpheres" + i, i < first ? new Vector4(0, 100, 0, 1) : new Vector4(0, 0, 0, 10));
-            Shader.SetGlobalVector("_CascadeShadowSplitSphereRadii", new Vector4(first > 0 ? 1 : 100, first > 1 ? 1 : 100, first > 2 ? 1 : 100, first > 3 ? 1 : 100));
+            Shader.SetGlobalVector("_CascadeShadowSplitSphereRadii",
+                new Vector4(first > 0 ? 1 : 100, first > 1 ? 1 : 100, first > 2 ? 1 : 100, first > 3 ? 1 : 100));
         }
 
         static void SetShadow(float strength, bool soft, float fade) =>

@@ -35,11 +35,14 @@ namespace Host.Tests
                 float FromCup(Vector3 p) => new Vector2(p.x - cup.x, p.z - cup.z).magnitude;
                 Vector3[] inCup = particles.Where(p => FromCup(p) < radius && p.y > cup.y && p.y < cup.y + rim).ToArray();
                 TestContext.WriteLine($"{inCup.Length} of {poured:0} particles in the cup");
-                // The cup has room for all of it, 3.6 l. A ninth still falls, for 0.2 s from the spout to the cup's floor; without a cup there is no more than
-                // that in its place. Until the water is as deep as the stream is wide, 0.5 l or a fifth, the stream may splash off the floor and out. A tenth
+                // The cup has room for all of it, 3.6 l. A ninth still falls, for 0.2 s from the spout to the cup's floor; without a cup
+                // there is no more than
+                // that in its place. Until the water is as deep as the stream is wide, 0.5 l or a fifth, the stream may splash off the
+                // floor and out. A tenth
                 // is for drops thrown out later.
                 Assert.That(inCup.Length, Is.GreaterThan(0.6 * poured));
-                // Not pressed together: half of it stands above half the height of still water of that volume, less a tenth. The stream only churns it up.
+                // Not pressed together: half of it stands above half the height of still water of that volume, less a tenth. The stream
+                // only churns it up.
                 float[] standing = inCup.Where(p => FromCup(p) > 0.04f).Select(p => p.y - cup.y - floor).OrderBy(y => y).ToArray();
                 float level = 2f * standing[standing.Length / 2];
                 double filled = inCup.Length * Math.Pow(spacing, 3) / (Math.PI * 0.079 * 0.079);      // the cup's mean radius
@@ -83,7 +86,9 @@ namespace Host.Tests
                 IsOutsideOfAll(fluid, particles);
                 IsWhole(fluid, 0.01f);
                 const float turn = 60f * Mathf.Deg2Rad, ring = 0.345f, lip = 0.5f;
-                int[] carried = Enumerable.Range(0, particles.Count).Where(i => IsBetween((particles[i] - wheel.position).magnitude, ring, lip) && IsBetween(particles[i].y - wheel.position.y, -0.2f, 0.2f)).ToArray();
+                int[] carried = Enumerable.Range(0, particles.Count)
+                    .Where(i => IsBetween((particles[i] - wheel.position).magnitude, ring, lip)
+                    && IsBetween(particles[i].y - wheel.position.y, -0.2f, 0.2f)).ToArray();
                 int[] down = carried.Where(i => particles[i].x > 0f).ToArray();
                 int up = carried.Length - down.Length;
                 // The buckets' water turns with the wheel: at x it sinks at turn * x.
@@ -130,10 +135,13 @@ namespace Host.Tests
 
                 // 0.5, 2 and 3.5 s after the start the sluices open: 3.5 + 2 + 0.5 s at 18 m3/s.
                 double poured = 108.0 / Math.Pow(spacing, 3);
-                TestContext.WriteLine($"{particles.Count} of {poured:0} particles, {particles.Count(p => p.x > -9f && p.y > 2f)} on the quay, the furthest at x {particles.Max(p => p.x):0.0} m");
+                TestContext.WriteLine($"{particles.Count} of {poured:0} particles, {particles.Count(p => p.x > -9f && p.y > 2f)} on " +
+                    $"the quay, the furthest at x {particles.Max(p => p.x):0.0} m");
                 Assert.That(particles.Count, Is.EqualTo(poured).Within(0.05 * poured));
-                // The harbour has room for 240 m3 up to the quay: what is on the quay was thrown over its edge. From the sluices to the quay's level the
-                // water falls for 0.53 s, 29 m3 of it; of the rest less is thrown than stays. The middle sluice stands before the stairs, with 3 of its
+                // The harbour has room for 240 m3 up to the quay: what is on the quay was thrown over its edge. From the sluices to the
+                // quay's level the
+                // water falls for 0.53 s, 29 m3 of it; of the rest less is thrown than stays. The middle sluice stands before the stairs,
+                // with 3 of its
                 // 4.5 m and 2.7 m of head above the quay: a tenth of that has come up at least.
                 int onQuay = particles.Count(p => p.x > -9f && p.y > 2f);
                 Assert.That(onQuay / poured, Is.InRange(0.1 * 3.5 * 18.0 * 3.0 / 4.5 / 108.0, 0.5 * (108.0 - 29.0) / 108.0), "on the quay");
@@ -184,7 +192,8 @@ namespace Host.Tests
             for (int i = 0; i < 4; i++)
                 PlayerLoop.Frame(FrameTime);
             Assert.That(fluid.TryGetStatistics(out FluidStatistics s), Is.True);
-            TestContext.WriteLine($"step {s.step}: {s.particles} particles, C+ {100 * s.densityError:0.00} %, at most {s.densityErrorMax:0.00}, speed at most {s.speedMax:0.0} m/s, escaped {s.escaped}, drained {s.drained}, waiting {s.waiting}");
+            TestContext.WriteLine($"step {s.step}: {s.particles} particles, C+ {100 * s.densityError:0.00} %, at most " +
+                $"{s.densityErrorMax:0.00}, speed at most {s.speedMax:0.0} m/s, escaped {s.escaped}, drained {s.drained}, waiting {s.waiting}");
             Assert.That((s.nonFinite, s.escaped, s.refused, s.blocked), Is.EqualTo((0, 0, 0, 0)));
             Assert.That(s.added + s.emitted, Is.EqualTo(s.drained + s.nonFinite + s.particles), "conserved");
             Assert.That(s.densityError, Is.LessThan(error));
@@ -196,7 +205,8 @@ namespace Host.Tests
             float spacing = fluid.ParticleSpacing;
             foreach (FluidCollider solid in Object.FindObjectsOfType<FluidCollider>().Where(c => c.Shape == ColliderShape.Mesh))
             {
-                float nearest = particles.Min(p => solid.Field.TrySample(solid.transform.InverseTransformPoint(p), out float distance) ? distance : float.MaxValue) / spacing;
+                float nearest = particles.Min(p => solid.Field.TrySample(solid.transform.InverseTransformPoint(p), out float distance)
+                    ? distance : float.MaxValue) / spacing;
                 TestContext.WriteLine($"the nearest particle is {nearest:0.00} d from the surface of {solid.name}");
                 Assert.That(nearest, Is.GreaterThan(Nearest), solid.name);
             }
@@ -209,7 +219,8 @@ namespace Host.Tests
         }
 
         // The boxes of the samples stand straight, so that the domain's axes are the world's.
-        static Vector3[] Velocities(FluidSimulation fluid) => Read(fluid, fluid.Solver.Velocities).Select(v => (Vector3)v * fluid.ParticleSpacing).ToArray();
+        static Vector3[] Velocities(FluidSimulation fluid)
+            => Read(fluid, fluid.Solver.Velocities).Select(v => (Vector3)v * fluid.ParticleSpacing).ToArray();
 
         static uint[] Ids(FluidSimulation fluid) => Read<uint>(fluid, fluid.Solver.ParticleIds);
 
@@ -224,7 +235,8 @@ namespace Host.Tests
             return values;
         }
 
-        /// <summary>How each particle leaves the basin of Tap and Basin, frame by frame. See basin() in Headless~/Package/tools/make-sample-meshes.</summary>
+        /// <summary>How each particle leaves the basin of Tap and Basin, frame by frame. See basin() in
+        /// Headless~/Package/tools/make-sample-meshes.</summary>
         sealed class BasinTracer
         {
             const float Rim = 0.308f;

@@ -15,7 +15,8 @@ namespace Rill
         readonly List<(DeviceFeature feature, string problem)> refusals = new List<(DeviceFeature, string)>();
         DeviceFeature decided = (DeviceFeature)(-1);
 
-        /// <param name="load">Kernels of a stage, by its name, asked for those of the features wanted: one that is null is judged by the table alone, as all are without this.</param>
+        /// <param name="load">Kernels of a stage, by its name, asked for those of the features wanted: one that is null is judged by the
+        /// table alone, as all are without this.</param>
         public DeviceGate(in DeviceLimits limits, Func<string, ComputeShader> load)
         {
             this.limits = limits;
@@ -36,16 +37,20 @@ namespace Rill
         {
             if (HasNoGraphics)
                 return "this player has no graphics device, on which the fluid is computed.";
-            return MissingAbility(SystemInfo.supportsComputeShaders, SystemInfo.supportsIndirectArgumentsBuffer, SystemInfo.supportsSetConstantBuffer, SystemInfo.supportsAsyncGPUReadback);
+            return MissingAbility(SystemInfo.supportsComputeShaders, SystemInfo.supportsIndirectArgumentsBuffer,
+                SystemInfo.supportsSetConstantBuffer, SystemInfo.supportsAsyncGPUReadback);
         }
 
         /// <summary>The same by what SystemInfo says of the device.</summary>
         internal static string MissingAbility(bool computeShaders, bool indirectArguments, bool constantBuffers, bool asyncReadback)
         {
             string missing = !computeShaders ? "no compute shaders (SystemInfo.supportsComputeShaders), which the fluid is computed with"
-                : !indirectArguments ? "no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer): how many particles there are is known on the GPU alone"
-                : !constantBuffers ? "no constant buffers of one's own (SystemInfo.supportsSetConstantBuffer), in which the kernels get their settings"
-                : !asyncReadback ? "no asynchronous readback (SystemInfo.supportsAsyncGPUReadback), by which statistics and emitters learn what the fluid did"
+                : !indirectArguments
+                ? "no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer): how many particles there are is known on the GPU alone"
+                : !constantBuffers
+                ? "no constant buffers of one's own (SystemInfo.supportsSetConstantBuffer), in which the kernels get their settings"
+                : !asyncReadback
+                ? "no asynchronous readback (SystemInfo.supportsAsyncGPUReadback), by which statistics and emitters learn what the fluid did"
                 : null;
             return missing == null ? null : $"this device ({SystemInfo.graphicsDeviceType}) has {missing}. {Remedy}.";
         }

@@ -41,7 +41,8 @@ namespace Rill
                 bool isMetal = api == GraphicsDeviceType.Metal;
                 int buffers = SystemInfo.maxComputeBufferInputsCompute, vertexBuffers = SystemInfo.maxComputeBufferInputsVertex;
                 int threads = Math.Min(SystemInfo.maxComputeWorkGroupSize, SystemInfo.maxComputeWorkGroupSizeX);
-                return new DeviceLimits(isMetal ? Math.Max(buffers, MetalBuffers) : buffers, isMetal ? Math.Max(vertexBuffers, MetalBuffers) : vertexBuffers,
+                return new DeviceLimits(isMetal ? Math.Max(buffers, MetalBuffers) : buffers, isMetal ? Math.Max(vertexBuffers, MetalBuffers)
+                    : vertexBuffers,
                     isMetal ? Math.Min(threads, SafeThreads) : threads, GroupsharedOf(api, Application.isMobilePlatform));
             }
         }
@@ -83,16 +84,20 @@ namespace Rill
         public string WhyNot(in KernelNeed need)
         {
             if (need.Kernel == KernelNeed.Vertex && need.StorageBuffers > VertexStorageBuffers)
-                return $"the vertex stage of {need.File}.shader reads {need.StorageBuffers} storage buffers, and this device has {VertexStorageBuffers} there (SystemInfo.maxComputeBufferInputsVertex)";
+                return $"the vertex stage of {need.File}.shader reads {need.StorageBuffers} storage buffers, and this device has " +
+                    $"{VertexStorageBuffers} there (SystemInfo.maxComputeBufferInputsVertex)";
             if (need.Threads == 0)
                 return null;
             string kernel = $"kernel '{need.Kernel}' of {need.File}.compute";
             if (need.StorageBuffers > StorageBuffers)
-                return $"{kernel} takes {need.StorageBuffers} storage buffers, and this device has {StorageBuffers} (SystemInfo.maxComputeBufferInputsCompute)";
+                return $"{kernel} takes {need.StorageBuffers} storage buffers, and this device has {StorageBuffers} " +
+                    $"(SystemInfo.maxComputeBufferInputsCompute)";
             if (need.Threads > Threads)
-                return $"{kernel} has groups of {need.Threads:N0} threads, and this device's have at most {Threads:N0} (SystemInfo.maxComputeWorkGroupSize)";
+                return $"{kernel} has groups of {need.Threads:N0} threads, and this device's have at most {Threads:N0} " +
+                    $"(SystemInfo.maxComputeWorkGroupSize)";
             if (need.GroupsharedBytes > GroupsharedBytes)
-                return $"{kernel} takes {need.GroupsharedBytes:N0} bytes of groupshared memory, and {SystemInfo.graphicsDeviceType} grants {GroupsharedBytes:N0}";
+                return $"{kernel} takes {need.GroupsharedBytes:N0} bytes of groupshared memory, and {SystemInfo.graphicsDeviceType} " +
+                    $"grants {GroupsharedBytes:N0}";
             return null;
         }
     }

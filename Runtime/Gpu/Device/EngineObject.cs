@@ -2,7 +2,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Ends what the package has made of Unity's own objects: at once where nothing plays, at the end of the frame in play mode, as Unity wants it.</summary>
+    /// <summary>Ends what the package has made of Unity's own objects: at once where nothing plays, at the end of the frame in play mode,
+    /// as Unity wants it.</summary>
     static class EngineObject
     {
         /// <summary>Destroys it and nulls the reference; nothing where it is null.</summary>

@@ -28,7 +28,8 @@ namespace Rill
         public readonly int Writable;
         public readonly int Textures;
 
-        public KernelNeed(string file, string kernel, string defines, int threads, int groupsharedBytes, int storageBuffers, int writable, int textures)
+        public KernelNeed(string file, string kernel, string defines, int threads, int groupsharedBytes, int storageBuffers, int writable,
+            int textures)
         {
             File = file;
             Kernel = kernel;

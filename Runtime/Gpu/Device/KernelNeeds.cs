@@ -55,7 +55,9 @@ namespace Rill
                 case "ImplicitViscosity": return DeviceFeature.DynamicViscosity;
                 case "Viscoelasticity": return DeviceFeature.Elasticity;
                 case "VorticityConfinement": return DeviceFeature.Vorticity;
-                default: throw new ArgumentException($"{file}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
+                default:
+                    throw new ArgumentException(
+                    $"{file}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
             }
         }
 
@@ -120,7 +122,9 @@ namespace Rill
                 case "RILL_SLEEP": return DeviceFeature.Sleep;
                 case "RILL_TWO_LISTS": return DeviceFeature.TwoLists;
                 case "VISCOUS": return DeviceFeature.Viscosity;
-                default: throw new ArgumentException($"'{word}' of kernel '{need.Kernel}' in {need.File}.compute is in the table of what kernels need, but KernelNeeds does not say which feature it belongs to.");
+                default:
+                    throw new ArgumentException($"'{word}' of kernel '{need.Kernel}' in {need.File}.compute is in the table of " +
+                    $"what kernels need, but KernelNeeds does not say which feature it belongs to.");
             }
         }
     }

@@ -39,10 +39,12 @@ namespace Rill
         MaterialPropertyBlock properties;
         string clamped;         // what the newest validation changed
 
-        /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget takes away what is there.</summary>
+        /// <summary>How much foam there is and how long it lasts. Out-of-range values are clamped with a warning. Another budget takes away
+        /// what is there.</summary>
         public FoamSettings Settings { get => settings; set { settings = value; Validate(); } }
 
-        /// <summary>Radius of the largest particle, m, 0 to 10; 0 for a hundredth of the scene's depth. One that is out of range is clamped with a warning.</summary>
+        /// <summary>Radius of the largest particle, m, 0 to 10; 0 for a hundredth of the scene's depth. One that is out of range is clamped
+        /// with a warning.</summary>
         public float Radius { get => radius; set { radius = value; Validate(); } }
 
         /// <summary>Its colour in white light.</summary>
@@ -62,7 +64,8 @@ namespace Rill
         private protected override StageSet Stage => StageSet.Foam;
         private protected override string ShaderFile => "FoamParticles";
 
-        /// <summary>The newest counts, a few frames old; false before the first since a restart, and where the simulation measures nothing (its statistics interval is 0).</summary>
+        /// <summary>The newest counts, a few frames old; false before the first since a restart, and where the simulation measures nothing
+        /// (its statistics interval is 0).</summary>
         public bool TryGetStatistics(out FoamStatistics statistics)
         {
             statistics = default;
@@ -93,7 +96,8 @@ namespace Rill
         {
             problems.AddIfAny(clamped);
             if (settings.referenceSpeed == 0f && TryGetComponent(out FluidSimulation simulation) && simulation.Gravity == Vector3.zero)
-                problems.Add("makes no foam: without gravity the scene has no speed of its own. Set Reference Speed to that of its fast water, m/s, and Reference Depth to its size, m.");
+                problems.Add("makes no foam: without gravity the scene has no speed of its own. Set Reference Speed to that of its " +
+                    "fast water, m/s, and Reference Depth to its size, m.");
         }
 
         private protected override void Begin() => Validate();

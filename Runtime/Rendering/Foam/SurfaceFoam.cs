@@ -34,7 +34,8 @@ namespace Rill
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
-                cmd.SetComputeVectorParam(shader, Ids.FoamRange, new Vector4(FarthestDepth(camera.ViewOf(eye), fluid), UnderWater * fluid.spacing, 0f, 0f));
+                cmd.SetComputeVectorParam(shader, Ids.FoamRange,
+                    new Vector4(FarthestDepth(camera.ViewOf(eye), fluid), UnderWater * fluid.spacing, 0f, 0f));
                 cmd.SetComputeTextureParam(shader, addFoam, Ids.SceneDistance, view.SceneDistance);
                 cmd.SetComputeTextureParam(shader, addFoam, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeBufferParam(shader, addFoam, Ids.FoamParticles, fluid.foam.particles);

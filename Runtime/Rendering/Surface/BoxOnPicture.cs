@@ -10,7 +10,8 @@ namespace Rill
         /// <summary>Lowest x and y, highest x and y, -1 to 1; the whole picture where a corner is not in front of the camera.</summary>
         public readonly Vector4 Bounds;
 
-        /// <summary>Along the view, m: of the nearest corner and of the middle of all, at least some particle spacings; 1 without perspective.</summary>
+        /// <summary>Along the view, m: of the nearest corner and of the middle of all, at least some particle spacings; 1 without
+        /// perspective.</summary>
         public readonly float NearestDepth, MiddleDepth;
 
         BoxOnPicture(Vector4 bounds, float nearestDepth, float middleDepth)
@@ -32,7 +33,8 @@ namespace Rill
             int corners = 16 * camera.eyes;      // of the box at both ends of the sweep
             for (int i = 0; i < corners; i++)
             {
-                var corner = new Vector4((i & 1) != 0 ? fluid.domainSize.x + 1f : -1f, (i & 2) != 0 ? fluid.domainSize.y + 1f : -1f, (i & 4) != 0 ? fluid.domainSize.z + 1f : -1f, 1f);
+                var corner = new Vector4((i & 1) != 0 ? fluid.domainSize.x + 1f : -1f, (i & 2) != 0 ? fluid.domainSize.y + 1f : -1f,
+                    (i & 4) != 0 ? fluid.domainSize.z + 1f : -1f, 1f);
                 Vector4 world = fluid.domainToWorld * corner;
                 if ((i & 8) != 0)
                     world += (Vector4)sweep;
@@ -46,7 +48,8 @@ namespace Rill
             }
             if (isWhole)
                 bounds = isInFront ? new Vector4(-1f, -1f, 1f, 1f) : Vector4.zero;
-            bounds = new Vector4(Mathf.Clamp(bounds.x, -1f, 1f), Mathf.Clamp(bounds.y, -1f, 1f), Mathf.Clamp(bounds.z, -1f, 1f), Mathf.Clamp(bounds.w, -1f, 1f));
+            bounds = new Vector4(Mathf.Clamp(bounds.x, -1f, 1f), Mathf.Clamp(bounds.y, -1f, 1f), Mathf.Clamp(bounds.z, -1f, 1f),
+                Mathf.Clamp(bounds.w, -1f, 1f));
             bool isOrthographic = camera.projection.m32 == 0f;
             float least = MinDepth * fluid.spacing;
             return new BoxOnPicture(bounds, isOrthographic ? 1f : Mathf.Max(nearest, least), isOrthographic ? 1f : Mathf.Max(sum / corners, least));

@@ -3,7 +3,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Fluid surfaces in the Built-in pipeline: a command buffer of each camera before its transparent draws, filled as it begins to cull.</summary>
+    /// <summary>Fluid surfaces in the Built-in pipeline: a command buffer of each camera before its transparent draws, filled as it begins
+    /// to cull.</summary>
     static class BuiltInSurfaces
     {
         const CameraEvent Event = CameraEvent.BeforeForwardAlpha;
@@ -99,7 +100,8 @@ namespace Rill
         static void Prepare(ref RenderTexture texture, in FluidViews views)
         {
             RenderTextureFormat format = views.camera.allowHDR ? RenderTextureFormat.DefaultHDR : RenderTextureFormat.Default;
-            if (texture != null && texture.width == views.width && texture.height == views.height && texture.volumeDepth == views.eyes && texture.format == format)
+            if (texture != null && texture.width == views.width && texture.height == views.height && texture.volumeDepth == views.eyes
+                && texture.format == format)
                 return;
             EngineObject.Release(ref texture);
             texture = new RenderTexture(views.width, views.height, 0, format)
@@ -133,7 +135,8 @@ namespace Rill
                 hasOurDepth = true;
             }
 
-            // A copy of the target of a camera that draws a part of the screen would be one of the whole screen; forced into a texture, its target is its part.
+            // A copy of the target of a camera that draws a part of the screen would be one of the whole screen; forced into a texture, its
+            // target is its part.
             public void AskForOwnTarget()
             {
                 if (Camera.forceIntoRenderTexture || Camera.rect == new Rect(0f, 0f, 1f, 1f))

@@ -5,7 +5,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Draws the <see cref="FluidSimulation"/> on this object as a liquid: a smooth surface that refracts, reflects and absorbs light.</summary>
+    /// <summary>Draws the <see cref="FluidSimulation"/> on this object as a liquid: a smooth surface that refracts, reflects and absorbs
+    /// light.</summary>
     /// <remarks>
     /// Every camera that shows the object's layer draws it, in every render pipeline, without further wiring. The surface is drawn before
     /// other transparent objects and writes depth; those behind it are not seen through it while it refracts.
@@ -22,7 +23,8 @@ namespace Rill
 
         [SerializeField] SurfaceLook look = SurfaceLook.Water;
 
-        [Tooltip("Looks of phases 1 to 3, which emitters give: what they absorb and scatter. A phase beyond those that are here has the last. Empty: all phases look as above.")]
+        [Tooltip("Looks of phases 1 to 3, which emitters give: what they absorb and scatter. A phase beyond those that are here has " +
+            "the last. Empty: all phases look as above.")]
         [SerializeField] SurfaceLook[] phaseLooks = Array.Empty<SurfaceLook>();
 
         [Tooltip("What the surface costs on the screen. Low is for mobile devices and untethered headsets.")]
@@ -32,7 +34,8 @@ namespace Rill
         [Range(0f, 4f)]
         [SerializeField] float smoothing = 1f;
 
-        [Tooltip("Whether the scene behind is seen bent, through a copy of the opaque scene. Off: the surface blends over whatever is behind it, which other transparent objects behind it need.")]
+        [Tooltip("Whether the scene behind is seen bent, through a copy of the opaque scene. Off: the surface blends over whatever is " +
+            "behind it, which other transparent objects behind it need.")]
         [SerializeField] bool refraction = true;
 
         [Tooltip("Surroundings that it mirrors. None: the scene's sky or reflection probe.")]
@@ -73,7 +76,8 @@ namespace Rill
         public SurfaceLook Look { get => look; set { preset = SurfacePreset.Custom; look = value; Validate(); } }
 
         /// <summary>
-        /// Looks of phases 1 to 3, which emitters give: what they absorb and scatter; index of refraction and roughness are those of <see cref="Look"/>.
+        /// Looks of phases 1 to 3, which emitters give: what they absorb and scatter; index of refraction and roughness are those of
+        /// <see cref="Look"/>.
         /// A phase beyond those that are here has the last. Empty: all phases have <see cref="Look"/>. More than 3 are left out with a warning.
         /// </summary>
         public SurfaceLook[] PhaseLooks { get => phaseLooks; set { phaseLooks = value ?? Array.Empty<SurfaceLook>(); Validate(); } }
@@ -96,13 +100,15 @@ namespace Rill
         /// <summary>How much of the light is gone in the shadow of deep water, 0 to 1; what is thinner than four spacings throws less.</summary>
         public float ShadowOpacity { get => shadowOpacity; set => shadowOpacity = Mathf.Clamp01(value); }
 
-        /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, the brightest directional light that the camera sees).</summary>
+        /// <summary>Light whose highlight is seen; null for the scene's main light (in HDRP, the brightest directional light that the
+        /// camera sees).</summary>
         public Light Sun { get => sun; set => sun = value; }
 
         /// <summary>A material of your own; null for the package's.</summary>
         public Material Material { get => material; set => material = value; }
 
-        /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own knows nothing of foam.</summary>
+        /// <summary>Whether it draws the foam of a <see cref="FluidFoam"/> on this object: a material of the user's own knows nothing of
+        /// foam.</summary>
         internal bool DrawsFoam => isActiveAndEnabled && material == null;
 
         /// <summary>The light whose shadow it casts and receives; null where it is not known.</summary>
@@ -112,7 +118,8 @@ namespace Rill
         private protected override string ShaderFile => "Surface";
 
         /// <summary>Before anything else of the surface for this camera and frame.</summary>
-        /// <returns>Whether the camera sees it; then <see cref="Record"/> fills its textures and <see cref="Submit"/> draws it, in either order.</returns>
+        /// <returns>Whether the camera sees it; then <see cref="Record"/> fills its textures and <see cref="Submit"/> draws it, in either
+        /// order.</returns>
         internal bool Prepare(in FluidViews camera)
         {
             if (!hasFrame || !Simulation.IsRunning || (camera.camera.cullingMask & (1 << gameObject.layer)) == 0)
@@ -126,10 +133,12 @@ namespace Rill
         /// <summary>Records what the camera needs of the surface; nothing where it was not prepared.</summary>
         internal void Record(CommandBuffer cmd, in FluidViews camera) => recorder.Record(cmd, camera, frame);
 
-        /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where none are needed.</summary>
+        /// <summary>Draws the surface's motion vectors into the texture and depth that are bound, after <see cref="Record"/>; nothing where
+        /// none are needed.</summary>
         internal void RecordMotion(CommandBuffer cmd, in FluidViews camera) => recorder.RecordMotion(cmd, camera);
 
-        /// <summary>Has the pipeline draw them among the motion vectors of opaque objects instead, after <see cref="Prepare"/> for a camera that needs them.</summary>
+        /// <summary>Has the pipeline draw them among the motion vectors of opaque objects instead, after <see cref="Prepare"/> for a camera
+        /// that needs them.</summary>
         internal void SubmitMotion(in FluidViews camera)
         {
             RenderParams parameters = Parameters(recorder.ViewOf(camera.camera).Motion);
@@ -191,7 +200,8 @@ namespace Rill
             bool casts = CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
             Light light = KnownLight;
             // Of a light that is not known, the shadow may fall anywhere.
-            if (casts && light == null || watch.IsSeen(gameObject.layer, SurfaceFrame.BoxOf(Simulation), casts ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
+            if (casts && light == null || watch.IsSeen(gameObject.layer, SurfaceFrame.BoxOf(Simulation), casts
+                ? light.transform.forward * QualitySettings.shadowDistance : Vector3.zero))
                 Simulation.NeedsSurface = true;
         }
 
@@ -235,7 +245,9 @@ namespace Rill
         {
             if (phaseLooks.Length >= PhaseFrame.MaxPhases)
             {
-                Debug.LogWarning($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first {PhaseFrame.MaxPhases - 1} can be told apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are removed; give emitters phases up to {PhaseFrame.MaxPhases - 1}.", this);
+                Debug.LogWarning($"Rill: FluidSurface '{name}': of {phaseLooks.Length} phase looks only the first " +
+                    $"{PhaseFrame.MaxPhases - 1} can be told apart, for phases 1 to {PhaseFrame.MaxPhases - 1}. The rest are removed; " +
+                    $"give emitters phases up to {PhaseFrame.MaxPhases - 1}.", this);
                 Array.Resize(ref phaseLooks, PhaseFrame.MaxPhases - 1);
             }
             for (int i = 0; i < phaseLooks.Length; i++)
@@ -262,7 +274,8 @@ namespace Rill
             properties.SetFloat(Ids.HasPhases, frame.phases.AreShown ? 1f : 0f);
             if (frame.phases.AreShown)
                 SetPhases(properties);
-            properties.SetVector(Ids.SurfaceOptics, new Vector4(look.refractionIndex, look.Reflectance, look.roughness, ShadowOffset * Simulation.ParticleSpacing));
+            properties.SetVector(Ids.SurfaceOptics,
+                new Vector4(look.refractionIndex, look.Reflectance, look.roughness, ShadowOffset * Simulation.ParticleSpacing));
             properties.SetFloat(Ids.ReflectionStrength, reflectionStrength);
             if (reflection != null)
                 properties.SetTexture(Ids.ReflectionCube, reflection);

@@ -55,7 +55,8 @@ namespace Rill
             return found;
         }
 
-        /// <summary>Makes the camera's textures and what its shading draw reads of them, before anything is recorded: a render pipeline wants that draw before it culls.</summary>
+        /// <summary>Makes the camera's textures and what its shading draw reads of them, before anything is recorded: a render pipeline
+        /// wants that draw before it culls.</summary>
         /// <param name="fluid">What is drawn.</param>
         /// <returns>Whether the camera sees the fluid's box; there is nothing to record and to draw otherwise.</returns>
         public bool Prepare(in FluidViews camera, in SurfaceFrame fluid)
@@ -80,7 +81,8 @@ namespace Rill
             return true;
         }
 
-        /// <summary>Records everything that has changed since the camera's last frame; nothing where it was not prepared since the last call.</summary>
+        /// <summary>Records everything that has changed since the camera's last frame; nothing where it was not prepared since the last
+        /// call.</summary>
         /// <param name="camera">As <see cref="Prepare"/> had it.</param>
         /// <param name="fluid">As <see cref="Prepare"/> had it.</param>
         public void Record(CommandBuffer cmd, in FluidViews camera, in SurfaceFrame fluid)
@@ -104,7 +106,8 @@ namespace Rill
                 (foam ??= new SurfaceFoam()).Record(cmd, camera, fluid, view);
         }
 
-        /// <summary>Draws motion vectors into what is bound, after <see cref="Record"/> of the same frame; nothing where the camera needs none.</summary>
+        /// <summary>Draws motion vectors into what is bound, after <see cref="Record"/> of the same frame; nothing where the camera needs
+        /// none.</summary>
         public void RecordMotion(CommandBuffer cmd, in FluidViews camera)
         {
             SurfaceView view = ViewOf(camera.camera);
@@ -162,7 +165,8 @@ namespace Rill
                 else
                     cmd.SetRenderTarget(view.Drawn, 0, CubemapFace.Unknown, eye);
                 cmd.ClearRenderTarget(true, hasChords, Color.clear);
-                cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, hasChords ? ChordPass : DepthPass, MeshTopology.Triangles, fluid.surfaceArguments, 0, properties);
+                cmd.DrawProceduralIndirect(Matrix4x4.identity, raster, hasChords ? ChordPass : DepthPass, MeshTopology.Triangles,
+                    fluid.surfaceArguments, 0, properties);
             }
             cmd.EndSample(DepthMarker);
         }
@@ -172,8 +176,10 @@ namespace Rill
             // Texels that the fluid's box covers: the rest was drawn empty.
             Vector4 bounds = view.Bounds;
             int width = view.Width, height = view.Height;
-            int left = Mathf.Clamp((int)((bounds.x * 0.5f + 0.5f) * width), 0, width - 1), right = Mathf.Clamp((int)((bounds.z * 0.5f + 0.5f) * width) + 1, left + 1, width);
-            int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1), top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
+            int left = Mathf.Clamp((int)((bounds.x * 0.5f + 0.5f) * width), 0, width - 1),
+                right = Mathf.Clamp((int)((bounds.z * 0.5f + 0.5f) * width) + 1, left + 1, width);
+            int bottom = Mathf.Clamp((int)((bounds.y * 0.5f + 0.5f) * height), 0, height - 1),
+                top = Mathf.Clamp((int)((bounds.w * 0.5f + 0.5f) * height) + 1, bottom + 1, height);
             SetFilter(cmd, view);
             cmd.SetComputeVectorParam(filter, Ids.FilterBounds, new Vector4(left, bottom, right, top));
             int passes = camera.IsProbe ? 1 : fluid.filterPasses;

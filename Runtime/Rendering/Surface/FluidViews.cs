@@ -3,7 +3,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What a camera sees in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurfaceRecorder"/>: one eye, or two in one pass.</summary>
+    /// <summary>What a camera sees in a frame, as the adapter of a render pipeline hands it to <see cref="FluidSurfaceRecorder"/>: one eye,
+    /// or two in one pass.</summary>
     struct FluidViews
     {
         /// <summary>Whose textures are filled.</summary>
@@ -21,7 +22,8 @@ namespace Rill
         /// <summary>Of the picture of one eye, pixels.</summary>
         public int width, height;
 
-        /// <summary>What is in use of the scene's depth texture, texels; zero for all, whose size the pipeline knows: with a headset, a camera does not.</summary>
+        /// <summary>What is in use of the scene's depth texture, texels; zero for all, whose size the pipeline knows: with a headset, a
+        /// camera does not.</summary>
         public Vector2 sceneSize;
 
         /// <summary>Whether the scene's textures are arrays with a slice for each eye.</summary>
@@ -68,12 +70,15 @@ namespace Rill
                 return new FluidViews
                 {
                     camera = camera, eyes = 2, width = camera.pixelWidth, height = camera.pixelHeight, sceneIsArray = true,
-                    view = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Left), projection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Left),
-                    rightView = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Right), rightProjection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Right),
+                    view = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Left),
+                    projection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Left),
+                    rightView = camera.GetStereoViewMatrix(Camera.StereoscopicEye.Right),
+                    rightProjection = camera.GetStereoProjectionMatrix(Camera.StereoscopicEye.Right),
                 };
             return new FluidViews
             {
-                camera = camera, eyes = 1, view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, width = camera.pixelWidth, height = camera.pixelHeight,
+                camera = camera, eyes = 1, view = camera.worldToCameraMatrix, projection = camera.projectionMatrix,
+                width = camera.pixelWidth, height = camera.pixelHeight,
             };
         }
     }

@@ -2,7 +2,8 @@ using System.Collections.Generic;
 
 namespace Rill
 {
-    /// <summary>What a project's render settings lack for fluid surfaces: each adapter of a render pipeline has one, the inspector shows them.</summary>
+    /// <summary>What a project's render settings lack for fluid surfaces: each adapter of a render pipeline has one, the inspector shows
+    /// them.</summary>
     interface IRenderSetup
     {
         /// <summary>Found again at each call; none where the pipeline is not in use.</summary>

@@ -18,7 +18,8 @@ namespace Rill
         const int MapPass = 3, ValuesPass = 4;      // of SurfaceRaster.shader
         const int MaxSize = 2048, Stamps = 1 << 20;
 
-        /// <summary>Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them, texels of one row.</summary>
+        /// <summary>Where each of the uniforms of the Built-in pipeline's shadow lies in the copy that ShadowCopy.hlsl makes of them,
+        /// texels of one row.</summary>
         [SharedWithHlsl("ShadowValues")]
         enum Value
         {
@@ -39,7 +40,8 @@ namespace Rill
         static readonly Vector4 NoStamp = new Vector4(-1f, 0f, 0f, 0f);
 
         readonly Light light;
-        readonly CommandBuffer copy = new CommandBuffer { name = "Rill.Surface.ShadowMap" }, values = new CommandBuffer { name = "Rill.Surface.ShadowValues" };
+        readonly CommandBuffer copy = new CommandBuffer { name = "Rill.Surface.ShadowMap" },
+            values = new CommandBuffer { name = "Rill.Surface.ShadowValues" };
         Material material = new Material(StageShader.Load("SurfaceViews").Shader) { hideFlags = HideFlags.HideAndDontSave };
         RenderTexture map = Make("Rill.Surface.ShadowMap", Size, Size, GraphicsFormat.R32_SFloat);
         RenderTexture valueTexels = Make("Rill.Surface.ShadowValues", Values, 1, GraphicsFormat.R32G32B32A32_SFloat);
@@ -78,7 +80,9 @@ namespace Rill
         {
             block.SetTexture(Ids.Copy, map);
             block.SetTexture(Ids.ShadowValues, valueTexels);
-            block.SetVector(Ids.ShadowReceived, new Vector4(stamp, QualitySettings.shadowCascades, QualitySettings.shadowProjection == ShadowProjection.StableFit ? 1f : 0f, 0f));
+            block.SetVector(Ids.ShadowReceived,
+                new Vector4(stamp, QualitySettings.shadowCascades, QualitySettings.shadowProjection == ShadowProjection.StableFit ? 1f : 0f,
+                0f));
             block.SetVector(Ids.ShadowLight, -light.transform.forward);
         }
 

@@ -41,7 +41,8 @@ namespace Rill
             reversed.m22 = -0.5f;
             reversed.m23 = 0.5f;
             WorldToClip[eye] = reversed * projection * view;
-            Depths[eye] = isOrthographic ? new Vector4(0.5f - 0.5f * projection.m23, 0.5f * projection.m22, 1f, 0f) : new Vector4(0.5f + 0.5f * projection.m22, -0.5f * projection.m23, 0f, 0f);
+            Depths[eye] = isOrthographic ? new Vector4(0.5f - 0.5f * projection.m23, 0.5f * projection.m22, 1f, 0f)
+                : new Vector4(0.5f + 0.5f * projection.m22, -0.5f * projection.m23, 0f, 0f);
 
             Matrix4x4 toWorld = view.inverse;
             Vector3 right = toWorld.GetColumn(0), up = toWorld.GetColumn(1), forward = -(Vector3)toWorld.GetColumn(2), origin = toWorld.GetColumn(3);

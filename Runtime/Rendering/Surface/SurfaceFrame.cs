@@ -75,7 +75,8 @@ namespace Rill
             float spacing = solver.Layout.Spacing;
             return new SurfaceFrame
             {
-                version = solver.SurfaceVersion, lag = lag, domainToWorld = domainToWorld, lastDomainToWorld = domainToWorld, domainSize = solver.Layout.DomainSize, spacing = spacing,
+                version = solver.SurfaceVersion, lag = lag, domainToWorld = domainToWorld, lastDomainToWorld = domainToWorld,
+                domainSize = solver.Layout.DomainSize, spacing = spacing,
                 filterRadius = smoothing * spacing, filterRange = FilterRange * spacing,
                 filterPasses = quality == SurfaceQuality.High ? 2 : 1, scale = quality == SurfaceQuality.Low ? 0.5f : 1f,
                 surfaceParticles = solver.Surface.Particles, surfaceArguments = solver.Surface.Arguments,

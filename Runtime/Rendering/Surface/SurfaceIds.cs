@@ -3,7 +3,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the passes of the surface on the screen share: properties of SurfaceView.hlsl and of the scene, a thread for each texel.</summary>
+    /// <summary>What the passes of the surface on the screen share: properties of SurfaceView.hlsl and of the scene, a thread for each
+    /// texel.</summary>
     static class SurfaceIds
     {
         public static readonly int WorldToClip = Shader.PropertyToID("_SurfaceWorldToClip");

@@ -4,7 +4,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Motion vectors of a fluid's surface, drawn over a pipeline's texture of motion: how its water has moved since the frame before, and the camera.</summary>
+    /// <summary>Motion vectors of a fluid's surface, drawn over a pipeline's texture of motion: how its water has moved since the frame
+    /// before, and the camera.</summary>
     sealed class SurfaceMotion : IDisposable
     {
         const int Vertices = 6;         // of the rectangle around the fluid
@@ -31,7 +32,8 @@ namespace Rill
         public void Record(CommandBuffer cmd, SurfaceView view) =>
             cmd.DrawProcedural(Matrix4x4.identity, material, 0, MeshTopology.Triangles, Vertices, 1, view.Motion);
 
-        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after <see cref="FluidSurfaceRecorder.Record"/>.</summary>
+        /// <summary>Submits the same among the opaque objects, for a pipeline that draws their motion after
+        /// <see cref="FluidSurfaceRecorder.Record"/>.</summary>
         /// <param name="parameters">Made with <see cref="SurfaceView.Motion"/>.</param>
         public void Submit(RenderParams parameters)
         {

@@ -33,7 +33,8 @@ namespace Rill
             sceneArray = new LocalKeyword(raster, SceneArrayKeyword);
         }
 
-        /// <summary>How many times smaller the textures of thickness are: their texels are about as wide as a particle, since the sums are blurred over two.</summary>
+        /// <summary>How many times smaller the textures of thickness are: their texels are about as wide as a particle, since the sums are
+        /// blurred over two.</summary>
         /// <param name="pixelsPerSpacing">Of a particle in the middle of the fluid, pixels.</param>
         public static int DivisorFor(float pixelsPerSpacing)
         {
@@ -72,7 +73,8 @@ namespace Rill
             for (int eye = 0; eye < camera.eyes; eye++)
             {
                 cmd.SetComputeIntParam(shader, SurfaceIds.SurfaceEye, eye);
-                cmd.SetComputeFloatParam(shader, Ids.BlurRadius, BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Thickness.height));
+                cmd.SetComputeFloatParam(shader, Ids.BlurRadius,
+                    BlurRadius * fluid.spacing * SurfaceConstants.PixelsPerMetre(camera.ProjectionOf(eye), view.Thickness.height));
                 cmd.SetComputeBufferParam(shader, blur, Ids.Amounts, view.Amounts);
                 cmd.SetComputeTextureParam(shader, blur, SurfaceIds.Depth, view.Smoothed);
                 cmd.SetComputeTextureParam(shader, blur, Ids.Thickness, view.Thickness);

@@ -75,7 +75,8 @@ namespace Rill
         public void Prepare(int width, int height, int eyes, int thicknessDivisor, in PhaseFrame phases)
         {
             PrepareSurface(width, height, eyes);
-            PrepareThickness((width + thicknessDivisor - 1) / thicknessDivisor, (height + thicknessDivisor - 1) / thicknessDivisor, eyes, phases.Components);
+            PrepareThickness((width + thicknessDivisor - 1) / thicknessDivisor, (height + thicknessDivisor - 1) / thicknessDivisor, eyes,
+                phases.Components);
         }
 
         void PrepareSurface(int width, int height, int eyes)
@@ -174,7 +175,8 @@ namespace Rill
 
         static RenderTexture Make(string name, int width, int height, int eyes, GraphicsFormat format, bool written)
         {
-            var texture = new RenderTexture(new RenderTextureDescriptor(width, height, format, format == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            var texture = new RenderTexture(new RenderTextureDescriptor(width, height, format, format == GraphicsFormat.None
+                ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
             {
                 dimension = TextureDimension.Tex2DArray, volumeDepth = eyes, enableRandomWrite = written,
             })

@@ -11,7 +11,8 @@ namespace Rill
         readonly SurfaceConstants constants = new SurfaceConstants();
         int seenFrame = -2;
 
-        /// <summary>A camera sees it in this frame, known to <see cref="IsSeen"/> or not (the scene view's, a probe's): the next frame has the surface too.</summary>
+        /// <summary>A camera sees it in this frame, known to <see cref="IsSeen"/> or not (the scene view's, a probe's): the next frame has
+        /// the surface too.</summary>
         public void See() => seenFrame = Time.frameCount;
 
         /// <summary>Allocates no managed memory while the number of cameras does not grow.</summary>

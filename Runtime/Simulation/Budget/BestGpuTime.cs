@@ -18,7 +18,8 @@ namespace Rill
             this.modelled = modelled;
         }
 
-        public static BestGpuTime OfThisPlayer(FrameGpuTime modelled) => new BestGpuTime(MeasuredGpuTime.IsSupported ? new MeasuredGpuTime() : null, modelled);
+        public static BestGpuTime OfThisPlayer(FrameGpuTime modelled)
+            => new BestGpuTime(MeasuredGpuTime.IsSupported ? new MeasuredGpuTime() : null, modelled);
 
         public GpuTimeKind Kind { get; private set; }
 

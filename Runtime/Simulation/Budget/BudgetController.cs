@@ -93,7 +93,8 @@ namespace Rill
                 return Rung;
             }
             float scale = factor.Value * reading.stepsPerFrame;
-            bool decided = LowerForTime(ladder, reading, scale, target) || Raise(ladder, reading, scale, target, targetError) || LowerForError(ladder, targetError, reading.seconds);
+            bool decided = LowerForTime(ladder, reading, scale, target) || Raise(ladder, reading, scale, target, targetError)
+                || LowerForError(ladder, targetError, reading.seconds);
             if (decided)
                 Changes++;
             Milliseconds = scale * ladder.Cost(Rung, reading.particles);

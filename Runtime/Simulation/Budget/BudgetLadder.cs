@@ -72,7 +72,8 @@ namespace Rill
         }
 
         /// <summary>Time of a step by the cost model, ms.</summary>
-        public float Cost(int rung, float particles) => StepCost.Milliseconds(rungs[rung].Substeps, rungs[rung].Iterations, particles, isDeep, IsElastic);
+        public float Cost(int rung, float particles)
+            => StepCost.Milliseconds(rungs[rung].Substeps, rungs[rung].Iterations, particles, isDeep, IsElastic);
 
         /// <summary>The best rung that costs no more than given settings do, or the least.</summary>
         public int Nearest(int substeps, int iterations, float particles)

@@ -34,7 +34,8 @@ namespace Rill
         {
             if (reason == BudgetReason.Off)
                 return "off";
-            string time = milliseconds > 0f ? Format($"{milliseconds:0.###} of {targetMilliseconds:0.###} ms ({Source(source)})") : Format($"{targetMilliseconds:0.###} ms ({Source(source)})");
+            string time = milliseconds > 0f ? Format($"{milliseconds:0.###} of {targetMilliseconds:0.###} ms ({Source(source)})")
+                : Format($"{targetMilliseconds:0.###} ms ({Source(source)})");
             string error = float.IsNaN(densityError) ? "density error not measured" : Format($"density error {densityError * 100f:0.###} %");
             return Format($"{substeps} x {iterations}, relaxation {relaxation}, {time}, {error}: {Why()}");
         }
@@ -46,7 +47,9 @@ namespace Rill
             {
                 case BudgetReason.Off: return "the budget is off";
                 case BudgetReason.TimeUnknown: return "this player tells no GPU time, so the settings stay as they are";
-                case BudgetReason.TimeIsSpent: return nextMilliseconds > 0f ? Format($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
+                case BudgetReason.TimeIsSpent:
+                    return nextMilliseconds > 0f
+                    ? Format($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
                 case BudgetReason.ErrorIsReached: return "the density error is within its target";
                 case BudgetReason.BestFits: return "the best settings within the bounds fit";
                 case BudgetReason.MinStable: return "the least settings that are stable and within the bounds take longer than the budget";

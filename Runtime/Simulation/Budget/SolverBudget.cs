@@ -48,8 +48,10 @@ namespace Rill
         [Tooltip("Most substeps, at least the fewest. 1 to 16.")]
         [Range(1, 16)] public int maxSubsteps;
 
-        /// <summary>Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.</summary>
-        [Tooltip("Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps cannot be timed; the inspector shows it where they can.")]
+        /// <summary>Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps
+        /// cannot be timed; the inspector shows it where they can.</summary>
+        [Tooltip("Time of a step on the player's GPU over that on the GPU of the cost model. 0 (unknown) to 10000. Used where steps " +
+            "cannot be timed; the inspector shows it where they can.")]
         [Min(0f)] public float deviceFactor;
 
         /// <summary>No budget, with the values that one begins with when it is turned on.</summary>

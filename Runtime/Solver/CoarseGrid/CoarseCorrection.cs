@@ -82,7 +82,8 @@ namespace Rill
         public GraphicsBuffer Surface => surface;
 
         /// <summary>What lies between the passes, for tests; see CoarseGrid.compute.</summary>
-        public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer surface, GraphicsBuffer source, GraphicsBuffer lastErrors, GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
+        public (GraphicsBuffer flow, GraphicsBuffer fill, GraphicsBuffer surface, GraphicsBuffer source, GraphicsBuffer lastErrors,
+            GraphicsBuffer diagonal, GraphicsBuffer flowPotential, GraphicsBuffer errorPotential) Cells
             => (flow, fill, surface, source, lastErrors, diagonal, flowPotential, errorPotential);
 
         /// <summary>Lists what the next step depends on.</summary>
@@ -191,12 +192,14 @@ namespace Rill
             bool needed = IsNeeded(input.settings.deepWater, layers, stage != null);
             string depth = $"water {layers:0} layers deep";
             string reason = input.settings.deepWater != DeepWater.Automatic ? $"deep water is set to {input.settings.deepWater}"
-                : needed ? $"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})" : $"{depth}, at most {MaxShallowLayers:0}";
+                : needed ? $"{depth}, more than {MaxShallowLayers:0} (and stays above {StaysAboveLayers:0})"
+                : $"{depth}, at most {MaxShallowLayers:0}";
             var description = new StageDescription("Coarse correction", needed, reason);
             if (!needed || stage == null)
                 return description;
             int substeps = input.settings.substeps;
-            foreach (KernelVariants kernel in new[] { stage.binFlow, stage.findSurface, stage.findDivergence, stage.displaceFlow, stage.findErrors, stage.displaceErrors })
+            foreach (KernelVariants kernel in new[] { stage.binFlow, stage.findSurface, stage.findDivergence, stage.displaceFlow,
+                stage.findErrors, stage.displaceErrors })
                 description.Kernel("CoarseGrid", kernel.For(stage.WithColliders).Name, substeps);
             stage.coarseColliders?.Describe(description, substeps);
             if (stage.coarseColliders?.Reacting != null)

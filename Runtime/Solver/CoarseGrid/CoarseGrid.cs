@@ -72,7 +72,8 @@ namespace Rill
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
         {
             int groups = ParticleBuffers.Groups(cells);
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups),
+                (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
         }
 
         /// <summary>

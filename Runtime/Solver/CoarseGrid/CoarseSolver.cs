@@ -51,7 +51,8 @@ namespace Rill
         /// <param name="diagonal">float [cells], 1/d².</param>
         /// <param name="potential">float [cells], d²; 0 in inactive cells.</param>
         /// <param name="coarseColliders">What closes faces; null for nothing.</param>
-        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders = null)
+        public void Record(CommandBuffer cmd, GraphicsBuffer coarseConstants, GraphicsBuffer source, GraphicsBuffer diagonal,
+            GraphicsBuffer potential, CoarseColliders coarseColliders = null)
         {
             cmd.SetComputeConstantBufferParam(shader, CoarseIds.Constants, coarseConstants, 0, coarseConstants.stride);
             for (int cycle = 0; cycle < Cycles; cycle++)
@@ -61,7 +62,8 @@ namespace Rill
         void RecordCycle(CommandBuffer cmd, GraphicsBuffer source, GraphicsBuffer diagonal, GraphicsBuffer potential, CoarseColliders coarseColliders)
         {
             bool withColliders = coarseColliders != null;
-            int first = smooth.For(withColliders).Index, restrict = restrictGrid.For(withColliders).Index, last = correctAndSmooth.For(withColliders).Index;
+            int first = smooth.For(withColliders).Index, restrict = restrictGrid.For(withColliders).Index,
+                last = correctAndSmooth.For(withColliders).Index;
             coarseColliders?.Bind(cmd, shader, first);
             coarseColliders?.Bind(cmd, shader, restrict);
             coarseColliders?.Bind(cmd, shader, last);

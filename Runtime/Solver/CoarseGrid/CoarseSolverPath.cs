@@ -1,6 +1,7 @@
 namespace Rill
 {
-    /// <summary>Which kernels of CoarseSolver.compute a device runs: those for 1,024 threads and 32 KB of groupshared memory, or the small ones.</summary>
+    /// <summary>Which kernels of CoarseSolver.compute a device runs: those for 1,024 threads and 32 KB of groupshared memory, or the small
+    /// ones.</summary>
     readonly struct CoarseSolverPath
     {
         const string File = "CoarseSolver";

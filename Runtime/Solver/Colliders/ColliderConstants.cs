@@ -24,7 +24,9 @@ namespace Rill
         public float colliderReach;
         public float colliderPadding0, colliderPadding1, colliderPadding2;
 
-        public bool Equals(ColliderConstants other) => colliderCells.Equals(other.colliderCells) && colliderWords == other.colliderWords && colliderCellSize == other.colliderCellSize
-            && inverseColliderCellSize == other.inverseColliderCellSize && colliderCount == other.colliderCount && rests == other.rests && colliderReach == other.colliderReach;
+        public bool Equals(ColliderConstants other) => colliderCells.Equals(other.colliderCells) && colliderWords == other.colliderWords
+            && colliderCellSize == other.colliderCellSize
+            && inverseColliderCellSize == other.inverseColliderCellSize && colliderCount == other.colliderCount && rests == other.rests
+            && colliderReach == other.colliderReach;
     }
 }

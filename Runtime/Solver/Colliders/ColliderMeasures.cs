@@ -24,7 +24,10 @@ namespace Rill
             switch (motion.shape)
             {
                 case ColliderShape.Sphere: return 2f * motion.size.x;
-                case ColliderShape.Capsule: return 2f * (motion.size.x + motion.size.y * math.abs(math.dot(direction, math.mul(motion.end.rotation, new float3(0f, 1f, 0f)))));
+                case ColliderShape.Capsule:
+                    return 2f
+                    * (motion.size.x + motion.size.y
+                    * math.abs(math.dot(direction, math.mul(motion.end.rotation, new float3(0f, 1f, 0f)))));
                 default: return 2f * math.dot(motion.size, math.abs(math.mul(math.conjugate(motion.end.rotation), direction)));
             }
         }

@@ -7,7 +7,8 @@ namespace Rill
     struct ColliderMotion
     {
         public ColliderShape shape;
-        /// <summary>Sphere: x radius. Box: half sides. Capsule: x radius, y half its straight part. Mesh: half sides of its field's volume. Height field: half sides along x and z, along y half of what its heights span.</summary>
+        /// <summary>Sphere: x radius. Box: half sides. Capsule: x radius, y half its straight part. Mesh: half sides of its field's volume.
+        /// Height field: half sides along x and z, along y half of what its heights span.</summary>
         public float3 size;
         /// <summary>At the start and at the end of the steps.</summary>
         public RigidPose start, end;
@@ -20,7 +21,8 @@ namespace Rill
         public bool insideOut, contributesDensity;
         /// <summary>Whether what the fluid does to it is summed.</summary>
         public bool reacts;
-        /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for other kinds.</summary>
+        /// <summary>Signed distances of a mesh, lowest corner first, or heights over the middle of a height field, one voxel high; null for
+        /// other kinds.</summary>
         public Texture3D field;
         /// <summary>Axes of its own frame along which its field is looked up mirrored: those of a negative scale.</summary>
         public bool3 mirrored;

@@ -5,7 +5,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What the fluid does to colliders: summed on the GPU over steps, brought back without waiting. Made when a collider wants to know.</summary>
+    /// <summary>What the fluid does to colliders: summed on the GPU over steps, brought back without waiting. Made when a collider wants to
+    /// know.</summary>
     sealed class ColliderReactions : IDisposable
     {
         /// <summary>words of a collider: three sums, three moments, and what was added</summary>
@@ -68,7 +69,8 @@ namespace Rill
 
         public void Request() => readback.Request();
 
-        /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about its place over its moment arm.</summary>
+        /// <summary>What collider number <paramref name="index"/> gave to the fluid: displacements of particles, d, and their moment about
+        /// its place over its moment arm.</summary>
         public void Get(int index, out double3 sum, out double3 moment)
         {
             int at = index * Stride;

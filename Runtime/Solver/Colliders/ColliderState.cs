@@ -20,7 +20,8 @@ namespace Rill
         /// <summary>at the start of the substep, d</summary>
         public float3 lastPosition;
         public uint flags;
-        /// <summary>sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its field is looked up; height field: x, z half its sides</summary>
+        /// <summary>sphere: x radius; box: half sides; capsule: x radius, y half its straight part; mesh: half the volume in which its
+        /// field is looked up; height field: x, z half its sides</summary>
         public float3 size;
         /// <summary>furthest that a point of it moves in the substep, d</summary>
         public float sweep;
@@ -52,16 +53,20 @@ namespace Rill
         const float FrictionRate = 60f;                     // 1/s, at which friction is quoted
 
         /// <summary>Whether all bits are the same.</summary>
-        public bool Equals(ColliderState other) => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref this, 1)).SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref other, 1)));
+        public bool Equals(ColliderState other)
+            => MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref this, 1))
+            .SequenceEqual(MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref other, 1)));
 
         /// <param name="motion">Over a frame.</param>
         /// <param name="from">Fraction of the frame at which the substep starts.</param>
         /// <param name="to">And ends.</param>
         /// <param name="timeStep">Length of the substep, s.</param>
-        /// <param name="accelerationFraction">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>: friction does.</param>
+        /// <param name="accelerationFraction">What acts at once of an acceleration that lasts, see <see cref="VelocityExtrapolation"/>:
+        /// friction does.</param>
         /// <param name="viscous">Whether its friction is by the fluid's viscosity, see ViscosityWalls.hlsl.</param>
         /// <param name="brick">Where the atlas holds the field of a mesh.</param>
-        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationFraction, bool viscous, in FieldBrick brick)
+        public static ColliderState For(in ColliderMotion motion, float from, float to, float timeStep, float accelerationFraction,
+            bool viscous, in FieldBrick brick)
         {
             RigidPose last = RigidPose.Between(motion.start, motion.end, from);
             RigidPose pose = RigidPose.Between(motion.start, motion.end, to);
@@ -72,10 +77,13 @@ namespace Rill
                 position = pose.position,
                 shape = (uint)motion.shape,
                 lastPosition = last.position,
-                flags = (motion.insideOut ? InsideOut : 0u) | (motion.contributesDensity ? ContributesDensity : 0u) | (motion.reacts ? Reacts : 0u) | (viscous ? HoldsByViscosity : 0u),
+                flags = (motion.insideOut ? InsideOut : 0u) | (motion.contributesDensity ? ContributesDensity : 0u)
+                    | (motion.reacts ? Reacts : 0u) | (viscous ? HoldsByViscosity : 0u),
                 size = motion.size,
-                sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value) * math.max(motion.Radius, 1f),
-                friction = viscous ? motion.friction : 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationFraction),
+                sweep = math.distance(pose.position, last.position) + 2f * math.length(pose.rotation.value - last.rotation.value)
+                    * math.max(motion.Radius, 1f),
+                friction = viscous ? motion.friction
+                    : 1f - math.pow(math.max(1f - motion.friction, 0f), FrictionRate * timeStep * accelerationFraction),
                 bounciness = motion.bounciness,
                 momentArm = motion.MomentArm,
             };

@@ -6,7 +6,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>Solid colliders: ends paths at surfaces, keeps the particles outside, and adds what lies behind a surface to the density. Made when first needed.</summary>
+    /// <summary>Solid colliders: ends paths at surfaces, keeps the particles outside, and adds what lies behind a surface to the density.
+    /// Made when first needed.</summary>
     sealed class Colliders : IDisposable
     {
         const float SmallestCell = 4f;          // d
@@ -22,7 +23,12 @@ namespace Rill
         readonly int binColliders, measureColliderVolume, findBoundary;
         readonly KernelVariants collidePaths, collide;        // with reactions; last pass, with reactions
         readonly FieldAtlas meshes, heights;
-        readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false) { name = "Rill.Colliders.NoField", hideFlags = HideFlags.HideAndDontSave };      // a kernel wants a texture even where it reads none
+        // a kernel wants a texture even where it reads none
+        readonly Texture3D noField = new Texture3D(1, 1, 1, TextureFormat.RHalf, false)
+        {
+            name = "Rill.Colliders.NoField",
+            hideFlags = HideFlags.HideAndDontSave
+        };
         readonly int3 cells;
         readonly float cellSize;
         GraphicsBuffer constants, states, masks, colliderVolume, boundary, contactOffsets, pathBoundary, pathContactOffsets;
@@ -58,10 +64,12 @@ namespace Rill
 
         public static bool IsNeeded(in StepInput input) => input.colliders != null && input.colliders.Count > 0;
 
-        /// <summary>Grows with each substep whose colliders are not those of the one before, at rest in the same places: what was made of them does not hold any more.</summary>
+        /// <summary>Grows with each substep whose colliders are not those of the one before, at rest in the same places: what was made of
+        /// them does not hold any more.</summary>
         public int Changes { get; private set; }
 
-        /// <summary>float4 [capacity], after <see cref="RecordBoundaryAtRest"/> what the colliders add to the density of a particle: xyz its gradient, 1/d; w relative to rest.</summary>
+        /// <summary>float4 [capacity], after <see cref="RecordBoundaryAtRest"/> what the colliders add to the density of a particle: xyz
+        /// its gradient, 1/d; w relative to rest.</summary>
         public GraphicsBuffer Boundary => boundary;
 
         /// <summary>float [capacity], after <see cref="RecordBoundaryAtRest"/> distance of a particle from the nearest collider, d.</summary>
@@ -99,7 +107,8 @@ namespace Rill
             {
                 ref readonly ColliderMotion motion = ref set.Items[i];
                 FieldBrick brick = (motion.shape == ColliderShape.HeightField ? heights : meshes).Brick(motion);
-                ColliderState state = ColliderState.For(motion, from, to, step.SubstepTime, VelocityExtrapolation.FractionAtOnce(input), ImplicitViscosity.IsNeeded(input), brick);
+                ColliderState state = ColliderState.For(motion, from, to, step.SubstepTime, VelocityExtrapolation.FractionAtOnce(input),
+                    ImplicitViscosity.IsNeeded(input), brick);
                 changed |= !state.Equals(statesUpload[i]);
                 statesUpload[i] = state;
             }
@@ -134,7 +143,8 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Records that the ways of the particles which the sort has left end at the surfaces they meet, and are counted into the cells there.</summary>
+        /// <summary>Records that the ways of the particles which the sort has left end at the surfaces they meet, and are counted into the
+        /// cells there.</summary>
         /// <param name="cellHistogram">uint [cells + 1], particles in a cell.</param>
         /// <param name="cellRanks">uint2 [capacity], cell of a particle and its number there; see CellCount.hlsl.</param>
         public void RecordPaths(in StepContext step, GraphicsBuffer cellHistogram, GraphicsBuffer cellRanks)
@@ -207,7 +217,8 @@ namespace Rill
         public static StageDescription Describe(Colliders colliders, in StepInput input)
         {
             bool needed = IsNeeded(input);
-            var description = new StageDescription("Colliders", needed, needed ? $"{input.colliders.Count} of them in the domain" : "no collider is in the domain");
+            var description = new StageDescription("Colliders", needed, needed ? $"{input.colliders.Count} of them in the domain"
+                : "no collider is in the domain");
             if (!needed || colliders == null)
                 return description;
             int substeps = input.settings.substeps;
@@ -281,7 +292,8 @@ namespace Rill
         }
 
         /// <summary>Records how much of the domain the colliders leave, as a kernel reads it; see OpenFraction.hlsl.</summary>
-        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel) => cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderVolume, colliderVolume);
+        public void BindVolume(CommandBuffer cmd, ComputeShader reader, int kernel)
+            => cmd.SetComputeBufferParam(reader, kernel, Ids.ColliderVolume, colliderVolume);
 
         void BindField(CommandBuffer cmd, ComputeShader reader, int kernel, int id, FieldAtlas atlas) =>
             cmd.SetComputeTextureParam(reader, kernel, id, atlas.Texture != null ? (Texture)atlas.Texture : noField);
@@ -315,7 +327,8 @@ namespace Rill
         // How far from a sorted particle a collider can matter in the rest of the substep, d: as far as it reaches, or what the passes
         // can move the particle until it touches.
         static float Reach(int iterations, bool deep) =>
-            math.max((float)LatticeKernels.Support, ContactOffset + iterations * SolverConstants.MaxCorrection + (deep ? CoarseConstants.MaxPush : 0f));
+            math.max((float)LatticeKernels.Support, ContactOffset + iterations * SolverConstants.MaxCorrection
+            + (deep ? CoarseConstants.MaxPush : 0f));
 
         static float Cells(float3 domainSize, float size)
         {

@@ -37,7 +37,8 @@ namespace Rill
         RenderTexture texture;
         int3 size;
 
-        /// <param name="shape">Of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields and deep ones in one would waste most of it.</param>
+        /// <param name="shape">Of the colliders whose fields it holds. An atlas is as wide and as high as the largest of them: flat fields
+        /// and deep ones in one would waste most of it.</param>
         /// <param name="name">Of the texture.</param>
         /// <param name="contents">What the fields are, for messages.</param>
         public FieldAtlas(ComputeShader shader, ColliderShape shape, string name, string contents)
@@ -69,7 +70,8 @@ namespace Rill
             if (math.cmax(needed) > SystemInfo.maxTexture3DSize)
             {
                 Release();
-                throw new ArgumentException($"the {contents} of the colliders need a texture of {needed.x} x {needed.y} x {needed.z}, more than the {SystemInfo.maxTexture3DSize} a side of this device. Use smaller ones, or fewer that differ.");
+                throw new ArgumentException($"the {contents} of the colliders need a texture of {needed.x} x {needed.y} x {needed.z}, " +
+                    $"more than the {SystemInfo.maxTexture3DSize} a side of this device. Use smaller ones, or fewer that differ.");
             }
             texture = Create(name, size);
             using (var cmd = new CommandBuffer { name = "Rill.FieldAtlas" })

@@ -185,7 +185,8 @@ namespace Rill
         {
             StepInput input = step.Input;
             bool needed = IsNeeded(input);
-            var description = new StageDescription("Foam", needed, needed ? $"at most {input.foam.budget:N0} particles of spray, foam and bubbles" : "no FluidFoam component");
+            var description = new StageDescription("Foam", needed, needed
+                ? $"at most {input.foam.budget:N0} particles of spray, foam and bubbles" : "no FluidFoam component");
             if (!needed || stage == null)
                 return description;
             description.Kernel("FoamSources", "FindPotentials", 1, step.Lists.Variant);
@@ -247,7 +248,8 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             step.BindConstants(shader);
             cmd.SetComputeVectorParam(shader, Ids.FoamCellSize, new float4(cellSize, step.Input.timeStep));
-            cmd.SetComputeVectorParam(shader, Ids.FoamGravity, new float4(step.Input.gravity / step.Layout.Spacing, (float)(FoamScales.Rise * Scales.Speed)));
+            cmd.SetComputeVectorParam(shader, Ids.FoamGravity,
+                new float4(step.Input.gravity / step.Layout.Spacing, (float)(FoamScales.Rise * Scales.Speed)));
             cmd.SetComputeIntParams(shader, Ids.FoamCellCounts, cellCounts);
             cmd.SetComputeIntParams(shader, Ids.CellsPerFoamCell, cellsPerFoamCell);
             cmd.SetComputeFloatParam(shader, Ids.FoamLifetime, step.Input.foam.lifetime);

@@ -3,14 +3,17 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>The limits of foam in a scene, as FoamSources.compute takes them: fixed fractions of the scene's own speed and depth, in d and s.</summary>
+    /// <summary>The limits of foam in a scene, as FoamSources.compute takes them: fixed fractions of the scene's own speed and depth, in d
+    /// and s.</summary>
     readonly struct FoamScales
     {
         /// <summary>Of the scene's speed: slower water makes no foam, faster than the second makes all that it can.</summary>
         public const double MinSpeed = 0.25, MaxSpeed = 0.5;
-        /// <summary>Of the scene's speed over its depth: water that is sheared and pressed together more slowly traps no air, faster than twice that all that it can.</summary>
+        /// <summary>Of the scene's speed over its depth: water that is sheared and pressed together more slowly traps no air, faster than
+        /// twice that all that it can.</summary>
         public const double MinStrain = 2.0;
-        /// <summary>The same over the length of a substep: what passes of the solver leave in nine of ten particles of water that flows as one. Taken out of what is measured, in squares.</summary>
+        /// <summary>The same over the length of a substep: what passes of the solver leave in nine of ten particles of water that flows as
+        /// one. Taken out of what is measured, in squares.</summary>
         public const double SolverStrain = 0.025;
         /// <summary>Mean of 1 - cosine between normals from which a bend is a crest, and from which it is all of one.</summary>
         public const double MinBend = 0.1, MaxBend = 0.5;
@@ -38,8 +41,10 @@ namespace Rill
             double low = MinSpeed * Speed, high = MaxSpeed * Speed;
             double rate = isKnown ? Speed / Depth : 0.0, made = settings.amount * rate * step;
             double solver = SolverStrain * substeps / step;
-            Limits = new float4(isKnown ? (float)(low * low) : float.MaxValue, isKnown ? (float)(1.0 / (high * high - low * low)) : 0f, isKnown ? (float)(MinStrain * rate) : 1f, (float)(solver * solver));
-            Rates = isKnown ? new float4((float)(made * Math.Pow(TrappedAir / Depth, 3.0)), (float)(made * Math.Pow(Crest / Depth, 3.0)), (float)MinBend, (float)(1.0 / (MaxBend - MinBend))) : 0f;
+            Limits = new float4(isKnown ? (float)(low * low) : float.MaxValue, isKnown ? (float)(1.0 / (high * high - low * low)) : 0f,
+                isKnown ? (float)(MinStrain * rate) : 1f, (float)(solver * solver));
+            Rates = isKnown ? new float4((float)(made * Math.Pow(TrappedAir / Depth, 3.0)), (float)(made * Math.Pow(Crest / Depth, 3.0)),
+                (float)MinBend, (float)(1.0 / (MaxBend - MinBend))) : 0f;
         }
     }
 }

@@ -73,7 +73,8 @@ namespace Rill
             return layout.Capacity + (long)Math.Min(3.0 * layout.Capacity, 1.5 * area);
         }
 
-        /// <summary>SurfaceParticle [<see cref="CapacityFor"/>], of which the first [drawn] are set, in any order; see SurfaceParticle.hlsl.</summary>
+        /// <summary>SurfaceParticle [<see cref="CapacityFor"/>], of which the first [drawn] are set, in any order; see
+        /// SurfaceParticle.hlsl.</summary>
         public GraphicsBuffer Particles => surface;
 
         /// <summary>Begins with the GraphicsBuffer.IndirectDrawArgs for those, 6 vertices each; see Arguments.hlsl.</summary>
@@ -83,7 +84,8 @@ namespace Rill
         public GraphicsBuffer Counters => counters;
 
         /// <summary>Records the surface of the current state, after the last step that is recorded before it.</summary>
-        /// <param name="hasSteps">Whether there was one since the fluid was cleared or restored: if not, all particles are drawn as what is new.</param>
+        /// <param name="hasSteps">Whether there was one since the fluid was cleared or restored: if not, all particles are drawn as what is
+        /// new.</param>
         /// <param name="hasNew">Whether particles may have come since the last step.</param>
         /// <param name="version">One more than that of the surface before; more than one where that has nothing to do with this one.</param>
         /// <param name="substepsSince">Substeps since the surface before.</param>
@@ -123,7 +125,9 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         public static StageDescription Describe(SurfaceParticles stage, in StepContext step)
         {
-            string reason = stage != null ? $"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over what is drawn" : "no component draws the surface";
+            string reason = stage != null
+                ? $"a component draws the surface: after the last step of a frame, {SmoothingPasses} smoothing passes over what is drawn"
+                : "no component draws the surface";
             var description = new StageDescription("Surface particles", stage != null, reason);
             if (stage == null)
                 return description;

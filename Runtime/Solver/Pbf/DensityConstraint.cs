@@ -28,7 +28,8 @@ namespace Rill
 
         public NeighborLists Lists { get; }
 
-        /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up. The coarse grid's density correction joins the first.</summary>
+        /// <summary>Records the list and all iterations: Predicted ends corrected; Current is used up. The coarse grid's density correction
+        /// joins the first.</summary>
         public void Record(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
@@ -89,7 +90,8 @@ namespace Rill
             string variant = RestingRegions.Variant(Lists.Variant, step.Resting);
             int substeps = step.Substeps, iterations = step.Input.settings.iterations;
             string lists = Lists.TwoLists ? "two buffers, as one would be larger than this device binds" : "one buffer";
-            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}");
+            var stage = new StageDescription("Density constraint", true, $"{iterations} iterations in each of {substeps} substeps, " +
+                $"neighbor lists in {lists}, artificial pressure is {step.Input.material.artificialPressure}");
             stage.Kernel("DensityConstraint", buildList.For(deep, withColliders).Name, substeps, variant);
             if (iterations > 1)
                 stage.Kernel("DensityConstraint", solveLambda.For(withColliders).Name, substeps * (iterations - 1), variant);

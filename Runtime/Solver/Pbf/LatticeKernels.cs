@@ -22,15 +22,18 @@ namespace Rill
         public static readonly double RestDensity = SumLattice(Poly6, includeSelf: true);
 
         /// <summary>Σ|∇C|² of a particle inside the lattice, 1/d²: scale of the constraint's denominator.</summary>
-        public static readonly double ReferenceSquares = SumLattice(r => SpikySlope(r) * SpikySlope(r), includeSelf: false) / (RestDensity * RestDensity);
+        public static readonly double ReferenceSquares = SumLattice(r => SpikySlope(r) * SpikySlope(r), includeSelf: false)
+            / (RestDensity * RestDensity);
 
         /// <summary>Σ W x² / ρ0 over the lattice, d²: how far along an axis a kernel's average reaches.</summary>
         public static readonly double Poly6Spread = SumLattice(r => Poly6(r) * r * r / 3.0, includeSelf: false) / RestDensity;
 
         /// <summary>Σ w over Σ w x² of the weights w of Viscoelasticity.compute on the lattice, 1/d².</summary>
-        public static readonly double StressMultiplier = SumLattice(StressWeight, includeSelf: false) / SumLattice(r => StressWeight(r) * r * r / 3.0, includeSelf: false);
+        public static readonly double StressMultiplier = SumLattice(StressWeight, includeSelf: false)
+            / SumLattice(r => StressWeight(r) * r * r / 3.0, includeSelf: false);
 
-        /// <summary>Σ w_i x_i⁴ = 3 Σ w x²y² on the lattice with the weights of ImplicitViscosity.compute: what the fraction of t² has to be for it, d².</summary>
+        /// <summary>Σ w_i x_i⁴ = 3 Σ w x²y² on the lattice with the weights of ImplicitViscosity.compute: what the fraction of t² has to be
+        /// for it, d².</summary>
         /// <remarks>So that the lattice resists as fluid without order does, the same in every direction.</remarks>
         public static readonly double ViscosityBlend = SumAnisotropy(3) / -SumAnisotropy(2);
 
@@ -40,13 +43,16 @@ namespace Rill
         /// <summary>Σ w r² of the same.</summary>
         public static readonly double ViscositySquares = SumLattice(r => ViscosityWeight(r) * r * r, includeSelf: false);
 
-        /// <summary>By which Σ w (v_ji · x_ji) x_ji / Σ w r⁴ is the Laplacian of a flow that keeps its volume: x²y² is r⁴/15 on average, and a curve is half its second derivative.</summary>
+        /// <summary>By which Σ w (v_ji · x_ji) x_ji / Σ w r⁴ is the Laplacian of a flow that keeps its volume: x²y² is r⁴/15 on average,
+        /// and a curve is half its second derivative.</summary>
         public const double ViscosityScale = 30.0;
 
-        /// <summary>An upper bound of the largest eigenvalue of that Laplacian on the lattice, 1/d²: twice what a particle's neighbors brake it by.</summary>
+        /// <summary>An upper bound of the largest eigenvalue of that Laplacian on the lattice, 1/d²: twice what a particle's neighbors
+        /// brake it by.</summary>
         public static readonly double ViscosityEigenvalue = 2.0 * ViscosityScale * ViscositySquares / (3.0 * ViscosityMoment);
 
-        /// <summary>By which <see cref="ViscosityWallShape"/> over the distance is the hold of a wall without slip, so that the layers of the lattice are together held by ν times the shear; 1/d² of Δt ν.</summary>
+        /// <summary>By which <see cref="ViscosityWallShape"/> over the distance is the hold of a wall without slip, so that the layers of
+        /// the lattice are together held by ν times the shear; 1/d² of Δt ν.</summary>
         public static readonly double ViscosityWallHold = 1.0 / (ViscosityWallShape(0.5) + ViscosityWallShape(1.5));
 
         /// <summary>By which it is the part of Σ w r⁴ that a lattice particle half a spacing from a wall misses.</summary>
@@ -59,12 +65,14 @@ namespace Rill
         public static readonly double ViscosityWallLean = MissingBehindWall((y, r) => -ViscosityWeight(r) * r * r * y) / ViscosityWallShape(0.5);
 
         /// <summary>
-        /// What a free surface adds to Σ w r⁴ of a particle, over |Σ w r² x|² / Σ w r² above that of disorder: as much as gives the outermost layer of the lattice the
+        /// What a free surface adds to Σ w r⁴ of a particle, over |Σ w r² x|² / Σ w r² above that of disorder: as much as gives the
+        /// outermost layer of the lattice the
         /// Σ w x²z² of flow along the surface that it has inside, half of the lattice's own and half of its plane's.
         /// </summary>
         public static readonly double ViscositySurface = SurfaceMoment();
 
-        /// <summary>|Σ w r² x|² / Σ w r² over Σ w r⁴ that disorder inside the fluid may have without being a surface; the lattice's surface has 0.094.</summary>
+        /// <summary>|Σ w r² x|² / Σ w r² over Σ w r⁴ that disorder inside the fluid may have without being a surface; the lattice's surface
+        /// has 0.094.</summary>
         public const double ViscosityDisorder = 0.008;
 
         /// <summary>Makes a lattice particle half a spacing from a wall see the rest density.</summary>
@@ -86,7 +94,8 @@ namespace Rill
             return t * t * (t + ViscosityBlend);
         }
 
-        /// <summary>Σ w x² y of the viscosity's pairs over the half space y &gt; <paramref name="s"/>, but for its factor π/480; see ViscosityWalls.hlsl.</summary>
+        /// <summary>Σ w x² y of the viscosity's pairs over the half space y &gt; <paramref name="s"/>, but for its factor π/480; see
+        /// ViscosityWalls.hlsl.</summary>
         public static double ViscosityWallShape(double s)
         {
             double a = Math.Max(Support * Support - s * s, 0.0);

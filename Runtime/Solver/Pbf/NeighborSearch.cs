@@ -52,7 +52,8 @@ namespace Rill
 
         /// <summary>Records the sort of the particles by predicted position, into Start, Predicted and SortedIds.</summary>
         /// <param name="takesProjection">Whether the coarse grid's displacements are added to the velocities first.</param>
-        /// <param name="previousIndices">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no stage that asks.</param>
+        /// <param name="previousIndices">uint [capacity], gets where each particle was before, see NeighborSearch.compute; null for no
+        /// stage that asks.</param>
         public void RecordSort(in StepContext step, bool takesProjection, GraphicsBuffer previousIndices = null)
         {
             CommandBuffer cmd = step.Commands;

@@ -76,7 +76,8 @@ namespace Rill
         {
             float dt = input.SubstepTime, weight = WeightFor(input);
             float lastOverThis = lastTimeStep > 0f ? lastTimeStep / dt : 1f;
-            cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f : 1f / (lastWeight * lastOverThis + 1f - weight));
+            cmd.SetComputeFloatParam(shader, Ids.ChangeScale, lastTimeStep == dt && lastWeight == weight || lastTimeStep == 0f ? 1f
+                : 1f / (lastWeight * lastOverThis + 1f - weight));
             cmd.SetComputeFloatParam(shader, Ids.LastChangeScale, 1f / lastOverThis);
             cmd.SetComputeFloatParam(shader, Ids.SmoothingHere, VorticityConfinement.IsNeeded(input) ? 0f : SolverConstants.Smoothing(input));
             cmd.SetComputeBufferParam(shader, kernel, Ids.Means, sorted);
@@ -96,7 +97,9 @@ namespace Rill
         {
             StepInput input = step.Input;
             bool needed = IsNeeded(input);
-            var description = new StageDescription("Velocity extrapolation", needed, needed ? $"numerical damping {input.settings.numericalDamping} of a first-order step's" : Viscoelasticity.IsNeeded(input) ? "the fluid is elastic" : "the numerical damping is 1");
+            var description = new StageDescription("Velocity extrapolation", needed, needed
+                ? $"numerical damping {input.settings.numericalDamping} of a first-order step's" : Viscoelasticity.IsNeeded(input)
+                ? "the fluid is elastic" : "the numerical damping is 1");
             if (!needed || stage == null)
                 return description;
             description.Kernel("NeighborSearch", "GatherMeans", step.Substeps, RestingRegions.Variant(null, step.Resting));

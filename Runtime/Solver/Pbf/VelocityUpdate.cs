@@ -17,7 +17,8 @@ namespace Rill
         public VelocityUpdate()
         {
             update = new Kernel(shader, "UpdateVelocity");
-            updateWithNeighbors = new KernelVariants(shader, "UpdateVelocityViscous", "UpdateVelocityExtrapolated", "UpdateVelocityViscousWithColliders", "UpdateVelocityExtrapolatedWithColliders");
+            updateWithNeighbors = new KernelVariants(shader, "UpdateVelocityViscous", "UpdateVelocityExtrapolated",
+                "UpdateVelocityViscousWithColliders", "UpdateVelocityExtrapolatedWithColliders");
             twoLists = new LocalKeyword(shader, NeighborLists.TwoListsKeyword);
             sleep = new LocalKeyword(shader, RestingRegions.Keyword);
         }
@@ -25,7 +26,8 @@ namespace Rill
         /// <summary>Whether the pass visits the neighbors: to extrapolate, or for smoothing or the density unless a later stage does both.</summary>
         public static bool VisitsNeighbors(in StepInput input)
         {
-            return VelocityExtrapolation.IsNeeded(input) || (input.material.velocitySmoothing > 0f || input.needsDensity) && !VorticityConfinement.IsNeeded(input);
+            return VelocityExtrapolation.IsNeeded(input) || (input.material.velocitySmoothing > 0f || input.needsDensity)
+                && !VorticityConfinement.IsNeeded(input);
         }
 
         public void Record(in StepContext step)
@@ -57,14 +59,16 @@ namespace Rill
         {
             FluidMaterial material = step.Input.material;
             string reason = VisitsNeighbors(step.Input)
-                ? material.velocitySmoothing > 0f ? $"with XSPH: velocity smoothing is {material.velocitySmoothing}" : "with neighbors: the density is shown"
+                ? material.velocitySmoothing > 0f ? $"with XSPH: velocity smoothing is {material.velocitySmoothing}"
+                    : "with neighbors: the density is shown"
                 : VorticityConfinement.IsNeeded(step.Input) ? "without XSPH: vorticity confinement does it" : "without XSPH: velocity smoothing is 0";
             var stage = new StageDescription("Velocity update", true, reason);
             stage.Kernel("VelocityUpdate", KernelFor(step).Name, step.Substeps, RestingRegions.Variant(step.Lists.Variant, step.Resting));
             return stage;
         }
 
-        Kernel KernelFor(in StepContext step) => VisitsNeighbors(step.Input) ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
+        Kernel KernelFor(in StepContext step) => VisitsNeighbors(step.Input)
+            ? updateWithNeighbors.For(step.Extrapolation != null, step.Colliders != null) : update;
 
         static class Ids
         {

@@ -63,7 +63,8 @@ namespace Rill
             cmd.EndSample(Marker);
         }
 
-        /// <summary>Records which particles lie in each cell of the search at the current positions: its cell starts, and the particles by cell into SortedIds, which is free between steps.</summary>
+        /// <summary>Records which particles lie in each cell of the search at the current positions: its cell starts, and the particles by
+        /// cell into SortedIds, which is free between steps.</summary>
         public void RecordOrder(in StepContext step)
         {
             step.Search.RecordOrderAtRest(step);
@@ -73,7 +74,8 @@ namespace Rill
 
         /// <summary>Records a copy of the particles in world space.</summary>
         /// <param name="hasTags">Whether <paramref name="tags"/> are those of the particles, and not what stands for them.</param>
-        public void RecordCopy(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, Matrix4x4 domainToWorld, in ParticleCopyLayout layout, GraphicsBuffer copy)
+        public void RecordCopy(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, bool hasTags, Matrix4x4 domainToWorld,
+            in ParticleCopyLayout layout, GraphicsBuffer copy)
         {
             cmd.SetComputeMatrixParam(shader, Ids.DomainToWorld, domainToWorld);
             cmd.SetComputeIntParam(shader, Ids.HasTags, hasTags ? 1 : 0);
@@ -96,7 +98,8 @@ namespace Rill
         {
             StepInput input = step.Input;
             bool needed = input.removesKilled || noTags != null;
-            var description = new StageDescription("Particle access", needed, input.removesKilled ? "a pass of a script may remove particles" : needed ? "a script reads the particles" : "no script reads the particles");
+            var description = new StageDescription("Particle access", needed, input.removesKilled
+                ? "a pass of a script may remove particles" : needed ? "a script reads the particles" : "no script reads the particles");
             if (input.removesKilled && stage != null)
                 description.Kernel("ParticleAccess", stage.removeKilled.For(step.Resting != null).Name, 1);
             description.Buffer("Rill.NoTags", noTags);

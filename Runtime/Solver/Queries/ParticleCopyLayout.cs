@@ -1,6 +1,7 @@
 namespace Rill
 {
-    /// <summary>Where the fields of a copy of the particles begin in it, words; <see cref="ParticleAccess.NotCopied"/>, as an int, for one that is not in it.</summary>
+    /// <summary>Where the fields of a copy of the particles begin in it, words; <see cref="ParticleAccess.NotCopied"/>, as an int, for one
+    /// that is not in it.</summary>
     readonly struct ParticleCopyLayout
     {
         const int Missing = unchecked((int)ParticleAccess.NotCopied);

@@ -169,7 +169,8 @@ namespace Rill
             }
         }
 
-        /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran. Right after a step, before anything sorts again.</summary>
+        /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran. Right after a step, before anything
+        /// sorts again.</summary>
         public void Record(in StepContext step, ParticleTags tags, QueryInput input, int slot)
         {
             CommandBuffer cmd = step.Commands;
@@ -224,9 +225,11 @@ namespace Rill
         public float ProbeValue(int slot, int index, ProbeWord word) => math.asfloat(ProbeResult(slot, index, word));
 
         /// <summary>Three floats from a word on.</summary>
-        public Vector3 ProbeVector(int slot, int index, ProbeWord word) => new Vector3(ProbeValue(slot, index, word), ProbeValue(slot, index, word + 1), ProbeValue(slot, index, word + 2));
+        public Vector3 ProbeVector(int slot, int index, ProbeWord word)
+            => new Vector3(ProbeValue(slot, index, word), ProbeValue(slot, index, word + 1), ProbeValue(slot, index, word + 2));
 
-        /// <summary>A sum of a detector's result: 0 to 2 velocity times volume in particles, d/s; from 3 on the volume of each phase, in particles.</summary>
+        /// <summary>A sum of a detector's result: 0 to 2 velocity times volume in particles, d/s; from 3 on the volume of each phase, in
+        /// particles.</summary>
         public double DetectorSum(int slot, int index, int sum)
         {
             NativeArray<uint> words = ring[slot].Latest;
@@ -249,7 +252,8 @@ namespace Rill
         {
             int probes = input?.pointCount ?? 0, regions = input?.detectorCount ?? 0;
             bool needed = stage != null && probes + regions > 0;
-            var description = new StageDescription("Queries", needed, needed ? $"{probes} probes and {regions} detectors, once a frame, outside the step" : "no probe and no detector");
+            var description = new StageDescription("Queries", needed, needed
+                ? $"{probes} probes and {regions} detectors, once a frame, outside the step" : "no probe and no detector");
             if (!needed)
                 return description;
             string variant = tags != null ? ParticleTags.Keyword : null;

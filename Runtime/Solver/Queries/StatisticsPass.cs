@@ -92,7 +92,8 @@ namespace Rill
         /// <param name="interval">Steps between measurements; 0 for none.</param>
         public static StageDescription Describe(StatisticsPass stage, in StepContext step, int interval)
         {
-            var description = new StageDescription("Statistics", interval > 0, interval > 0 ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
+            var description = new StageDescription("Statistics", interval > 0, interval > 0
+                ? $"measured every {interval} steps, outside the step" : "the statistics interval is 0");
             if (stage == null)
                 return description;
             description.Kernel("NeighborSearch", "CountCellsAtRest", 0);

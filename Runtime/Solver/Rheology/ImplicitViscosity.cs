@@ -46,10 +46,12 @@ namespace Rill
         /// <summary>ν Δt / d² of a substep; less where velocities are extrapolated, as of all that lasts.</summary>
         public static double Strength(in StepInput input, SolverLayout layout)
         {
-            return (double)VelocityExtrapolation.FractionAtOnce(input) * input.material.dynamicViscosity / input.material.density * ((double)input.timeStep / input.settings.substeps) / ((double)layout.Spacing * layout.Spacing);
+            return (double)VelocityExtrapolation.FractionAtOnce(input) * input.material.dynamicViscosity / input.material.density
+                * ((double)input.timeStep / input.settings.substeps) / ((double)layout.Spacing * layout.Spacing);
         }
 
-        /// <summary>Passes of Chebyshev's iteration that leave <see cref="Tolerance"/> of the error where no particle is braked more than twice as hard as in the lattice, <see cref="MaxPasses"/> at most.</summary>
+        /// <summary>Passes of Chebyshev's iteration that leave <see cref="Tolerance"/> of the error where no particle is braked more than
+        /// twice as hard as in the lattice, <see cref="MaxPasses"/> at most.</summary>
         /// <remarks>The error falls to 1 / T_n(θ/δ), with the eigenvalues within θ ± δ.</remarks>
         /// <param name="strength">ν Δt / d².</param>
         public static int PassesFor(double strength)
@@ -60,7 +62,8 @@ namespace Rill
 
         /// <summary>ν Δt / d² up to which <see cref="MaxPasses"/> leave no more than <see cref="Tolerance"/> of the error: 39.</summary>
         /// <remarks>Where x = (largest + 1) / (largest − 1) of the eigenvalues is cosh(ln(2 / tolerance) / passes).</remarks>
-        public static readonly double MaxStrength = 1.0 / ((Math.Cosh(Math.Log(2.0 / Tolerance) / MaxPasses) - 1.0) * LatticeKernels.ViscosityEigenvalue);
+        public static readonly double MaxStrength =
+            1.0 / ((Math.Cosh(Math.Log(2.0 / Tolerance) / MaxPasses) - 1.0) * LatticeKernels.ViscosityEigenvalue);
 
         /// <summary>Fraction of a motion's error that <see cref="MaxPasses"/> leave at most in a substep.</summary>
         /// <param name="strength">ν Δt / d².</param>
@@ -75,7 +78,8 @@ namespace Rill
             return Math.Log(x + Math.Sqrt(x * x - 1.0));
         }
 
-        /// <summary>Records the solve: velocities of the particles that were in the last substep, whose lists there have to be, where they are now. The coarse grid's projection is added to the velocities of all first.</summary>
+        /// <summary>Records the solve: velocities of the particles that were in the last substep, whose lists there have to be, where they
+        /// are now. The coarse grid's projection is added to the velocities of all first.</summary>
         public void Record(in StepContext step)
         {
             CommandBuffer cmd = step.Commands;
@@ -93,13 +97,16 @@ namespace Rill
             double strength = Strength(step.Input, step.Layout);
             cmd.SetComputeFloatParam(shader, Ids.Strength, (float)(0.5 * LatticeKernels.ViscosityScale * strength));
             cmd.SetComputeFloatParam(shader, Ids.Blend, (float)LatticeKernels.ViscosityBlend);
-            cmd.SetComputeVectorParam(shader, Ids.Surface, new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.Surface,
+                new Vector4((float)LatticeKernels.ViscositySurface, (float)LatticeKernels.ViscosityDisorder, 0f, 0f));
             cmd.SetComputeFloatParam(shader, Ids.MinMoment, (float)(MinFill * LatticeKernels.ViscosityMoment));
             cmd.SetComputeFloatParam(shader, Ids.MinReach, (float)(MinReach * LatticeKernels.ViscosityMoment / LatticeKernels.ViscositySquares));
 
             cmd.SetComputeFloatParam(shader, Ids.WallFriction, step.Input.material.wallFriction);
             cmd.SetComputeFloatParam(shader, Ids.WallHold, (float)(2.0 / LatticeKernels.ViscosityScale * LatticeKernels.ViscosityWallHold));
-            cmd.SetComputeVectorParam(shader, Ids.WallMissing, new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares, (float)LatticeKernels.ViscosityWallLean, 0f));
+            cmd.SetComputeVectorParam(shader, Ids.WallMissing,
+                new Vector4((float)LatticeKernels.ViscosityWallMoment, (float)LatticeKernels.ViscosityWallSquares,
+                (float)LatticeKernels.ViscosityWallLean, 0f));
 
             int coefficients = findCoefficients.For(step.Colliders != null).Index;
             Bind(step, coefficients);
@@ -142,7 +149,8 @@ namespace Rill
         public static StageDescription Describe(ImplicitViscosity stage, in StepContext step)
         {
             bool needed = IsNeeded(step.Input);
-            var description = new StageDescription("Implicit viscosity", needed, needed ? $"{step.Input.material.dynamicViscosity} Pa s" : "the dynamic viscosity is 0");
+            var description = new StageDescription("Implicit viscosity", needed, needed ? $"{step.Input.material.dynamicViscosity} Pa s"
+                : "the dynamic viscosity is 0");
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(step.Lists.Variant, step.Resting);

@@ -67,7 +67,8 @@ namespace Rill
         public static bool Fits(SolverLayout layout, SnapshotContents contents)
         {
             long bytes = sizeof(uint) * (long)Total(layout);
-            return contents.Bytes(SnapshotSection.QuietSteps).Length == bytes && contents.Bytes(SnapshotSection.RegionMotion).Length == MotionStride * bytes;
+            return contents.Bytes(SnapshotSection.QuietSteps).Length == bytes && contents.Bytes(SnapshotSection.RegionMotion).Length
+                == MotionStride * bytes;
         }
 
         /// <summary>Confined vortices are there to keep moving, so with them nothing sleeps.</summary>
@@ -136,10 +137,13 @@ namespace Rill
         public void Bind(CommandBuffer cmd, ComputeShader shader, int kernel) => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionStates, states);
 
         /// <summary>Records where a kernel wakes regions that particles come to or leave.</summary>
-        public void BindMotion(CommandBuffer cmd, ComputeShader shader, int kernel) => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionMotion, motion);
+        public void BindMotion(CommandBuffer cmd, ComputeShader shader, int kernel)
+            => cmd.SetComputeBufferParam(shader, kernel, Ids.RegionMotion, motion);
 
-        /// <summary>Records the keyword, with no regions that there are none: another solver may have left the shared shader on the other variant.</summary>
-        public static void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword sleep, RestingRegions regions) => cmd.SetKeyword(shader, sleep, regions != null);
+        /// <summary>Records the keyword, with no regions that there are none: another solver may have left the shared shader on the other
+        /// variant.</summary>
+        public static void RecordKeyword(CommandBuffer cmd, ComputeShader shader, in LocalKeyword sleep, RestingRegions regions)
+            => cmd.SetKeyword(shader, sleep, regions != null);
 
         public void Dispose()
         {
@@ -166,7 +170,8 @@ namespace Rill
         }
 
         /// <summary>Enabled keywords of a kernel that leaves out what sleeps, for descriptions.</summary>
-        public static string Variant(string others, RestingRegions regions) => regions == null ? others : others == null ? Keyword : others + " " + Keyword;
+        public static string Variant(string others, RestingRegions regions) => regions == null ? others : others == null ? Keyword
+            : others + " " + Keyword;
 
         static int Total(SolverLayout layout)
         {

@@ -165,7 +165,8 @@ namespace Rill
             StepSources sources = step.Input.sources;
             bool needed = IsNeeded(sources, tags);
             int count = sources?.drainCount ?? 0;
-            var description = new StageDescription("Drains", needed, !needed ? "no drain, and no particle has a lifetime" : $"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}");
+            var description = new StageDescription("Drains", needed, !needed ? "no drain, and no particle has a lifetime"
+                : $"{count} drains{(tags != null ? ", and particles with a lifetime" : "")}");
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? LifetimesKeyword : null, step.Resting);

@@ -79,7 +79,8 @@ namespace Rill
         public int StepsOfASearch => 1 + (positions.Count + candidates - 1) / candidates;
 
         /// <summary>Radius of a ball around the end's position that holds all that this step can emit, d.</summary>
-        public float Reach(float step) => positions.Radius + (speed + math.length(velocity) + math.length(spin) * positions.Radius) * step + math.distance(start.position, end.position) + 1f;
+        public float Reach(float step) => positions.Radius + (speed + math.length(velocity) + math.length(spin) * positions.Radius) * step
+            + math.distance(start.position, end.position) + 1f;
 
         static float3 AtMost(float3 vector, float length)
         {

@@ -80,7 +80,8 @@ namespace Rill
         {
             StepSources sources = step.Input.sources;
             bool needed = IsNeeded(sources);
-            var description = new StageDescription("Emitters", needed, needed ? $"{sources.emitterCount} emitters, each tried for room at the end of a step" : "no emitter");
+            var description = new StageDescription("Emitters", needed, needed
+                ? $"{sources.emitterCount} emitters, each tried for room at the end of a step" : "no emitter");
             if (!needed || stage == null)
                 return description;
             string variant = RestingRegions.Variant(tags != null ? ParticleTags.Keyword : null, step.Resting);

@@ -30,8 +30,10 @@ namespace Rill
         /// <summary>distance below which a point or vortex fades towards its centre, d, above 0</summary>
         public float core;
 
-        public bool Equals(FieldRegion other) => center.Equals(other.center) && kind == other.kind && axisX.Equals(other.axisX) && falloff == other.falloff
-            && axisY.Equals(other.axisY) && isSphere == other.isSphere && axisZ.Equals(other.axisZ) && strength == other.strength && flow.Equals(other.flow) && core == other.core;
+        public bool Equals(FieldRegion other) => center.Equals(other.center) && kind == other.kind && axisX.Equals(other.axisX)
+            && falloff == other.falloff
+            && axisY.Equals(other.axisY) && isSphere == other.isSphere && axisZ.Equals(other.axisZ) && strength == other.strength
+            && flow.Equals(other.flow) && core == other.core;
 
         public override bool Equals(object other) => other is FieldRegion region && Equals(region);
 

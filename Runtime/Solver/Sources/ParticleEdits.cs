@@ -6,7 +6,8 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    /// <summary>What scripts do to the particles between steps: removes those inside a shape, moves them against the box, and adds those of a batch that have room. Made when first needed.</summary>
+    /// <summary>What scripts do to the particles between steps: removes those inside a shape, moves them against the box, and adds those of
+    /// a batch that have room. Made when first needed.</summary>
     sealed class ParticleEdits : IDisposable
     {
         const int MaxBatch = 1 << 20;
@@ -57,7 +58,8 @@ namespace Rill
             Graphics.ExecuteCommandBuffer(commands);
         }
 
-        /// <summary>Adds the particles of a batch that are not too near to one that is there, nor in a collider as the last step left it, at once. Their upload buffers are given back.</summary>
+        /// <summary>Adds the particles of a batch that are not too near to one that is there, nor in a collider as the last step left it,
+        /// at once. Their upload buffers are given back.</summary>
         /// <param name="positions">xyz, d, in the domain's frame.</param>
         /// <param name="velocity">d/s, of all.</param>
         /// <param name="tag">Of all, see ParticleTags.hlsl.</param>

@@ -51,7 +51,8 @@ namespace Rill
         /// <param name="tags">The tags, or null where none were made.</param>
         public static StageDescription Describe(ParticleTags tags, in StepContext step)
         {
-            var description = new StageDescription("Particle tags", tags != null, tags != null ? "an emitter gives its particles a phase or a lifetime" : "no emitter gives its particles a phase or a lifetime");
+            var description = new StageDescription("Particle tags", tags != null, tags != null
+                ? "an emitter gives its particles a phase or a lifetime" : "no emitter gives its particles a phase or a lifetime");
             if (tags == null)
                 return description;
             description.Kernel("NeighborSearch", "GatherTags", step.Substeps, RestingRegions.Variant(null, step.Resting));

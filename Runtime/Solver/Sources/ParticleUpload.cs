@@ -79,11 +79,13 @@ namespace Rill
         /// <param name="velocities">xyz, d/s; as many as positions, or one for all.</param>
         /// <param name="tags">Null for none.</param>
         /// <param name="tag">Of all of them, see ParticleTags.hlsl: 0 for no phase and no end.</param>
-        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities, ParticleTags tags = null, uint tag = 0)
+        public void Append(ParticleBuffers particles, int capacity, NativeArray<float4> positions, NativeArray<float4> velocities,
+            ParticleTags tags = null, uint tag = 0)
         {
             bool isShared = velocities.Length == 1;
             if (positions.Length != velocities.Length && !isShared)
-                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each particle both, or one velocity to all.");
+                throw new ArgumentException($"{positions.Length:N0} positions with {velocities.Length:N0} velocities: give each " +
+                    $"particle both, or one velocity to all.");
 
             for (int first = 0; first < positions.Length; first += MaxBatch)
             {

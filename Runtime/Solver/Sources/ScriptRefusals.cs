@@ -3,7 +3,8 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Counts the particles of scripts that the capacity did not hold, and brings their number back without waiting. Made when a script first adds some.</summary>
+    /// <summary>Counts the particles of scripts that the capacity did not hold, and brings their number back without waiting. Made when a
+    /// script first adds some.</summary>
     sealed class ScriptRefusals : IDisposable
     {
         readonly Readback readback = new Readback(GpuBuffer.Structured<uint>("Rill.RefusedOfScripts", 1));

@@ -35,7 +35,8 @@ namespace Rill
         [Tooltip("Whether it begins again at its end.")]
         [SerializeField] bool loop;
 
-        [Tooltip("Whether the game waits for a frame that is not read yet: for films that are rendered frame by frame. Off: the last frame stays, which is counted.")]
+        [Tooltip("Whether the game waits for a frame that is not read yet: for films that are rendered frame by frame. Off: the last " +
+            "frame stays, which is counted.")]
         [SerializeField] bool waitForFrames;
 
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
@@ -51,7 +52,8 @@ namespace Rill
         string refused;             // why it does not fit, of the solver that was looked at
         PbfSolver checkedSolver;
 
-        /// <summary>Path of the recording that is opened when this is enabled; a relative one begins in the StreamingAssets folder. Empty for none. Takes effect when this is enabled next; <see cref="Open"/> opens one at once.</summary>
+        /// <summary>Path of the recording that is opened when this is enabled; a relative one begins in the StreamingAssets folder. Empty
+        /// for none. Takes effect when this is enabled next; <see cref="Open"/> opens one at once.</summary>
         public string Recording { get => recording; set => recording = value ?? ""; }
 
         /// <summary>Whether a recording plays once it is opened; if not, it shows the first frame.</summary>
@@ -63,7 +65,8 @@ namespace Rill
         /// <summary>Whether time passes in the recording.</summary>
         public bool IsPlaying { get; private set; }
 
-        /// <summary>Time that is shown since the first frame, s, 0 to <see cref="Duration"/>. Set it to go anywhere, also while paused; it is brought into that range.</summary>
+        /// <summary>Time that is shown since the first frame, s, 0 to <see cref="Duration"/>. Set it to go anywhere, also while paused; it
+        /// is brought into that range.</summary>
         /// <exception cref="ArgumentException">Set to what is no number.</exception>
         public double Time
         {
@@ -71,7 +74,8 @@ namespace Rill
             set
             {
                 if (double.IsNaN(value))
-                    throw new ArgumentException($"FluidPlayback '{name}': a time that is no number is nowhere. Give seconds since the first frame.", nameof(value));
+                    throw new ArgumentException(
+                        $"FluidPlayback '{name}': a time that is no number is nowhere. Give seconds since the first frame.", nameof(value));
                 double to = Clamped(value);
                 goesBack = to < time;
                 hasJumped |= to != time;
@@ -98,16 +102,19 @@ namespace Rill
         /// <summary>Number of the frame that the fluid shows, from 0; -1 before the first has been read.</summary>
         public int ShownFrame { get; private set; } = -1;
 
-        /// <summary>Times that a frame was not read when it should have been shown, since the recording was opened: the frame before stayed.</summary>
+        /// <summary>Times that a frame was not read when it should have been shown, since the recording was opened: the frame before
+        /// stayed.</summary>
         public int MissedFrames { get; private set; }
 
-        /// <summary>Whether the recording has no index that can be read, as of a player that was ended while it recorded: it then ends with the last whole frame.</summary>
+        /// <summary>Whether the recording has no index that can be read, as of a player that was ended while it recorded: it then ends with
+        /// the last whole frame.</summary>
         public bool WasCutShort => reader != null && reader.WasCutShort;
 
         /// <summary>Whether each of its particles has an id that stays the same from frame to frame.</summary>
         public bool HasIds => reader != null && reader.Header.Layout.Has(RecordingFields.Ids);
 
-        /// <summary>Seconds of the recording in a second of the game, -100 to 100; below 0 it plays backwards. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Seconds of the recording in a second of the game, -100 to 100; below 0 it plays backwards. Out-of-range values are
+        /// clamped with a warning.</summary>
         public float Speed { get => speed; set { speed = value; OnValidate(); } }
 
         /// <summary>Whether it begins again at its end.</summary>
@@ -134,7 +141,8 @@ namespace Rill
 
         StageReferences IUsesStages.StageReferences => shaders;
 
-        /// <summary>Opens a recording at its first frame. It plays where Play On Enable is on, else call <see cref="Play"/> or set <see cref="Time"/>. One that was open is closed.</summary>
+        /// <summary>Opens a recording at its first frame. It plays where Play On Enable is on, else call <see cref="Play"/> or set
+        /// <see cref="Time"/>. One that was open is closed.</summary>
         /// <param name="file">Its path; a relative one begins in the StreamingAssets folder.</param>
         /// <exception cref="ArgumentNullException">No path.</exception>
         /// <exception cref="InvalidOperationException">This is disabled, or the platform is WebGL.</exception>
@@ -145,7 +153,8 @@ namespace Rill
             if (file == null)
                 throw new ArgumentNullException(nameof(file));
             if ((Platform ?? Application.platform) == RuntimePlatform.WebGLPlayer)
-                throw new InvalidOperationException($"FluidPlayback '{name}' cannot play: WebGL has no threads, one of which reads the file. Play on another platform.");
+                throw new InvalidOperationException(
+                    $"FluidPlayback '{name}' cannot play: WebGL has no threads, one of which reads the file. Play on another platform.");
             if (!isActiveAndEnabled)
                 throw new InvalidOperationException($"FluidPlayback '{name}' is disabled: enable it before you open a recording.");
             Close();
@@ -175,7 +184,8 @@ namespace Rill
             refused = null;
         }
 
-        /// <summary>Lets time pass in the recording; from its start where it stands at its end, or the other way round where the speed is below 0.</summary>
+        /// <summary>Lets time pass in the recording; from its start where it stands at its end, or the other way round where the speed is
+        /// below 0.</summary>
         public void Play()
         {
             if (!loop && time >= Duration && speed > 0f)
@@ -236,7 +246,9 @@ namespace Rill
             {
                 Open(recording);
             }
-            catch (Exception refusal) when (refusal is IOException || refusal is InvalidDataException || refusal is UnauthorizedAccessException || refusal is InvalidOperationException || refusal is ArgumentException || refusal is NotSupportedException)
+            catch (Exception refusal) when (refusal is IOException || refusal is InvalidDataException
+                || refusal is UnauthorizedAccessException || refusal is InvalidOperationException || refusal is ArgumentException
+                || refusal is NotSupportedException)
             {
                 Say($"does not play '{recording}': {refusal.Message}");
             }

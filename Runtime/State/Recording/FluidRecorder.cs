@@ -64,7 +64,8 @@ namespace Rill
         /// <summary>What is kept of each particle besides its position; of the next recording.</summary>
         public RecordingFields Fields { get => fields; set => fields = value & RecordingFields.All; }
 
-        /// <summary>Frames that are recorded for a second of fluid time, 1/s, 0 to 1,000; 0 for every step. Out-of-range values are clamped with a warning.</summary>
+        /// <summary>Frames that are recorded for a second of fluid time, 1/s, 0 to 1,000; 0 for every step. Out-of-range values are clamped
+        /// with a warning.</summary>
         public float Rate { get => rate; set { rate = value; OnValidate(); } }
 
         /// <summary>Frames that may wait for the disk, 4 to 64; of the next recording. Out-of-range values are clamped with a warning.</summary>
@@ -98,18 +99,21 @@ namespace Rill
         /// <summary>Starts to record into a file, with the next step. A file of that name is replaced.</summary>
         /// <param name="file">Its path; the folder has to be there.</param>
         /// <exception cref="ArgumentNullException">No path.</exception>
-        /// <exception cref="InvalidOperationException">This or the simulation is not running, it already records, the platform is WebGL, or the stage Recording is not in this build.</exception>
+        /// <exception cref="InvalidOperationException">This or the simulation is not running, it already records, the platform is WebGL, or
+        /// the stage Recording is not in this build.</exception>
         /// <exception cref="IOException">The file cannot be made; as for other exceptions of File.Create.</exception>
         public void Record(string file)
         {
             if (file == null)
                 throw new ArgumentNullException(nameof(file));
             if ((Platform ?? Application.platform) == RuntimePlatform.WebGLPlayer)
-                throw new InvalidOperationException($"FluidRecorder '{name}' cannot record: WebGL has no threads, one of which writes the file. Record in the Editor or on another platform; snapshots work everywhere.");
+                throw new InvalidOperationException($"FluidRecorder '{name}' cannot record: WebGL has no threads, one of which writes " +
+                    $"the file. Record in the Editor or on another platform; snapshots work everywhere.");
             if (!isActiveAndEnabled || !simulation.IsRunning)
                 throw new InvalidOperationException($"FluidRecorder '{name}' or its FluidSimulation is not running: enable both before you record.");
             if (IsRecording || IsWriting)
-                throw new InvalidOperationException($"FluidRecorder '{name}' already records into '{path}': call Stop, and wait until IsWriting is false.");
+                throw new InvalidOperationException(
+                    $"FluidRecorder '{name}' already records into '{path}': call Stop, and wait until IsWriting is false.");
             if (!simulation.CanRecord)
                 throw new InvalidOperationException($"FluidRecorder '{name}' cannot record: {StageShader.MissingProblem("Recording")}");
             solver = simulation.Solver;
@@ -122,7 +126,8 @@ namespace Rill
             IsRecording = true;
         }
 
-        /// <summary>Ends the recording. Frames pending are still written, then the index; <see cref="IsWriting"/> says when that is done. Nothing waits for it.</summary>
+        /// <summary>Ends the recording. Frames pending are still written, then the index; <see cref="IsWriting"/> says when that is done.
+        /// Nothing waits for it.</summary>
         public void Stop()
         {
             if (!IsRecording)
@@ -158,7 +163,8 @@ namespace Rill
                 Forget(transfer);
             writer?.Finish();
             if (writer != null && !writer.Join(MaxWait))
-                Debug.LogError($"Rill: FluidRecorder '{name}': the disk did not take the last frames of '{path}' within {MaxWait / 1000} s. Those before them can be played; the rest is written if the player goes on.", this);
+                Debug.LogError($"Rill: FluidRecorder '{name}': the disk did not take the last frames of '{path}' within " +
+                    $"{MaxWait / 1000} s. Those before them can be played; the rest is written if the player goes on.", this);
             Check();
             shaders.Release();
         }
@@ -202,7 +208,8 @@ namespace Rill
             if (frame == null)
             {
                 int fromGpu = recorded.Count + coming.Count;
-                Fail($"all {buffers} frames that Buffered Frames allows are pending, {fromGpu} from the GPU and {buffers - fromGpu} to the disk. Record fewer Fields or at a lower Rate, raise Buffered Frames, or use a faster disk.");
+                Fail($"all {buffers} frames that Buffered Frames allows are pending, {fromGpu} from the GPU and {buffers - fromGpu} to " +
+                    $"the disk. Record fewer Fields or at a lower Rate, raise Buffered Frames, or use a faster disk.");
                 return;
             }
             frame.step = step;

@@ -2,10 +2,12 @@ using Unity.Mathematics;
 
 namespace Rill
 {
-    /// <summary>How the particles of a recorded frame lie in its words: one field after the other, each as long as the particles need. Recording.compute has the same.</summary>
+    /// <summary>How the particles of a recorded frame lie in its words: one field after the other, each as long as the particles need.
+    /// Recording.compute has the same.</summary>
     /// <remarks>
     /// Positions in 16 bits: a word with x and y for each particle, then one with z for each two. In 21 bits: two words for each. Velocities:
-    /// three half-precision numbers, d/s, a word with x and y for each, then one with z for each two. Ids: a word for each. Phases: a word for each four.
+    /// three half-precision numbers, d/s, a word with x and y for each, then one with z for each two. Ids: a word for each. Phases: a word
+    /// for each four.
     /// </remarks>
     readonly struct FrameLayout
     {

@@ -24,7 +24,8 @@ namespace Rill
         /// <summary>Records the packing of the particles.</summary>
         /// <param name="tags">Null where the particles have none.</param>
         /// <param name="frame">uint, <see cref="FrameLayout.PackedHeader"/> words and those of the particles.</param>
-        public void RecordPack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout, GraphicsBuffer frame)
+        public void RecordPack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout,
+            GraphicsBuffer frame)
         {
             cmd.BeginSample(Marker);
             Bind(cmd, pack, particles, tags, layout, 1f / layout.StepSize(domainSize));
@@ -35,7 +36,8 @@ namespace Rill
 
         /// <summary>Uploads a frame, and records that its particles replace those that are there.</summary>
         /// <param name="stepBack">s, see Recording.compute.</param>
-        public void RecordUnpack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize, in FrameLayout layout, RecordedFrame frame, float stepBack)
+        public void RecordUnpack(CommandBuffer cmd, ParticleBuffers particles, GraphicsBuffer tags, float3 domainSize,
+            in FrameLayout layout, RecordedFrame frame, float stepBack)
         {
             int words = Math.Max((int)layout.Words(frame.particles), 1);
             if (upload == null || upload.count < words)
@@ -53,7 +55,8 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.FrameNextId, (int)(layout.Has(RecordingFields.Ids) ? frame.nextId : (uint)frame.particles));
             cmd.SetComputeFloatParam(shader, Ids.StepBack, stepBack);
             int groups = Math.Max(ParticleBuffers.Groups(frame.particles), 1);
-            cmd.DispatchCompute(shader, unpack, Math.Min(groups, ThreadGroups.MaxGroups), (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            cmd.DispatchCompute(shader, unpack, Math.Min(groups, ThreadGroups.MaxGroups),
+                (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
             cmd.EndSample(Marker);
         }
 
@@ -62,7 +65,8 @@ namespace Rill
         /// <param name="stage">The stage, or null where none was made.</param>
         public static StageDescription Describe(FramePacking stage)
         {
-            var description = new StageDescription("Recording", stage != null, stage != null ? "frames are recorded or played back, outside the step" : "nothing is recorded or played back");
+            var description = new StageDescription("Recording", stage != null, stage != null
+                ? "frames are recorded or played back, outside the step" : "nothing is recorded or played back");
             if (stage == null)
                 return description;
             description.Kernel("Recording", stage.upload != null ? "UnpackFrame" : "PackFrame", 0);
@@ -80,7 +84,8 @@ namespace Rill
             cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, particles.Current);
             cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, particles.Velocities);
             cmd.SetComputeBufferParam(shader, kernel, Ids.ParticleIds, particles.Ids);
-            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? (kernel == pack ? particles.Ids : particles.SortedIds));     // which is not touched
+            // which is not touched
+            cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags ?? (kernel == pack ? particles.Ids : particles.SortedIds));
             cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, particles.Counters);
         }
 

@@ -12,7 +12,8 @@ namespace Rill
 
         /// <summary>Records the packing of the particles as the commands so far leave them.</summary>
         /// <param name="frame">uint, see <see cref="FramePacking.RecordPack"/>.</param>
-        public void RecordFrame(CommandBuffer cmd, in FrameLayout layout, GraphicsBuffer frame) => Packing.RecordPack(cmd, particles, tags?.Current, Layout.DomainSize, layout, frame);
+        public void RecordFrame(CommandBuffer cmd, in FrameLayout layout, GraphicsBuffer frame)
+            => Packing.RecordPack(cmd, particles, tags?.Current, Layout.DomainSize, layout, frame);
 
         /// <summary>
         /// Uploads a frame and records it instead of the present state, with its cells and neighbor lists, so that all that looks at the

@@ -52,7 +52,8 @@ namespace Rill
             if (version > Version)
                 throw new InvalidDataException(What + $"it has version {version}, but this package reads up to {Version}. Update the package.");
             if (!IsSealed(bytes, HeaderBytes))
-                throw new InvalidDataException(What + "the checksum of its header is another, so it was changed since it was written. Copy the file again.");
+                throw new InvalidDataException(What
+                    + "the checksum of its header is another, so it was changed since it was written. Copy the file again.");
             uint fields = Get(bytes, 12), bits = Get(bytes, 16), capacity = Get(bytes, 20);
             float spacing = math.asfloat(Get(bytes, 24));
             var size = new float3(math.asfloat(Get(bytes, 28)), math.asfloat(Get(bytes, 32)), math.asfloat(Get(bytes, 36)));
@@ -87,7 +88,8 @@ namespace Rill
         /// <param name="number">That it must have.</param>
         /// <param name="room">Bytes of the file behind the header.</param>
         /// <returns>False where this is no such frame, or does not end within the file.</returns>
-        public static bool TryReadFrameHeader(ReadOnlySpan<byte> bytes, in RecordingHeader header, int number, long room, RecordedFrame frame, out int length, out uint checksum)
+        public static bool TryReadFrameHeader(ReadOnlySpan<byte> bytes, in RecordingHeader header, int number, long room,
+            RecordedFrame frame, out int length, out uint checksum)
         {
             length = 0;
             checksum = 0;
@@ -95,7 +97,8 @@ namespace Rill
                 return false;
             uint particles = Get(bytes, 8), bytesOfParticles = Get(bytes, 28), step = Get(bytes, 24);
             double time = GetDouble(bytes, 16);
-            if (particles > (uint)header.Capacity || bytesOfParticles != (ulong)(sizeof(uint) * header.Layout.Words(particles)) || bytesOfParticles > room || bytesOfParticles > int.MaxValue)
+            if (particles > (uint)header.Capacity || bytesOfParticles != (ulong)(sizeof(uint) * header.Layout.Words(particles))
+                || bytesOfParticles > room || bytesOfParticles > int.MaxValue)
                 return false;
             if (step > int.MaxValue || double.IsNaN(time) || double.IsInfinity(time))
                 return false;
@@ -142,7 +145,8 @@ namespace Rill
             long bytes = end - position;
             length = (int)Math.Max(Math.Min(bytes, int.MaxValue), 0);
             return footer.Slice(8, EndMagic.Length).SequenceEqual(EndMagic) && begin >= HeaderBytes && begin <= (ulong)end
-                && bytes >= IndexHeaderBytes + ChecksumBytes && bytes <= int.MaxValue && (bytes - IndexHeaderBytes - ChecksumBytes) % IndexEntryBytes == 0;
+                && bytes >= IndexHeaderBytes + ChecksumBytes && bytes <= int.MaxValue
+                && (bytes - IndexHeaderBytes - ChecksumBytes) % IndexEntryBytes == 0;
         }
 
         /// <summary>The entries of an index; null where it is damaged, so that the frames have to be looked for.</summary>
@@ -177,19 +181,23 @@ namespace Rill
         }
 
         /// <summary>What a right checksum does not make right.</summary>
-        public static InvalidDataException Damaged(string how) => new InvalidDataException(What + how + ". It was not written by a FluidRecorder; use another.");
+        public static InvalidDataException Damaged(string how)
+            => new InvalidDataException(What + how + ". It was not written by a FluidRecorder; use another.");
 
         static void Seal(Span<byte> bytes, int length) => Put(bytes, length - ChecksumBytes, Crc32C.Of(bytes.Slice(0, length - ChecksumBytes)));
 
-        static bool IsSealed(ReadOnlySpan<byte> bytes, int length) => Crc32C.Of(bytes.Slice(0, length - ChecksumBytes)) == Get(bytes, length - ChecksumBytes);
+        static bool IsSealed(ReadOnlySpan<byte> bytes, int length)
+            => Crc32C.Of(bytes.Slice(0, length - ChecksumBytes)) == Get(bytes, length - ChecksumBytes);
 
         static void Put(Span<byte> to, int at, uint value) => BinaryPrimitives.WriteUInt32LittleEndian(to.Slice(at), value);
 
-        static void PutDouble(Span<byte> to, int at, double value) => BinaryPrimitives.WriteInt64LittleEndian(to.Slice(at), BitConverter.DoubleToInt64Bits(value));
+        static void PutDouble(Span<byte> to, int at, double value)
+            => BinaryPrimitives.WriteInt64LittleEndian(to.Slice(at), BitConverter.DoubleToInt64Bits(value));
 
         static uint Get(ReadOnlySpan<byte> from, int at) => BinaryPrimitives.ReadUInt32LittleEndian(from.Slice(at));
 
-        static double GetDouble(ReadOnlySpan<byte> from, int at) => BitConverter.Int64BitsToDouble(BinaryPrimitives.ReadInt64LittleEndian(from.Slice(at)));
+        static double GetDouble(ReadOnlySpan<byte> from, int at)
+            => BitConverter.Int64BitsToDouble(BinaryPrimitives.ReadInt64LittleEndian(from.Slice(at)));
     }
 
     /// <summary>Where a frame lies in a file, and what can be known without reading it.</summary>

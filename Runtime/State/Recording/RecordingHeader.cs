@@ -24,16 +24,19 @@ namespace Rill
             DomainSize = domainSize;
         }
 
-        public RecordingHeader(SolverLayout fluid, RecordingFields fields) : this(FrameLayout.For(fields, fluid.DomainSize), fluid.Capacity, fluid.Spacing, fluid.DomainSize) { }
+        public RecordingHeader(SolverLayout fluid, RecordingFields fields)
+            : this(FrameLayout.For(fields, fluid.DomainSize), fluid.Capacity, fluid.Spacing, fluid.DomainSize) { }
 
         /// <summary>Why a fluid cannot show it, with what to do; null where it can.</summary>
         /// <param name="most">Particles of its largest frame.</param>
         public string ProblemFor(SolverLayout fluid, int most)
         {
             if (Spacing != fluid.Spacing)
-                return $"it is of a fluid with a particle spacing of {Spacing} m, but this one has {fluid.Spacing} m. Set the Particle Spacing to {Spacing}.";
+                return $"it is of a fluid with a particle spacing of {Spacing} m, but this one has {fluid.Spacing} m. Set the Particle " +
+                    $"Spacing to {Spacing}.";
             if (math.any(DomainSize != fluid.DomainSize))
-                return $"it is of a box of {Text(DomainSize * Spacing)} m, but this one is {Text(fluid.DomainSize * fluid.Spacing)} m. Set the Domain Size to that of the recording.";
+                return $"it is of a box of {Text(DomainSize * Spacing)} m, but this one is {Text(fluid.DomainSize * fluid.Spacing)} m. " +
+                    $"Set the Domain Size to that of the recording.";
             if (most > fluid.Capacity)
                 return $"it has up to {most:N0} particles, more than the capacity of {fluid.Capacity:N0}. Raise the Capacity to at least {most:N0}.";
             return null;

@@ -5,7 +5,8 @@ using System.Runtime.InteropServices;
 
 namespace Rill
 {
-    /// <summary>The frames of a recording, in any order. Safe for files from anywhere: lengths are checked before memory is taken. Used by one thread at a time.</summary>
+    /// <summary>The frames of a recording, in any order. Safe for files from anywhere: lengths are checked before memory is taken. Used by
+    /// one thread at a time.</summary>
     sealed class RecordingReader : IDisposable
     {
         readonly Stream stream;
@@ -71,7 +72,8 @@ namespace Rill
             long at = entries[number].position;
             ReadAt(at, headerBytes);
             long particlesAt = at + RecordingFormat.FrameHeaderBytes;
-            if (!RecordingFormat.TryReadFrameHeader(headerBytes, Header, number, end - particlesAt, frame, out int length, out uint checksum) || frame.particles != entries[number].particles)
+            if (!RecordingFormat.TryReadFrameHeader(headerBytes, Header, number, end - particlesAt, frame, out int length,
+                out uint checksum) || frame.particles != entries[number].particles)
                 throw DamagedFrame(number);
             frame.Reserve(length / sizeof(uint));
             Span<byte> bytes = MemoryMarshal.AsBytes(frame.words.AsSpan()).Slice(0, length);
@@ -82,7 +84,8 @@ namespace Rill
 
         public void Dispose() => stream.Dispose();
 
-        static InvalidDataException DamagedFrame(int number) => new InvalidDataException($"Frame {number:N0} of the recording was changed since it was written: its checksum is another. Copy the file again, or record again.");
+        static InvalidDataException DamagedFrame(int number) => new InvalidDataException($"Frame {number:N0} of the recording was " +
+            $"changed since it was written: its checksum is another. Copy the file again, or record again.");
 
         // Null where there is none, or its checksum is another.
         IndexEntry[] FromIndex(ref long framesEnd)
@@ -113,7 +116,8 @@ namespace Rill
             {
                 long particlesAt = at + RecordingFormat.FrameHeaderBytes;
                 ReadAt(at, headerBytes);
-                if (!RecordingFormat.TryReadFrameHeader(headerBytes, Header, found.Count, stream.Length - particlesAt, frame, out int length, out _) || frame.time < last)
+                if (!RecordingFormat.TryReadFrameHeader(headerBytes, Header, found.Count, stream.Length - particlesAt, frame,
+                    out int length, out _) || frame.time < last)
                     break;
                 found.Add(new IndexEntry { position = at, time = frame.time, particles = frame.particles, step = frame.step });
                 last = frame.time;

@@ -6,7 +6,8 @@ using System.Threading;
 
 namespace Rill
 {
-    /// <summary>Writes frames to a stream on a thread of its own, from a ring of buffers that does not grow. Nothing but <see cref="Join"/> waits for the disk.</summary>
+    /// <summary>Writes frames to a stream on a thread of its own, from a ring of buffers that does not grow. Nothing but <see cref="Join"/>
+    /// waits for the disk.</summary>
     sealed class RecordingWriter
     {
         readonly object gate = new object();
@@ -127,7 +128,8 @@ namespace Rill
             while (TryTake(out RecordedFrame frame))
             {
                 frame.number = index.Count;
-                Span<byte> particles = MemoryMarshal.AsBytes(frame.words.AsSpan()).Slice(0, (int)(sizeof(uint) * header.Layout.Words(frame.particles)));
+                Span<byte> particles = MemoryMarshal.AsBytes(frame.words.AsSpan())
+                    .Slice(0, (int)(sizeof(uint) * header.Layout.Words(frame.particles)));
                 RecordingFormat.WriteFrameHeader(frame, particles, headerBytes);
                 stream.Write(headerBytes, 0, RecordingFormat.FrameHeaderBytes);
                 stream.Write(particles);

@@ -4,7 +4,8 @@
 
 StructuredBuffer<uint> _ColliderMasks;      // [cells * words], a bit for each collider
 
-static const float kBroadphaseMargin = 2.0;    // d: no further than this from where no collider is near, none is met; = what bins reach, less kContactOffset
+// d: no further than this from where no collider is near, none is met; = what bins reach, less kContactOffset
+static const float kBroadphaseMargin = 2.0;
 
 uint ColliderCell(float3 p)
 {

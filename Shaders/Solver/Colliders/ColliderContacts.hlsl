@@ -5,7 +5,8 @@
 #include "ColliderBins.hlsl"
 
 static const float kTouching = 0.05;        // d: what is no further from where it must stay than this touches
-static const float kContactTolerance = 0.005;        // d: as near to where it must stay as a mesh's distances tell; more would be asked of them for ever
+// d: as near to where it must stay as a mesh's distances tell; more would be asked of them for ever
+static const float kContactTolerance = 0.005;
 static const uint kDepenetrationSteps = 8;
 
 // ---- density

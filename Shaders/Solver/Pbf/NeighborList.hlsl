@@ -8,7 +8,8 @@
 
 #include "../../Generated/NeighborList.hlsl"
 
-static const uint kListStride = kParticlesPerListBlock / kBlockEntries;     // uint4 that each entry before takes: blocks of a particle lie kParticlesPerListBlock apart
+// uint4 that each entry before takes: blocks of a particle lie kParticlesPerListBlock apart
+static const uint kListStride = kParticlesPerListBlock / kBlockEntries;
 
 #ifdef RILL_BUILD_LIST
 #define RILL_LIST RWStructuredBuffer<uint4>

@@ -73,7 +73,8 @@ namespace Rill.Editor.Tests
             made.AddRange(new Object[] { empty, without, material });
             BakePlan plan = Plan(empty, without, material, null);
             Assert.That(plan.Items, Is.Empty);
-            Assert.That(plan.Notes, Is.EqualTo(new[] { "'Empty' has no Mesh Filter: left out.", "The Mesh Filter of 'Without' has no mesh: assign one.", "'Paint' has no mesh: left out." }));
+            Assert.That(plan.Notes, Is.EqualTo(new[] { "'Empty' has no Mesh Filter: left out.",
+                "The Mesh Filter of 'Without' has no mesh: assign one.", "'Paint' has no mesh: left out." }));
         }
 
         [Test]
@@ -81,7 +82,8 @@ namespace Rill.Editor.Tests
         {
             Mesh one = MeshAsset("Pot"), two = MeshAsset("Pot", 2f, "Assets/Rill Bake Tests/Others"), three = MeshAsset("Cup");
             BakePlan plan = Plan(one, two, three);
-            Assert.That(plan.Items.Select(item => item.Path), Is.EqualTo(new[] { Folder + "/Pot Distances.asset", Folder + "/Pot Distances 2.asset", Folder + "/Cup Distances.asset" }));
+            Assert.That(plan.Items.Select(item => item.Path),
+                Is.EqualTo(new[] { Folder + "/Pot Distances.asset", Folder + "/Pot Distances 2.asset", Folder + "/Cup Distances.asset" }));
             var told = new List<float>();
             Assert.That(plan.Bake(Settings(12), BakeAssign.Nothing, (fraction, what) =>
             {

@@ -55,7 +55,8 @@ namespace Rill.Editor.Tests
             (FormattableState(field), field.Resolution, field.Texture.GetPixelData<byte>(0).ToArray());
 
         static string FormattableState(SignedDistanceField field) =>
-            $"{field.Version} {field.Bounds} {field.VoxelSize} {field.Sign} {field.ShellThickness} {field.StorageError} {field.SourceMesh} {field.SourceMeshId} {field.SourceHash} {JsonUtility.ToJson(field.Settings)} {field.Volume}";
+            $"{field.Version} {field.Bounds} {field.VoxelSize} {field.Sign} {field.ShellThickness} {field.StorageError} " +
+            $"{field.SourceMesh} {field.SourceMeshId} {field.SourceHash} {JsonUtility.ToJson(field.Settings)} {field.Volume}";
 
         void AssertIs((string says, Vector3Int resolution, byte[] voxels) expected)
         {
@@ -64,7 +65,8 @@ namespace Rill.Editor.Tests
             Assert.That(state.resolution, Is.EqualTo(expected.resolution));
             Assert.That(state.voxels.SequenceEqual(expected.voxels), "the same distances in each voxel");
             Assert.That(field.Validate(out string problem), problem);
-            Assert.That(AssetDatabase.LoadAllAssetsAtPath(AssetDatabase.GetAssetPath(field)), Is.EquivalentTo(new Object[] { field, field.Texture }), "one texture in the file");
+            Assert.That(AssetDatabase.LoadAllAssetsAtPath(AssetDatabase.GetAssetPath(field)),
+                Is.EquivalentTo(new Object[] { field, field.Texture }), "one texture in the file");
             Assert.That(EditorUtility.IsDirty(field), Is.False, "written, as after a bake");
         }
 

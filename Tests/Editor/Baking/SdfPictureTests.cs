@@ -20,7 +20,9 @@ namespace Rill.Editor.Tests
             var grid = new SdfGrid(new Bounds(Vector3.zero, new Vector3(1f, 1.2f, 0.8f)), settings, false);
             var distances = new float[grid.VoxelCount];
             for (int i = 0; i < distances.Length; i++)
-                distances[i] = math.distance(grid.Min + grid.VoxelSize * (new float3(i % grid.Resolution.x, i / grid.Resolution.x % grid.Resolution.y, i / grid.Resolution.x / grid.Resolution.y) + 0.5f), Center) - Radius;
+                distances[i] = math.distance(grid.Min
+                    + grid.VoxelSize * (new float3(i % grid.Resolution.x, i / grid.Resolution.x % grid.Resolution.y,
+                    i / grid.Resolution.x / grid.Resolution.y) + 0.5f), Center) - Radius;
             bake = new SdfBake("Ball", grid, distances, settings, MeshSdfSign.WindingNumber, 0);
             return SdfVolume.Of(bake);
         }
@@ -35,7 +37,8 @@ namespace Rill.Editor.Tests
             Assert.That(DistanceColors.At(-5f), Is.EqualTo(DistanceColors.At(-1f)));
             for (int sign = -1; sign <= 1; sign += 2)
                 for (float fraction = 0.05f; fraction < 1f; fraction += 0.05f)
-                    Assert.That(Brightness(DistanceColors.At(sign * (fraction + 0.05f))), Is.LessThan(Brightness(DistanceColors.At(sign * fraction))), $"{sign * fraction}");
+                    Assert.That(Brightness(DistanceColors.At(sign * (fraction + 0.05f))),
+                        Is.LessThan(Brightness(DistanceColors.At(sign * fraction))), $"{sign * fraction}");
             foreach ((float fraction, Color32 color) in DistanceColors.Stops.Where(stop => stop.Fraction != 0f))
                 Assert.That(DistanceColors.At(fraction), Is.EqualTo(color));
         }
@@ -112,7 +115,8 @@ namespace Rill.Editor.Tests
                 hits += hit ? 1 : 0;
                 misses += hit ? 0 : 1;
                 if (hit)
-                    Assert.That(math.distance(at, from + (3f - math.sqrt(Radius * Radius - off * off)) * along), Is.LessThan(0.04f), $"{off} m off the middle");
+                    Assert.That(math.distance(at, from + (3f - math.sqrt(Radius * Radius - off * off)) * along), Is.LessThan(0.04f),
+                        $"{off} m off the middle");
             }
             Assert.That(hits > 100 && misses > 50);
         }
@@ -132,7 +136,8 @@ namespace Rill.Editor.Tests
             Assert.That(Brightness(pixels[At(0.7f)]), Is.GreaterThan(Brightness(pixels[At(-0.7f)]) + 100));
 
             SdfTrace.Paint(volume, 0f, 90f, size, pixels);
-            Assert.That(pixels[(int)((Center.z - volume.Bounds.center.z) / pixel + 30f) * size.x + (int)middle.x], Is.Not.EqualTo(SdfTrace.Background), "from above it lies at its x and z");
+            Assert.That(pixels[(int)((Center.z - volume.Bounds.center.z) / pixel + 30f) * size.x + (int)middle.x],
+                Is.Not.EqualTo(SdfTrace.Background), "from above it lies at its x and z");
             Assert.Throws<ArgumentException>(() => SdfTrace.Paint(volume, 0f, 0f, size, new Color32[3]));
         }
     }

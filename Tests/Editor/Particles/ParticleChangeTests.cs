@@ -48,7 +48,8 @@ namespace Rill.Editor.Tests
                     bool isIn = math.distance(before[p.id].position, center) < 0.35f;
                     float3 expected = isIn ? (float3)velocity : 0f;
                     Assert.That(math.distance(p.velocity, expected), Is.LessThan(1e-4f), $"velocity of {p.id}");
-                    Assert.That(math.distance(p.position, before[p.id].position + expected * SourceScene.Step60), Is.LessThan(1e-5f), $"position of {p.id}");
+                    Assert.That(math.distance(p.position, before[p.id].position + expected * SourceScene.Step60), Is.LessThan(1e-5f),
+                        $"position of {p.id}");
                     pushed += isIn ? 1 : 0;
                 }
                 Assert.That(pushed, Is.InRange(5, 60));
@@ -210,8 +211,10 @@ namespace Rill.Editor.Tests
                 Assert.That(tagged, Is.GreaterThan(1000));
                 if (withLifetimes)
                 {
-                    Assert.That(before.Values.Count(p => p.phase == 1 && math.distance(p.position, center) < 0.35f), Is.GreaterThan(5), "with a lifetime and tagged");
-                    Assert.That(pass.See().Any(p => before.TryGetValue(p.id, out ParticlePass.Particle was) && was.phase == 1), Is.False, "their time is over");
+                    Assert.That(before.Values.Count(p => p.phase == 1 && math.distance(p.position, center) < 0.35f), Is.GreaterThan(5),
+                        "with a lifetime and tagged");
+                    Assert.That(pass.See().Any(p => before.TryGetValue(p.id, out ParticlePass.Particle was) && was.phase == 1), Is.False,
+                        "their time is over");
                     scene.AssertConserved();
                 }
                 scene.Fluid.TrackPhases = false;

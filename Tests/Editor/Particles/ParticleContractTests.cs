@@ -31,7 +31,8 @@ namespace Rill.Editor.Tests
             using (var pass = new ParticlePass(scene))
             {
                 scene.Fluid.TrackPhases = true;
-                FluidEmitter emitter = scene.Add<FluidEmitter>(scene.Fluid.transform.position + 0.3f * Vector3.up, Vector3.down, e => { e.Phase = 3; e.Rate = 0.02f; e.Size = 0.2f * Vector3.one; });
+                FluidEmitter emitter = scene.Add<FluidEmitter>(scene.Fluid.transform.position + 0.3f * Vector3.up, Vector3.down,
+                    e => { e.Phase = 3; e.Rate = 0.02f; e.Size = 0.2f * Vector3.one; });
                 scene.Step(12);
                 ParticleState state = scene.Read();
                 ParticlePass.Particle[] seen = pass.See();
@@ -90,7 +91,8 @@ namespace Rill.Editor.Tests
                 for (int i = 0; i < seen.Length; i++)
                 {
                     float3 p = state.positions[i].xyz, path = lag * (p - starts[i].xyz);
-                    float3 expected = scene.Fluid.DomainToWorld.MultiplyPoint3x4(math.clamp(p + path, math.min(p, 0.5f), math.max(p, state.box - 0.5f)));
+                    float3 expected = scene.Fluid.DomainToWorld.MultiplyPoint3x4(math.clamp(p + path, math.min(p, 0.5f),
+                        math.max(p, state.box - 0.5f)));
                     Assert.That(math.distance(seen[i].drawn, expected), Is.LessThan(1e-5f));
                     longest = math.max(longest, math.distance(seen[i].drawn, seen[i].position));
                 }
@@ -158,7 +160,8 @@ namespace Rill.Editor.Tests
         static void Add(FluidSimulation fluid, Vector3 center)
         {
             var random = new Unity.Mathematics.Random(5u);
-            float3[] places = Enumerable.Range(0, 300).Select(_ => (float3)(center + fluid.transform.rotation * (Vector3)random.NextFloat3(-0.35f, 0.35f))).ToArray();
+            float3[] places = Enumerable.Range(0, 300)
+                .Select(_ => (float3)(center + fluid.transform.rotation * (Vector3)random.NextFloat3(-0.35f, 0.35f))).ToArray();
             using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
             using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
                 fluid.AddParticles(positions, velocities);
@@ -200,7 +203,8 @@ namespace Rill.Editor.Tests
             using (SourceScene scene = Splash())
             using (var pass = new ParticlePass(scene))
             {
-                ArgumentException problem = Assert.Throws<ArgumentException>(() => GpuTest.Run(cmd => pass.Particles.Dispatch(cmd, pass.Shader, pass.Shader.FindKernel("Small"))));
+                ArgumentException problem = Assert.Throws<ArgumentException>(() =>
+                    GpuTest.Run(cmd => pass.Particles.Dispatch(cmd, pass.Shader, pass.Shader.FindKernel("Small"))));
                 Assert.That(problem.Message, Does.Contain("groups of 64 x 1 x 1 threads").And.Contain("[numthreads(kRillThreads, 1, 1)]"));
                 Assert.That(() => pass.Particles.Dispatch(null, pass.Shader, 0), Throws.ArgumentNullException);
                 Assert.That(() => GpuTest.Run(cmd => pass.Particles.Bind(cmd, null, 0)), Throws.ArgumentNullException);

@@ -29,7 +29,8 @@ namespace Rill.Editor.Tests
             public uint id, phase;
         }
 
-        public FluidParticles Particles => Scene.Fluid.TryGetParticles(out FluidParticles particles) ? particles : throw new InvalidOperationException("not running");
+        public FluidParticles Particles => Scene.Fluid.TryGetParticles(out FluidParticles particles) ? particles
+            : throw new InvalidOperationException("not running");
 
         /// <summary>Runs a kernel before each step from now on, instead of the last.</summary>
         public ParticlePass Before(string kernel, Vector3 center, float radius, Vector3 vector = default, int phase = 0)

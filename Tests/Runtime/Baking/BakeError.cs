@@ -59,6 +59,7 @@ namespace Rill.Tests
             return (double3)(float3)bake.Bounds.min + (double)bake.VoxelSize * (new double3(index % n.x, index / n.x % n.y, index / n.x / n.y) + 0.5);
         }
 
-        public override string ToString() => $"band {Band:E1} of {BandVoxels}, beyond {Beyond:E1}, mean {BeyondMean:E1} of {BeyondVoxels}, signs wrong {WrongSigns} of {Signs}";
+        public override string ToString() => $"band {Band:E1} of {BandVoxels}, beyond {Beyond:E1}, mean {BeyondMean:E1} of " +
+            $"{BeyondVoxels}, signs wrong {WrongSigns} of {Signs}";
     }
 }

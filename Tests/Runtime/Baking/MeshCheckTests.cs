@@ -19,7 +19,8 @@ namespace Rill.Tests
                 MeshReport report = MeshCheck.Run(mesh);
                 Assert.That(report.IsWatertight, mesh.Name);
                 Assert.That(report.Problem, Is.Null);
-                Assert.That((report.BoundaryEdges, report.Holes, report.NonManifoldEdges, report.InconsistentEdges, report.FlippedTriangles, report.ZeroAreaTriangles, report.SelfIntersections),
+                Assert.That((report.BoundaryEdges, report.Holes, report.NonManifoldEdges, report.InconsistentEdges, report.FlippedTriangles,
+                    report.ZeroAreaTriangles, report.SelfIntersections),
                     Is.EqualTo((0, 0, 0, 0, 0, 0, 0)), mesh.Name);
                 Assert.That(report.SelfIntersectionsChecked, Is.EqualTo(1f));
                 Assert.That(report.Sign, Is.EqualTo(MeshSdfSign.WindingNumber));
@@ -43,7 +44,8 @@ namespace Rill.Tests
             Assert.That(report.DuplicateVertices, Is.EqualTo(7 + 2 * 16), "the seam and the poles");
             Assert.That(report.IsWatertight);
             Assert.That(report.ZeroAreaTriangles, Is.EqualTo(2 * 16), "at the poles");
-            Assert.That(All(report), Does.Contain("39 of 153 vertices lie exactly at another's place").And.Contain("32 triangles have no area: left out"));
+            Assert.That(All(report), Does.Contain("39 of 153 vertices lie exactly at another's place").And.Contain(
+                "32 triangles have no area: left out"));
         }
 
         [Test]
@@ -128,13 +130,17 @@ namespace Rill.Tests
         public void Triangles_that_cross_are_counted_as_pairs()
         {
             // A small box half in a large one's top: 8 edges of its sides pierce the two triangles there.
-            TriangleMesh mesh = TriangleMesh.Combine("Crossing", new[] { TestMeshes.Box(Vector3.one), TestMeshes.Box(0.2f * Vector3.one, new Vector3(0.11f, 0.5f, -0.03f)) });
+            TriangleMesh mesh = TriangleMesh.Combine("Crossing",
+                new[] { TestMeshes.Box(Vector3.one), TestMeshes.Box(0.2f * Vector3.one, new Vector3(0.11f, 0.5f, -0.03f)) });
             MeshReport report = MeshCheck.Run(mesh);
             Assert.That(report.SelfIntersections, Is.EqualTo(Crossing(mesh)).And.GreaterThan(7));
             Assert.That(All(report), Does.Contain($"{report.SelfIntersections} pairs of triangles cross"));
 
-            TriangleMesh rings = TriangleMesh.Combine("Rings", new[] { TestMeshes.Torus(1f, 0.4f, 14), TestMeshes.Torus(1f, 0.4f, 13).Transformed(Matrix4x4.Translate(new Vector3(0.63f, 0.11f, 0.27f))) });
-            Assert.That(MeshCheck.Run(rings).SelfIntersections, Is.EqualTo(Crossing(rings)).And.GreaterThan(30), "found by the grid as by every pair");
+            TriangleMesh rings = TriangleMesh.Combine("Rings",
+                new[] { TestMeshes.Torus(1f, 0.4f, 14),
+                TestMeshes.Torus(1f, 0.4f, 13).Transformed(Matrix4x4.Translate(new Vector3(0.63f, 0.11f, 0.27f))) });
+            Assert.That(MeshCheck.Run(rings).SelfIntersections, Is.EqualTo(Crossing(rings)).And.GreaterThan(30),
+                "found by the grid as by every pair");
         }
 
         // Every pair of triangles without a common corner.
@@ -157,7 +163,8 @@ namespace Rill.Tests
             int count = 0;
             for (int a = 0; a < mesh.TriangleCount; a++)
                 for (int b = a + 1; b < mesh.TriangleCount; b++)
-                    count += !Enumerable.Range(0, 9).Any(k => At(a, k / 3).Equals(At(b, k))) && Enumerable.Range(0, 3).Any(k => Pierces(a, k, b) || Pierces(b, k, a)) ? 1 : 0;
+                    count += !Enumerable.Range(0, 9).Any(k => At(a, k / 3).Equals(At(b, k)))
+                        && Enumerable.Range(0, 3).Any(k => Pierces(a, k, b) || Pierces(b, k, a)) ? 1 : 0;
             return count;
         }
 
@@ -236,9 +243,14 @@ namespace Rill.Tests
         [Test]
         public void A_mesh_that_cannot_be_read_says_what_to_switch()
         {
-            var mesh = new Mesh { name = "Sealed", vertices = TestMeshes.Box(Vector3.one).Vertices, triangles = TestMeshes.Box(Vector3.one).Triangles };
+            var mesh = new Mesh
+            {
+                name = "Sealed", vertices = TestMeshes.Box(Vector3.one).Vertices,
+                triangles = TestMeshes.Box(Vector3.one).Triangles
+            };
             mesh.UploadMeshData(true);
-            Assert.That(Assert.Throws<ArgumentException>(() => MeshCheck.Run(mesh)).Message, Does.Contain("'Sealed'").And.Contain("Read/Write").And.Contain("in the editor"));
+            Assert.That(Assert.Throws<ArgumentException>(() => MeshCheck.Run(mesh)).Message,
+                Does.Contain("'Sealed'").And.Contain("Read/Write").And.Contain("in the editor"));
             Assert.That(Assert.Throws<ArgumentNullException>(() => MeshCheck.Run((Mesh)null)).Message, Does.Contain("no mesh"));
             UnityEngine.Object.DestroyImmediate(mesh);
         }

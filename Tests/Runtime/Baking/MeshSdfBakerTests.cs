@@ -28,7 +28,8 @@ namespace Rill.Tests
             var random = new Unity.Mathematics.Random(7);
             var vertices = new Vector3[3 * count];
             for (int i = 0; i < vertices.Length; i++)
-                vertices[i] = needles && i % 3 == 2 ? Vector3.Lerp(vertices[i - 1], vertices[i - 2], random.NextFloat()) + 1e-4f * random.NextFloat() * (Vector3)random.NextFloat3Direction()
+                vertices[i] = needles && i % 3 == 2 ? Vector3.Lerp(vertices[i - 1], vertices[i - 2], random.NextFloat())
+                    + 1e-4f * random.NextFloat() * (Vector3)random.NextFloat3Direction()
                     : (Vector3)random.NextFloat3();
             return new TriangleMesh("Soup", vertices, Enumerable.Range(0, vertices.Length).ToArray());
         }
@@ -127,7 +128,8 @@ namespace Rill.Tests
                 near++;
                 worst = Math.Max(worst, Math.Abs(Math.Sqrt(math.asfloat(found[i])) - exact));
             }
-            TestContext.WriteLine($"{near} of {found.Length} voxels, {geometry.Large.Length} of {geometry.TriangleCount} triangles are large, {worst:E1} off");
+            TestContext.WriteLine(
+                $"{near} of {found.Length} voxels, {geometry.Large.Length} of {geometry.TriangleCount} triangles are large, {worst:E1} off");
             Assert.That(worst, Is.LessThanOrEqualTo(Band));
             Assert.That(near, Is.InRange(300, found.Length - 300));
             Assert.That(geometry.Large.Length, shape == "small parts" ? Is.Zero : Is.GreaterThan(0));
@@ -137,7 +139,9 @@ namespace Rill.Tests
         static TriangleMesh Sheets()
         {
             TriangleMesh sheet = TestMeshes.Sheet(0.5f);
-            return TriangleMesh.Combine("Sheets", Enumerable.Range(0, 9).Select(i => sheet.Transformed(Matrix4x4.TRS(0.21f * i * Vector3.one.normalized, Quaternion.FromToRotation(Vector3.up, Vector3.one), Vector3.one))).ToArray());
+            return TriangleMesh.Combine("Sheets",
+                Enumerable.Range(0, 9).Select(i => sheet.Transformed(Matrix4x4.TRS(0.21f * i * Vector3.one.normalized,
+                Quaternion.FromToRotation(Vector3.up, Vector3.one), Vector3.one))).ToArray());
         }
 
         // Flat faces lie inside of the round shape: what the mesh itself is off by comes on top.
@@ -236,18 +240,24 @@ namespace Rill.Tests
         // sheets above one another with a hole through all of them, about whose middle it is the same.
         [TestCase(200, 0f, 4.8f, 30f)]
         [TestCase(8, 7f, 0f, 0f)]
-        public void No_voxel_of_a_brick_beside_open_sheets_is_on_another_side_than_the_winding_number_says(int layers, float hole, float away, float aslant)
+        public void No_voxel_of_a_brick_beside_open_sheets_is_on_another_side_than_the_winding_number_says(int layers, float hole,
+            float away, float aslant)
         {
             int inside = 0, most = 0;
             foreach (int corner in new[] { 0, 3, 5 })
                 foreach (float facing in new[] { -1f, 1f })
                 {
-                    float3 diagonal = math.normalize(new float3(corner & 1, corner >> 1 & 1, corner >> 2) - 0.5f), aside = math.normalize(math.cross(diagonal, new float3(0.3f, 1f, 0.1f)));
+                    float3 diagonal = math.normalize(new float3(corner & 1, corner >> 1 & 1, corner >> 2) - 0.5f),
+                        aside = math.normalize(math.cross(diagonal, new float3(0.3f, 1f, 0.1f)));
                     math.sincos(math.radians(aslant), out float sin, out float cos);
-                    float3 middle = 18f, at = middle + away * (cos * diagonal + sin * aside), normal = hole > 0f ? diagonal : cos * aside - sin * diagonal;
+                    float3 middle = 18f, at = middle + away * (cos * diagonal + sin * aside), normal = hole > 0f ? diagonal
+                        : cos * aside - sin * diagonal;
                     TriangleMesh sheet = hole > 0f ? Washer(hole, 15f) : Washer(0f, 0.8f);
                     Quaternion turn = Quaternion.FromToRotation(Vector3.up, facing * normal);
-                    TriangleMesh mesh = TriangleMesh.Combine("Stack", Enumerable.Range(0, layers).Select(i => sheet.Transformed(Matrix4x4.TRS(at + 0.001f * (i - 0.5f * layers) * normal, turn, Vector3.one))).Append(Corners(40f)).ToArray());
+                    TriangleMesh mesh = TriangleMesh.Combine("Stack",
+                        Enumerable.Range(0, layers)
+                        .Select(i => sheet.Transformed(Matrix4x4.TRS(at + 0.001f * (i - 0.5f * layers) * normal, turn, Vector3.one)))
+                        .Append(Corners(40f)).ToArray());
                     MeshSdfSettings settings = Settings(8, MeshSdfSign.WindingNumber);
                     settings.voxelSize = 1f;
                     settings.padding = 1;
@@ -262,7 +272,9 @@ namespace Rill.Tests
                         double winding = MeshDistance.Winding(mesh, (float3)voxel + 0.5f) * (isTurned ? -1 : 1);
                         here += winding > 0.5 ? 1 : 0;
                         if (Math.Abs(winding - 0.5) > 0.1)
-                            Assert.That(bake.Distances[(voxel.z * bake.Resolution.y + voxel.y) * bake.Resolution.x + voxel.x] < 0, Is.EqualTo(winding > 0.5), $"voxel {voxel}, winding number {winding}, in its middle {MeshDistance.Winding(mesh, middle)}");
+                            Assert.That(bake.Distances[(voxel.z * bake.Resolution.y + voxel.y) * bake.Resolution.x + voxel.x] < 0,
+                                Is.EqualTo(winding > 0.5),
+                                $"voxel {voxel}, winding number {winding}, in its middle {MeshDistance.Winding(mesh, middle)}");
                     }
                     inside += here;
                     most = Math.Max(most, here);
@@ -278,7 +290,8 @@ namespace Rill.Tests
         public void Bricks_of_an_open_mesh_are_told_as_a_whole_up_to_half_the_way_to_it_and_no_further(string shape)
         {
             const double corner = 2.598;        // from a brick's middle to its last voxel
-            TriangleMesh sphere = TestMeshes.Sphere(1f, 12), mesh = shape == "tube" ? TestMeshes.Tube(1f, 2f, 20, 2) : shape == "half a sphere" ? sphere.Without(t => sphere.CenterOf(t).y < 0f) : sphere.Without(t => t == 200);
+            TriangleMesh sphere = TestMeshes.Sphere(1f, 12), mesh = shape == "tube" ? TestMeshes.Tube(1f, 2f, 20, 2)
+            : shape == "half a sphere" ? sphere.Without(t => sphere.CenterOf(t).y < 0f) : sphere.Without(t => t == 200);
             MeshSdfSettings settings = Settings(56, MeshSdfSign.WindingNumber);
             settings.padding = 12;
             var triangles = new BakedTriangles(mesh);
@@ -298,8 +311,10 @@ namespace Rill.Tests
             int near = 0;
             for (int i = 0; i < sides.Length; i++)
             {
-                double3 middle = 4 * new double3(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y) + 2, place = (double3)grid.Min + (double)grid.VoxelSize * middle;
-                double distance = MeshDistance.Unsigned(mesh, place) / grid.VoxelSize, winding = MeshDistance.Winding(mesh, place) * (isTurned ? -1 : 1);
+                double3 middle = 4 * new double3(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y) + 2,
+                    place = (double3)grid.Min + (double)grid.VoxelSize * middle;
+                double distance = MeshDistance.Unsigned(mesh, place) / grid.VoxelSize,
+                    winding = MeshDistance.Winding(mesh, place) * (isTurned ? -1 : 1);
                 double whole = Math.Abs(winding - Math.Round(winding));
                 told[sides[i]]++;
                 near += distance < 2 * corner ? 1 : 0;
@@ -320,14 +335,18 @@ namespace Rill.Tests
 
         // A triangle without a hole, a ring of them with one, about the y axis.
         static TriangleMesh Washer(float hole, float radius) => hole > 0f
-            ? TestMeshes.Make("Washer", (u, v) => (hole + (radius - hole) * v) * new double3(Math.Cos(2 * Math.PI * u), 0, Math.Sin(2 * Math.PI * u)), 12, 1, wrapsAlong: false)
-            : new TriangleMesh("Triangle", new[] { radius * Vector3.right, radius * new Vector3(-0.5f, 0f, 0.8660254f), radius * new Vector3(-0.5f, 0f, -0.8660254f) }, new[] { 0, 1, 2 });
+            ? TestMeshes.Make("Washer", (u, v) => (hole + (radius - hole) * v) * new double3(Math.Cos(2 * Math.PI * u), 0,
+            Math.Sin(2 * Math.PI * u)), 12, 1, wrapsAlong: false)
+            : new TriangleMesh("Triangle", new[] { radius * Vector3.right, radius * new Vector3(-0.5f, 0f, 0.8660254f),
+                radius * new Vector3(-0.5f, 0f, -0.8660254f) }, new[] { 0, 1, 2 });
 
         // Next to nothing, at both ends of a box of that many voxels with a padding of one.
         static TriangleMesh Corners(float size)
         {
             Vector3 low = Vector3.one, high = (size - 1f) * Vector3.one;
-            return new TriangleMesh("Corners", new[] { low, low + 0.01f * Vector3.right, low + 0.01f * Vector3.up, high, high - 0.01f * Vector3.right, high - 0.01f * Vector3.up }, new[] { 0, 1, 2, 3, 4, 5 });
+            return new TriangleMesh("Corners",
+                new[] { low, low + 0.01f * Vector3.right, low + 0.01f * Vector3.up, high, high - 0.01f * Vector3.right,
+                high - 0.01f * Vector3.up }, new[] { 0, 1, 2, 3, 4, 5 });
         }
 
         // Why not the cheaper rays: what they cross through a hole is missing all along them.
@@ -341,7 +360,8 @@ namespace Rill.Tests
                 rays += RayVotes.IsInside(tube, BakeError.CenterOf(bake, i)) != MeshDistance.Winding(tube, BakeError.CenterOf(bake, i)) > 0.5 ? 1 : 0;
             Assert.That(rays, Is.GreaterThan(voxels / 100));
             TriangleMesh closed = TestMeshes.Torus(1f, 0.4f, 10);
-            Assert.That(RayVotes.IsInside(closed, new double3(1.01, 0.02, 0.03)) && !RayVotes.IsInside(closed, new double3(0.01, 0.02, 0.03)), "the votes themselves are right");
+            Assert.That(RayVotes.IsInside(closed, new double3(1.01, 0.02, 0.03))
+                && !RayVotes.IsInside(closed, new double3(0.01, 0.02, 0.03)), "the votes themselves are right");
         }
 
         [Test]
@@ -367,7 +387,8 @@ namespace Rill.Tests
             Assert.That(bake.Sign, Is.EqualTo(MeshSdfSign.OpenShell));
             Assert.That(bake.ShellThickness, Is.EqualTo(0.3f));
             for (int i = 0; i < bake.Distances.Length; i++)
-                Assert.That(bake.Distances[i], Is.EqualTo(MeshDistance.Unsigned(sheet, BakeError.CenterOf(bake, i)) - 0.15).Within(1e-3 * bake.VoxelSize), $"voxel {i}");
+                Assert.That(bake.Distances[i], Is.EqualTo(MeshDistance.Unsigned(sheet, BakeError.CenterOf(bake, i)) - 0.15)
+                    .Within(1e-3 * bake.VoxelSize), $"voxel {i}");
             Assert.That(bake.Distances.Min(), Is.LessThan(-0.1f));
         }
 
@@ -408,10 +429,12 @@ namespace Rill.Tests
         [Test]
         public void Two_bakes_give_the_same_bits_however_the_work_is_split()
         {
-            TriangleMesh mesh = TriangleMesh.Combine("Parts", new[] { TestMeshes.Sphere(1f, 130), TestMeshes.Box(Vector3.one) });    // more triangles than 65,535 groups, and large ones
+            // more triangles than 65,535 groups, and large ones
+            TriangleMesh mesh = TriangleMesh.Combine("Parts", new[] { TestMeshes.Sphere(1f, 130), TestMeshes.Box(Vector3.one) });
             MeshSdfSettings settings = Settings(24);
             float[] first = MeshSdfBaker.Bake(mesh, settings).Distances;
-            using (var split = new MeshSdfBaker(mesh, settings, new MeshSdfBaker.StepSize { pairs = 101, triangles = 30011, voxels = 5003, bricks = 61, blocks = 3 }))
+            using (var split = new MeshSdfBaker(mesh, settings,
+                new MeshSdfBaker.StepSize { pairs = 101, triangles = 30011, voxels = 5003, bricks = 61, blocks = 3 }))
                 Assert.That(split.Complete().Distances, Is.EqualTo(first));
         }
 
@@ -454,7 +477,8 @@ namespace Rill.Tests
                 for (int i = 1; i < levels.Length; i++)
                     Assert.That(levels[i].x, Is.EqualTo(levels[i - 1].x + levels[i - 1].y), $"level {i} of {count}");
             }
-            SdfBake single = MeshSdfBaker.Bake(new TriangleMesh("One", new[] { Vector3.zero, Vector3.right, Vector3.up }, new[] { 0, 1, 2 }), Settings(16, MeshSdfSign.WindingNumber));
+            SdfBake single = MeshSdfBaker.Bake(new TriangleMesh("One", new[] { Vector3.zero, Vector3.right, Vector3.up },
+                new[] { 0, 1, 2 }), Settings(16, MeshSdfSign.WindingNumber));
             Assert.That(single.Distances.Min(), Is.GreaterThanOrEqualTo(0f), "one triangle has no inside");
         }
 
@@ -534,7 +558,8 @@ namespace Rill.Tests
             uint[] order = TriangleOrder.Of(part);
             Assert.That(part.Count, Is.LessThan(mesh.TriangleCount - mesh.TriangleCount / 8));
             Assert.That(order.OrderBy(t => t), Is.EqualTo(Enumerable.Range(0, mesh.TriangleCount).Where(part.TakesPart)));
-            uint[] keys = order.Select(t => TriangleOrder.KeyOf(TriangleOrder.PlaceOf(mesh, (int)t, part.Bounds.min, TriangleOrder.ScaleOf(part)))).ToArray();
+            uint[] keys = order.Select(t => TriangleOrder.KeyOf(TriangleOrder.PlaceOf(mesh, (int)t, part.Bounds.min,
+                TriangleOrder.ScaleOf(part)))).ToArray();
             Assert.That(keys, Is.Ordered);
             for (int i = 1; i < keys.Length; i++)
                 Assert.That(keys[i] > keys[i - 1] || order[i] > order[i - 1], "those in one place as in the mesh");
@@ -604,9 +629,11 @@ namespace Rill.Tests
         {
             foreach (TriangleMesh mesh in new[] { TestMeshes.Torus(1f, 0.3f, 8), TestMeshes.Sheet(2f) })
                 foreach (MeshSdfSign sign in new[] { MeshSdfSign.Automatic, MeshSdfSign.WindingNumber, MeshSdfSign.OpenShell })
-                    Assert.That(MeshSdfBaker.Estimate(MeshCheck.Run(mesh), Settings(32, sign)), Is.EqualTo(MeshSdfBaker.Estimate(mesh, Settings(32, sign))), $"{mesh.Name}, {sign}");
+                    Assert.That(MeshSdfBaker.Estimate(MeshCheck.Run(mesh), Settings(32, sign)),
+                        Is.EqualTo(MeshSdfBaker.Estimate(mesh, Settings(32, sign))), $"{mesh.Name}, {sign}");
             MeshReport nothing = MeshCheck.Run(new TriangleMesh("Nothing", new Vector3[3], new int[0]));
-            Assert.That(Assert.Throws<ArgumentException>(() => MeshSdfBaker.Estimate(nothing, Settings(32))).Message, Does.Contain("'Nothing' has no triangles"));
+            Assert.That(Assert.Throws<ArgumentException>(() => MeshSdfBaker.Estimate(nothing, Settings(32))).Message,
+                Does.Contain("'Nothing' has no triangles"));
         }
 
         // What the sign is told, a shell does not ask of the mesh.
@@ -663,21 +690,27 @@ namespace Rill.Tests
 
         // ---- bad input: what, the limit, the remedy
 
-        static string Refusal(TriangleMesh mesh, MeshSdfSettings settings) => Assert.Throws<ArgumentException>(() => MeshSdfBaker.Bake(mesh, settings)).Message;
+        static string Refusal(TriangleMesh mesh, MeshSdfSettings settings)
+            => Assert.Throws<ArgumentException>(() => MeshSdfBaker.Bake(mesh, settings)).Message;
 
         [Test]
         public void Bad_meshes_are_refused_by_name()
         {
             MeshSdfSettings settings = Settings(16);
             Assert.That(Assert.Throws<ArgumentNullException>(() => MeshSdfBaker.Bake((Mesh)null, settings)).Message, Does.Contain("no mesh to bake"));
-            Assert.That(Assert.Throws<ArgumentNullException>(() => MeshSdfBaker.Bake((TriangleMesh)null, settings)).Message, Does.Contain("no mesh to bake"));
+            Assert.That(Assert.Throws<ArgumentNullException>(() => MeshSdfBaker.Bake((TriangleMesh)null, settings)).Message,
+                Does.Contain("no mesh to bake"));
             Assert.That(Refusal(new TriangleMesh("Nothing", new Vector3[3], new int[0]), settings), Does.Contain("'Nothing' has no triangles"));
-            Assert.That(Refusal(new TriangleMesh("Point", new Vector3[3], new[] { 0, 1, 2 }), settings), Does.Contain("'Point': none of its 1 triangles has an area").And.Contain("repair"));
+            Assert.That(Refusal(new TriangleMesh("Point", new Vector3[3], new[] { 0, 1, 2 }), settings),
+                Does.Contain("'Point': none of its 1 triangles has an area").And.Contain("repair"));
             Vector3[] vertices = TestMeshes.Box(Vector3.one).Vertices;
             vertices[3].y = float.NaN;
-            Assert.That(Refusal(new TriangleMesh("Broken", vertices, TestMeshes.Box(Vector3.one).Triangles), settings), Does.Contain("'Broken'").And.Contain("5 of 12 triangles").And.Contain("repair"));
-            Assert.That(Assert.Throws<ArgumentException>(() => new TriangleMesh("Odd", vertices, new[] { 0, 1 })).Message, Does.Contain("'Odd': 2 indices"));
-            Assert.That(Assert.Throws<ArgumentException>(() => new TriangleMesh("Far", vertices, new[] { 0, 1, 8 })).Message, Does.Contain("vertex 8 of 8"));
+            Assert.That(Refusal(new TriangleMesh("Broken", vertices, TestMeshes.Box(Vector3.one).Triangles), settings),
+                Does.Contain("'Broken'").And.Contain("5 of 12 triangles").And.Contain("repair"));
+            Assert.That(Assert.Throws<ArgumentException>(() => new TriangleMesh("Odd", vertices, new[] { 0, 1 })).Message,
+                Does.Contain("'Odd': 2 indices"));
+            Assert.That(Assert.Throws<ArgumentException>(() => new TriangleMesh("Far", vertices, new[] { 0, 1, 8 })).Message,
+                Does.Contain("vertex 8 of 8"));
         }
 
         [Test]
@@ -686,7 +719,8 @@ namespace Rill.Tests
             TriangleMesh box = TestMeshes.Box(Vector3.one);
             var mesh = new Mesh { name = "Sealed", vertices = box.Vertices, triangles = box.Triangles };
             mesh.UploadMeshData(markNoLongerReadable: true);
-            Assert.That(Assert.Throws<ArgumentException>(() => MeshSdfBaker.Bake(mesh, Settings(16))).Message, Does.Contain("'Sealed'").And.Contain("Read/Write"));
+            Assert.That(Assert.Throws<ArgumentException>(() => MeshSdfBaker.Bake(mesh, Settings(16))).Message,
+                Does.Contain("'Sealed'").And.Contain("Read/Write"));
             UnityEngine.Object.DestroyImmediate(mesh);
         }
 
@@ -694,13 +728,15 @@ namespace Rill.Tests
         public void Bad_settings_are_refused_with_the_limit_and_the_remedy()
         {
             TriangleMesh box = TestMeshes.Box(Vector3.one);
-            Assert.That(Refusal(box, With(s => { s.voxelSize = -0.1f; return s; })), Does.Contain("'Box'").And.Contain("Voxel size -0.1 m must be above 0"));
+            Assert.That(Refusal(box, With(s => { s.voxelSize = -0.1f; return s; })),
+                Does.Contain("'Box'").And.Contain("Voxel size -0.1 m must be above 0"));
             Assert.That(Refusal(box, With(s => { s.voxelSize = float.NaN; return s; })), Does.Contain("Voxel size NaN"));
             Assert.That(Refusal(box, With(s => { s.resolution = 5000; return s; })), Does.Contain("Resolution 5000 is outside 8 to 1024"));
             Assert.That(Refusal(box, With(s => { s.padding = 0; return s; })), Does.Contain("Padding 0 is outside 1 to 64"));
             Assert.That(Refusal(box, With(s => { s.memoryCap = 0; return s; })), Does.Contain("Memory cap 0 MiB"));
             Assert.That(Refusal(box, With(s => { s.shellThickness = -1f; return s; })), Does.Contain("Shell thickness -1 m"));
-            Assert.That(Refusal(box, With(s => { s.voxelSize = 1e-3f; return s; })), Does.Contain("1006 x 1006 x 1006").And.Contain("memory cap of 1024 MiB").And.Contain("larger voxels"));
+            Assert.That(Refusal(box, With(s => { s.voxelSize = 1e-3f; return s; })),
+                Does.Contain("1006 x 1006 x 1006").And.Contain("memory cap of 1024 MiB").And.Contain("larger voxels"));
             Assert.That(Refusal(box, With(s => { s.voxelSize = 1e-4f; return s; })), Does.Contain("a side"));
             MeshSdfSettings settings = With(s => { s.memoryCap = 1; s.resolution = 64; return s; });
             Assert.That(MeshSdfBaker.Estimate(box, settings).Problem, Does.Contain("64 x 64 x 64").And.Contain("cap of 1 MiB"), "told before baking");

@@ -42,7 +42,8 @@ namespace Rill.Tests
             Assert.That(field.Texture.format, Is.EqualTo(format == SdfFormat.Half ? TextureFormat.RHalf : TextureFormat.RFloat));
             Assert.That(field.StorageError, Is.EqualTo(bake.StorageError));
             for (int i = 0; i < bake.Distances.Length; i += 7)
-                Assert.That(Sample((float3)BakeError.CenterOf(bake, i)), Is.EqualTo(bake.Distances[i]).Within(bake.StorageError + 1e-6f), $"voxel {i}");
+                Assert.That(Sample((float3)BakeError.CenterOf(bake, i)), Is.EqualTo(bake.Distances[i]).Within(bake.StorageError + 1e-6f),
+                    $"voxel {i}");
         }
 
         [Test]
@@ -58,7 +59,8 @@ namespace Rill.Tests
                 int3 up = new int3(k & 1, k >> 1 & 1, k >> 2);
                 expected += Product(math.select(1f - weight, weight, up == 1)) * At(2 + up.x, 3 + up.y, 4 + up.z);
             }
-            Assert.That(Sample((float3)field.Bounds.min + field.VoxelSize * (new float3(2, 3, 4) + 0.5f + weight)), Is.EqualTo(expected).Within(1e-5f));
+            Assert.That(Sample((float3)field.Bounds.min + field.VoxelSize * (new float3(2, 3, 4) + 0.5f + weight)),
+                Is.EqualTo(expected).Within(1e-5f));
         }
 
         static float Product(float3 v) => v.x * v.y * v.z;

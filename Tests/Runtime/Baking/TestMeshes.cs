@@ -67,13 +67,15 @@ namespace Rill.Tests
         public static TriangleMesh Sheet(float size)
         {
             float h = size / 2;
-            return new TriangleMesh("Sheet", new[] { new Vector3(-h, 0, -h), new Vector3(h, 0, -h), new Vector3(-h, 0, h), new Vector3(h, 0, h) }, new[] { 0, 2, 1, 1, 2, 3 });
+            return new TriangleMesh("Sheet", new[] { new Vector3(-h, 0, -h), new Vector3(h, 0, -h), new Vector3(-h, 0, h),
+                new Vector3(h, 0, h) }, new[] { 0, 2, 1, 1, 2, 3 });
         }
 
         /// <summary>A tube about the y axis, closed at neither end.</summary>
         public static TriangleMesh Tube(float radius, float height, int sides, int rings)
         {
-            return Make("Tube", (u, v) => new double3(radius * Math.Cos(2 * Math.PI * u), height * (0.5 - v), radius * Math.Sin(2 * Math.PI * u)), sides, rings, wrapsAlong: false);
+            return Make("Tube", (u, v) => new double3(radius * Math.Cos(2 * Math.PI * u), height * (0.5 - v),
+                radius * Math.Sin(2 * Math.PI * u)), sides, rings, wrapsAlong: false);
         }
 
         /// <summary>The mesh without the triangles that a rule picks.</summary>

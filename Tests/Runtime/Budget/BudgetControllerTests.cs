@@ -29,11 +29,13 @@ namespace Rill.Tests
             BudgetPlant plant = new BudgetPlant { Target = target }.Run(20f);
             Assert.That(plant.Worst(SettledAfter, 20f), Is.LessThanOrEqualTo(1.1f));
             Assert.That(plant.Changes(SettledAfter, 20f), Is.Zero);
-            Assert.That(plant.TrueTime(Math.Min(plant.Last + 1, plant.Ladder.Count - 1), 20f), Is.GreaterThan(0.9f * target).Or.EqualTo(plant.TrueTime(plant.Last, 20f)), "better settings have no room");
+            Assert.That(plant.TrueTime(Math.Min(plant.Last + 1, plant.Ladder.Count - 1), 20f),
+                Is.GreaterThan(0.9f * target).Or.EqualTo(plant.TrueTime(plant.Last, 20f)), "better settings have no room");
         }
 
         [Test]
-        public void With_noise_of_twenty_percent_it_holds_the_target_and_does_not_oscillate([Range(1, 8)] int seed, [Values(1.3f, 1.55f, 1.75f, 2.4f)] float target)
+        public void With_noise_of_twenty_percent_it_holds_the_target_and_does_not_oscillate([Range(1, 8)] int seed,
+            [Values(1.3f, 1.55f, 1.75f, 2.4f)] float target)
         {
             BudgetPlant plant = new BudgetPlant { Target = target, Told = BudgetPlant.Noise(0.2f, (uint)seed * 977) }.Run(60f);
             Assert.That(plant.Worst(SettledAfter, 60f), Is.LessThanOrEqualTo(1.1f));
@@ -53,7 +55,8 @@ namespace Rill.Tests
             Assert.That(plant.Worst(1f, 5f), Is.LessThanOrEqualTo(1.1f));
             Assert.That(plant.Worst(6f, 10f), Is.LessThanOrEqualTo(1.1f), "more than twice the load");
             Assert.That(plant.Rungs[(int)(9.9f / BudgetPlant.Frame)], Is.EqualTo(plant.BestFit(9f)));
-            Assert.That(plant.Rungs[(int)(11f / BudgetPlant.Frame)], Is.EqualTo(plant.Rungs[(int)(4.9f / BudgetPlant.Frame)]), "the first load again");
+            Assert.That(plant.Rungs[(int)(11f / BudgetPlant.Frame)], Is.EqualTo(plant.Rungs[(int)(4.9f / BudgetPlant.Frame)]),
+                "the first load again");
             Assert.That(plant.MaxChangesInASecond(6f), Is.LessThanOrEqualTo(1));
         }
 
@@ -169,7 +172,11 @@ namespace Rill.Tests
             float[] loads = new float[64];
             for (int i = 0; i < loads.Length; i++)
                 loads[i] = random.NextFloat(0.4f, 2.2f);
-            var plant = new BudgetPlant { Target = random.NextFloat(1f, 4f), Told = BudgetPlant.Noise(0.2f, (uint)seed), FramesLate = random.NextInt(1, 6) };
+            var plant = new BudgetPlant
+            {
+                Target = random.NextFloat(1f, 4f), Told = BudgetPlant.Noise(0.2f, (uint)seed),
+                FramesLate = random.NextInt(1, 6)
+            };
             plant.Load = time => loads[(int)(time / 3f) % loads.Length];
             plant.Run(120f);
             Assert.That(plant.MaxChangesInASecond(SettledAfter), Is.LessThanOrEqualTo(3));
@@ -177,7 +184,8 @@ namespace Rill.Tests
             {
                 float begin = window * 3f;
                 if (plant.TrueTime(0, begin + 1f) <= plant.Target)
-                    Assert.That(plant.Worst(begin + 1f, begin + 3f), Is.LessThanOrEqualTo(1.1f), $"load {plant.Load(begin)} from {begin} s, target {plant.Target}");
+                    Assert.That(plant.Worst(begin + 1f, begin + 3f), Is.LessThanOrEqualTo(1.1f),
+                        $"load {plant.Load(begin)} from {begin} s, target {plant.Target}");
             }
         }
 
@@ -185,7 +193,11 @@ namespace Rill.Tests
         public void An_update_allocates_nothing()
         {
             BudgetPlant plant = new BudgetPlant().Run(2f);
-            var reading = new BudgetReading { seconds = BudgetPlant.Frame, milliseconds = 9f, modelled = 1f, source = GpuTimeKind.Measured, stepsPerFrame = 1f, particles = 1e6f, densityError = 0.01f };
+            var reading = new BudgetReading
+            {
+                seconds = BudgetPlant.Frame, milliseconds = 9f, modelled = 1f, source = GpuTimeKind.Measured,
+                stepsPerFrame = 1f, particles = 1e6f, densityError = 0.01f
+            };
             TestDelegate update = () =>
             {
                 for (int i = 0; i < 100; i++)

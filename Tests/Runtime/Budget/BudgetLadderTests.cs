@@ -5,7 +5,8 @@ namespace Rill.Tests
     public class BudgetLadderTests
     {
         [Test]
-        public void Every_rung_costs_more_than_the_one_before_leaves_less_error_and_is_stable([Values] bool deepWater, [Values(0.1f, 0.7f, 2f)] float fall, [Values(1e3f, 1e5f, 1e7f)] float particles)
+        public void Every_rung_costs_more_than_the_one_before_leaves_less_error_and_is_stable([Values] bool deepWater,
+            [Values(0.1f, 0.7f, 2f)] float fall, [Values(1e3f, 1e5f, 1e7f)] float particles)
         {
             BudgetLadder ladder = Ladder(deepWater, fall);
             Assert.That(ladder.Count, Is.GreaterThanOrEqualTo(4));
@@ -94,7 +95,8 @@ namespace Rill.Tests
         [TestCase(1e5f, 4, false, false, 0.19f)]
         [TestCase(1e6f, 2, true, true, 1.43f)]
         [TestCase(1e5f, 2, true, true, 0.31f)]
-        public void The_cost_model_is_within_fifteen_percent_of_what_was_measured(float particles, int iterations, bool deepWater, bool elastic, float measured)
+        public void The_cost_model_is_within_fifteen_percent_of_what_was_measured(float particles, int iterations, bool deepWater,
+            bool elastic, float measured)
         {
             Assert.That(StepCost.Milliseconds(1, iterations, particles, deepWater, elastic), Is.EqualTo(measured).Within(15).Percent);
         }

@@ -5,7 +5,8 @@ using Random = Unity.Mathematics.Random;
 
 namespace Rill.Tests
 {
-    /// <summary>A GPU that steps a million deep particles sixty times a second under a budget: what it truly takes, and the little of it that is told.</summary>
+    /// <summary>A GPU that steps a million deep particles sixty times a second under a budget: what it truly takes, and the little of it
+    /// that is told.</summary>
     sealed class BudgetPlant
     {
         public const float Frame = 1f / 60f;

@@ -18,9 +18,13 @@ namespace Rill.Tests
         [TestCase(-1f)]
         public void Values_out_of_range_become_valid_and_are_named(float bad)
         {
-            var budget = new SolverBudget { milliseconds = bad, fraction = bad, frameRate = bad, targetError = bad, deviceFactor = bad, maxIterations = 99, maxSubsteps = 99 };
+            var budget = new SolverBudget
+            {
+                milliseconds = bad, fraction = bad, frameRate = bad, targetError = bad, deviceFactor = bad,
+                maxIterations = 99, maxSubsteps = 99
+            };
             Assert.That(budget.Validate(out string problem), Is.False);
-            foreach (string name in new[] { "milliseconds", "share", "frame rate", "target error", "device factor" })
+            foreach (string name in new[] { "milliseconds", "fraction", "frame rate", "target error", "device factor" })
                 Assert.That(problem, Does.Contain($"budget {name} {bad} is outside"));
             Assert.That(problem, Does.Contain("budget most iterations 99 is outside 1 to 50; using 50."));
             Assert.That(budget.Validate(out problem), Is.True, problem);
@@ -51,7 +55,8 @@ namespace Rill.Tests
         [Test]
         public void Every_reason_says_why()
         {
-            string[] whys = ((BudgetReason[])System.Enum.GetValues(typeof(BudgetReason))).Select(reason => new BudgetState { reason = reason, nextMilliseconds = 1.5f }.Why()).ToArray();
+            string[] whys = ((BudgetReason[])System.Enum.GetValues(typeof(BudgetReason)))
+                .Select(reason => new BudgetState { reason = reason, nextMilliseconds = 1.5f }.Why()).ToArray();
             Assert.That(whys, Is.Unique);
             Assert.That(whys, Is.All.Not.Empty);
         }

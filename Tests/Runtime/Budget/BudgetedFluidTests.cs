@@ -68,7 +68,8 @@ namespace Rill.Tests
             Assert.That(time.IsDisposed);
         }
 
-        // The same device as above, which takes 1.1 ms with 2 iterations and 1.66 with 6: what remembering the stretch costs comes on top, 0.54 ms at this factor.
+        // The same device as above, which takes 1.1 ms with 2 iterations and 1.66 with 6: what remembering the stretch costs comes on top,
+        // 0.54 ms at this factor.
         [UnityTest]
         public IEnumerator What_an_elastic_fluid_costs_is_known()
         {
@@ -117,7 +118,8 @@ namespace Rill.Tests
             Assert.That(Used(fluid), Is.EqualTo("1 x 2"));
             Assert.That(fluid.BudgetState.reason, Is.EqualTo(BudgetReason.MinStable));
             Assert.That(warnings, Has.Count.EqualTo(1));
-            Assert.That(warnings[0], Does.Contain("FluidSimulation 'Budgeted'").And.Contain("budget of 0.5 ms").And.Contain("1 substeps x 2 iterations"));
+            Assert.That(warnings[0], Does.Contain("FluidSimulation 'Budgeted'").And.Contain("budget of 0.5 ms").And.Contain(
+                "1 substeps x 2 iterations"));
         }
 
         [UnityTest]

@@ -46,7 +46,8 @@ namespace Rill.Tests
             var source = new FrameGpuTime();
             StepTime last = Play(source, 240, frame => frame / 30 % 2 == 0 ? 1f : 2f, (frame, fluid) => fluid + other);
             Assert.That(last.Milliseconds / last.Modelled, Is.EqualTo(Factor).Within(0.15 * Factor + 0.1 * other));
-            Assert.That(last.Milliseconds / last.Modelled, Is.LessThanOrEqualTo((Factor * 1.5 + 0.8 * other) / 1.5 + 1e-6), "less than the whole frame");
+            Assert.That(last.Milliseconds / last.Modelled, Is.LessThanOrEqualTo((Factor * 1.5 + 0.8 * other) / 1.5 + 1e-6),
+                "less than the whole frame");
         }
 
         [Test]

@@ -39,7 +39,8 @@ namespace Rill.Tests
             settings.referenceDepth = float.PositiveInfinity;
             settings.kinds = (FoamKinds)8;
             Assert.That(settings.Validate(out string problem), Is.False);
-            Assert.That(problem, Is.EqualTo("amount -1 is outside 0 to 10; using 0. budget 0 is outside 1 to 4194304; using 1. lifetime NaN is outside 0.1 to 200; using 4. "
+            Assert.That(problem, Is.EqualTo("amount -1 is outside 0 to 10; using 0. budget 0 is outside 1 to 4194304; using 1. " +
+                "lifetime NaN is outside 0.1 to 200; using 4. "
                 + "reference speed -2 is outside 0 to 1000; using 0. reference depth Infinity is outside 0 to 10000; using 0. "
                 + "kinds 8 names none or others than spray (1), foam (2) and bubbles (4); using 7."));
             Assert.That(settings.Validate(out problem), Is.True);
@@ -82,7 +83,8 @@ namespace Rill.Tests
             Assert.That(statistics.refused, Is.Zero);
             List<StageDescription> stages = simulation.Describe();
             Assert.That(stages.Single(stage => stage.Name == "Foam").Kernels.Count, Is.EqualTo(9));
-            Assert.That(stages.Single(stage => stage.Name == "FluidFoam").Kernels.Single().kernel, Is.EqualTo("FoamParticles.shader, a draw in each pass of each camera"));
+            Assert.That(stages.Single(stage => stage.Name == "FluidFoam").Kernels.Single().kernel,
+                Is.EqualTo("FoamParticles.shader, a draw in each pass of each camera"));
 
             foam.enabled = false;
             yield return null;
@@ -109,7 +111,10 @@ namespace Rill.Tests
             // One of them in the middle of the box, which is to be drawn for the first time in the next frame.
             Foam stage = simulation.Solver.Foam;
             simulation.Paused = true;
-            stage.Particles.SetData(new[] { new FoamParticle { a = new Unity.Mathematics.uint4(Unity.Mathematics.math.asuint(new Unity.Mathematics.float3(12f, 8f, 4f)), Unity.Mathematics.math.asuint(20f)), b = new Unity.Mathematics.uint4(0u, 0u, 0u, 2u | 6400u << 2 | 255u << 16) } }, 0, 0, 1);
+            stage.Particles.SetData(new[] { new FoamParticle {
+                a = new Unity.Mathematics.uint4(Unity.Mathematics.math.asuint(new Unity.Mathematics.float3(12f, 8f, 4f)),
+                Unity.Mathematics.math.asuint(20f)), b = new Unity.Mathematics.uint4(0u, 0u, 0u, 2u | 6400u << 2 | 255u << 16) } }, 0, 0,
+                1);
             stage.Arguments.SetData(ParticleState.ArgumentsFor(1));
             MakeCamera();
             GameObject screen = null;
@@ -125,7 +130,8 @@ namespace Rill.Tests
             Color[] pixels = Read();
             int lit = pixels.Count(pixel => pixel.g > 0.2f);
             if (covered)
-                Assert.That(pixels[32 * 64 + 32].g - pixels[32 * 64 + 20].g, Is.EqualTo(0f).Within(0.02f), "the screen in front is the same beside it");
+                Assert.That(pixels[32 * 64 + 32].g - pixels[32 * 64 + 20].g, Is.EqualTo(0f).Within(0.02f),
+                    "the screen in front is the same beside it");
             else
                 Assert.That(lit, Is.InRange(30, 330), "pixels of a disc of 0.1 m, of which a pixel is 1/96 m");
         }

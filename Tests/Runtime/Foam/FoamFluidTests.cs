@@ -40,7 +40,8 @@ namespace Rill.Tests
         {
             // The same slice of the flow, at the same number of spacings in a substep; and in shorter ones.
             double coarse = OfWidth(0.025f, substeps: 1), fine = OfWidth(0.0125f, substeps: 2), often = OfWidth(0.025f, substeps: 4);
-            TestContext.Out.WriteLine($"{coarse:0} foam particles a metre; {fine / coarse:0.00} of it at half the spacing, {often / coarse:0.00} in four substeps");
+            TestContext.Out.WriteLine(
+                $"{coarse:0} foam particles a metre; {fine / coarse:0.00} of it at half the spacing, {often / coarse:0.00} in four substeps");
             Assert.That(coarse, Is.GreaterThan(1000.0), "foam particles in 1.8 s of a metre of width");
             Assert.That(fine / coarse, Is.EqualTo(1.0).Within(0.3), $"{fine} where twice the spacing makes {coarse}");
             // Over six dams that differ in their first jitter the mean is 0.70, and each within 0.04 of it.
@@ -92,7 +93,8 @@ namespace Rill.Tests
                 fluid.Input.foam = Foamy(10f);
                 fluid.AddBlock(0f, new float3(0.8f, 0.3f, 0.8f)).Step(120);
                 Foam foam = fluid.Solver.Foam;
-                foam.Particles.SetData(new[] { new FoamParticle { a = new uint4(math.asuint(new float3(8f, 6f, 8f)), 0u), b = new uint4(0u, 0u, 0u, 2u | 64u << 2) } }, 0, 0, 1);
+                foam.Particles.SetData(new[] { new FoamParticle { a = new uint4(math.asuint(new float3(8f, 6f, 8f)), 0u),
+                    b = new uint4(0u, 0u, 0u, 2u | 64u << 2) } }, 0, 0, 1);
                 foam.Counters.SetData(new[] { 1u, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
                 foam.Arguments.SetData(ParticleState.ArgumentsFor(1));
                 fluid.Step(50);

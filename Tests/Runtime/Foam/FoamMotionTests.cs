@@ -52,8 +52,11 @@ namespace Rill.Tests
         public void Spray_bounces_off_a_collider_however_fast_and_passes_beside_it()
         {
             ColliderMotion plate = ColliderTests.Still(ColliderShape.Box, new float3(0.5f, 10f, 10f), 20f, quaternion.identity);
-            FoamParticle[] drops = Fly(2, plate, (new float3(8f, 20f, 20f), new float3(600f, 60f, 0f)), (new float3(8f, 35f, 20f), new float3(600f, 0f, 0f)));
-            Assert.That(FoamStage.Velocity(drops[0]), Is.EqualTo(new float3(-120f, 48f, 0f)).Using<float3>((a, b) => math.distance(a, b) < 0.1f ? 0 : 1), "10 d in a step, and the plate is 1 d thick");
+            FoamParticle[] drops = Fly(2, plate, (new float3(8f, 20f, 20f), new float3(600f, 60f, 0f)),
+                (new float3(8f, 35f, 20f), new float3(600f, 0f, 0f)));
+            Assert.That(FoamStage.Velocity(drops[0]),
+                Is.EqualTo(new float3(-120f, 48f, 0f)).Using<float3>((a, b) => math.distance(a, b) < 0.1f ? 0 : 1),
+                "10 d in a step, and the plate is 1 d thick");
             Assert.That(FoamStage.Position(drops[0]).x, Is.LessThan(19.5f));
             Assert.That(FoamStage.Position(drops[1]).x, Is.EqualTo(28f).Within(0.1f));
         }
@@ -92,7 +95,8 @@ namespace Rill.Tests
                 ColliderTests.Use(fluid, collider);
                 FoamStage.Plant(fluid.Solver.Foam, spray.Select(drop => (drop.position, drop.velocity, FoamKinds.Spray, 100f)).ToArray());
                 fluid.Step(steps);
-                return GpuTest.Read<FoamParticle>(fluid.Solver.Foam.Particles, (int)GpuTest.Read<uint>(fluid.Solver.Foam.Counters, Foam.CounterCount)[(int)FoamCounter.Alive]);
+                return GpuTest.Read<FoamParticle>(fluid.Solver.Foam.Particles,
+                    (int)GpuTest.Read<uint>(fluid.Solver.Foam.Counters, Foam.CounterCount)[(int)FoamCounter.Alive]);
             }
         }
 
@@ -133,7 +137,9 @@ namespace Rill.Tests
         {
             using (var stage = new FoamStage(Pool(p => new float3(3f, 0f, -2f)), FoamStage.Settings(0f), Gravity))
             {
-                stage.Plant(Enumerable.Range(0, 100).Select(i => (new float3(8f + 0.08f * i, 10.5f + 0.02f * i, 16f), float3.zero, FoamKinds.Foam, 100f)).ToArray()).Step(120);
+                stage.Plant(Enumerable.Range(0, 100)
+                    .Select(i => (new float3(8f + 0.08f * i, 10.5f + 0.02f * i, 16f), float3.zero, FoamKinds.Foam, 100f)).ToArray())
+                    .Step(120);
                 FoamParticle[] foam = stage.Read();
                 Assert.That(foam.Length, Is.EqualTo(100));
                 for (int i = 0; i < foam.Length; i++)
@@ -151,7 +157,8 @@ namespace Rill.Tests
         {
             using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f)))
             {
-                stage.Plant((new float3(12f, 11.4f, 12f), float3.zero, FoamKinds.Foam, 100f), (new float3(8f, 12.5f, 8f), float3.zero, FoamKinds.Foam, 100f));
+                stage.Plant((new float3(12f, 11.4f, 12f), float3.zero, FoamKinds.Foam, 100f),
+                    (new float3(8f, 12.5f, 8f), float3.zero, FoamKinds.Foam, 100f));
                 Assert.That(stage.Step(2).Read().Select(f => math.abs(FoamStage.Position(f).y - 12f)), Is.All.GreaterThan(0.2f), "not at once");
                 Assert.That(stage.Step(40).Read().Select(f => math.abs(FoamStage.Position(f).y - 12f)), Is.All.LessThan(0.1f));
             }
@@ -163,7 +170,8 @@ namespace Rill.Tests
             using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f), Gravity))
             {
                 float3 air = new float3(12f, 25f, 12f), water = new float3(12f, 5f, 12f);
-                stage.Plant((air, new float3(float.NaN, 0f, 0f), FoamKinds.Spray, 9f), (air, new float3(0f, float.PositiveInfinity, 0f), FoamKinds.Spray, 9f),
+                stage.Plant((air, new float3(float.NaN, 0f, 0f), FoamKinds.Spray, 9f),
+                    (air, new float3(0f, float.PositiveInfinity, 0f), FoamKinds.Spray, 9f),
                     (water, new float3(0f, 0f, float.NaN), FoamKinds.Bubbles, 9f), (air, float3.zero, FoamKinds.Spray, 9f));
                 FoamParticle left = stage.Step().Read().Single();
                 Assert.That(FoamStage.Velocity(left).y, Is.EqualTo(Gravity.y * Step).Within(1e-4f), "the one that is finite");
@@ -179,7 +187,8 @@ namespace Rill.Tests
                 fluid.Input.foam.amount = 0f;
                 fluid.AddBlock(new float3(0f, 0f, 0f), new float3(0.8f, 0.4f, 0.8f)).Step(30);
                 Foam foam = fluid.Solver.Foam;
-                foam.Particles.SetData(new[] { new FoamParticle { a = new uint4(math.asuint(new float3(8f, 8f, 8f)), 0u), b = new uint4(0u, 0u, 0u, 2u | 6400u << 2) } }, 0, 0, 1);
+                foam.Particles.SetData(new[] { new FoamParticle { a = new uint4(math.asuint(new float3(8f, 8f, 8f)), 0u),
+                    b = new uint4(0u, 0u, 0u, 2u | 6400u << 2) } }, 0, 0, 1);
                 foam.Counters.SetData(new[] { 1u, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
                 foam.Arguments.SetData(ParticleState.ArgumentsFor(1));
                 float lowest = float.MaxValue, highest = 0f;
@@ -192,7 +201,8 @@ namespace Rill.Tests
                     Assert.That(FoamStage.Kind(particle), Is.EqualTo(FoamKinds.Foam), $"step {step}");
                     float3 position = FoamStage.Position(particle);
                     ParticleState state = fluid.Read();
-                    float surface = state.positions.Count(p => math.distance(p.xz, position.xz) < 2f) / (4f * math.PI);     // of a column of full water
+                    // of a column of full water
+                    float surface = state.positions.Count(p => math.distance(p.xz, position.xz) < 2f) / (4f * math.PI);
                     Assert.That(position.y, Is.EqualTo(surface).Within(1.5f), $"height above the floor in step {step}");
                     lowest = math.min(lowest, surface);
                     highest = math.max(highest, surface);
@@ -206,7 +216,9 @@ namespace Rill.Tests
         {
             using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f), Gravity * 0f))
             {
-                stage.Plant((new float3(4f, 12f, 4f), float3.zero, FoamKinds.Foam, 0.5f), (new float3(12f, 25f, 12f), float3.zero, FoamKinds.Spray, 0.5f), (new float3(20f, 5f, 20f), float3.zero, FoamKinds.Bubbles, 0.5f));
+                stage.Plant((new float3(4f, 12f, 4f), float3.zero, FoamKinds.Foam, 0.5f),
+                    (new float3(12f, 25f, 12f), float3.zero, FoamKinds.Spray, 0.5f),
+                    (new float3(20f, 5f, 20f), float3.zero, FoamKinds.Bubbles, 0.5f));
                 Assert.That(Kinds(stage.Step(29)), Is.EqualTo(new[] { FoamKinds.Foam, FoamKinds.Spray, FoamKinds.Bubbles }));
                 Assert.That(Kinds(stage.Step(2)), Is.EqualTo(new[] { FoamKinds.Spray, FoamKinds.Bubbles }));
                 Assert.That(Kinds(stage.Step(88)), Is.EqualTo(new[] { FoamKinds.Spray, FoamKinds.Bubbles }));
@@ -237,7 +249,9 @@ namespace Rill.Tests
             settings.kinds = kind;
             using (var stage = new FoamStage(Pool(), settings))
             {
-                stage.Plant((new float3(4f, 12f, 4f), float3.zero, FoamKinds.Foam, 9f), (new float3(12f, 25f, 12f), float3.zero, FoamKinds.Spray, 9f), (new float3(20f, 5f, 20f), float3.zero, FoamKinds.Bubbles, 9f));
+                stage.Plant((new float3(4f, 12f, 4f), float3.zero, FoamKinds.Foam, 9f),
+                    (new float3(12f, 25f, 12f), float3.zero, FoamKinds.Spray, 9f),
+                    (new float3(20f, 5f, 20f), float3.zero, FoamKinds.Bubbles, 9f));
                 Assert.That(stage.Step().Read().Select(FoamStage.Kind), Is.EqualTo(new[] { kind }));
             }
         }
@@ -248,7 +262,8 @@ namespace Rill.Tests
             var random = new Unity.Mathematics.Random(7u);
             using (var stage = new FoamStage(Pool(), FoamStage.Settings(0f, count)))
             {
-                stage.Plant(Enumerable.Range(0, count).Select(i => (random.NextFloat3(1f, 23f), float3.zero, (FoamKinds)(1 << i % 3), 0.2f + 0.01f * (i % 50))).ToArray());
+                stage.Plant(Enumerable.Range(0, count)
+                    .Select(i => (random.NextFloat3(1f, 23f), float3.zero, (FoamKinds)(1 << i % 3), 0.2f + 0.01f * (i % 50))).ToArray());
                 FoamParticle[] before = stage.Step().Read();
                 for (int step = 0; step < 10; step++)
                 {
@@ -280,7 +295,8 @@ namespace Rill.Tests
                 Assert.That(stage.Counter(FoamCounter.Alive), Is.EqualTo(budget), "all of it in the end");
                 Assert.That(stage.Counter(FoamCounter.Spawned) + stage.Counter(FoamCounter.Refused), Is.EqualTo(10 * Wanted(stage)));
                 Assert.That(stage.Counter(FoamCounter.Spawned), Is.EqualTo(budget));
-                Assert.That(stage.Read().Take(full.Length).Select(f => f.b.w >> 2), Is.EqualTo(full.Select(f => f.b.w >> 2)), "those that were there first");
+                Assert.That(stage.Read().Take(full.Length).Select(f => f.b.w >> 2), Is.EqualTo(full.Select(f => f.b.w >> 2)),
+                    "those that were there first");
             }
 
             // All steps have the same number here, and so the same random numbers.

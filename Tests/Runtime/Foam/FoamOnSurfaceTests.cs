@@ -134,7 +134,11 @@ namespace Rill.Tests
         {
             Foam stage = scene.Fluid.Solver.Foam;
             uint number = kind == FoamKinds.Spray ? 1u : kind == FoamKinds.Foam ? 2u : 3u;
-            var particle = new FoamParticle { a = new uint4(math.asuint((world + Half) / WaterScene.Spacing), math.asuint(20f)), b = new uint4(0u, 0u, 0u, number | 6400u << 2 | 255u << 16) };
+            var particle = new FoamParticle
+            {
+                a = new uint4(math.asuint((world + Half) / WaterScene.Spacing), math.asuint(20f)),
+                b = new uint4(0u, 0u, 0u, number | 6400u << 2 | 255u << 16)
+            };
             stage.Particles.SetData(Enumerable.Repeat(particle, count).ToArray(), 0, 0, count);
             stage.Counters.SetData(new[] { (uint)count, 0u, 0u, 0u, 0u, 0u, 0u, 0u });
             stage.Arguments.SetData(ParticleState.ArgumentsFor(count));

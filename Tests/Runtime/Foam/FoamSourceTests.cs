@@ -22,12 +22,14 @@ namespace Rill.Tests
                 stage.Step();
                 var twin = new Twin(stage);
                 uint2[] found = GpuTest.Read<uint2>(stage.Foam.Potentials, count);
-                Compare.Scalars("trapped air", count, i => math.asfloat(found[i].y & 0x7fffffffu), i => twin.Trapped[i], i => twin.IsUncertain(i) ? 1.0 : 2e-4 * Made);
+                Compare.Scalars("trapped air", count, i => math.asfloat(found[i].y & 0x7fffffffu), i => twin.Trapped[i],
+                    i => twin.IsUncertain(i) ? 1.0 : 2e-4 * Made);
                 for (int i = 0; i < count; i++)
                     if (twin.Kinetic[i] > 0.01 && !twin.IsUncertain(i))
                         Assert.That(found[i].y >> 31 != 0, Is.EqualTo(twin.FliesOut[i]), $"particle {i} flies out");
                 if (count > 500)
-                    Assert.That(twin.Trapped.Count(n => n > 0.1 * Made), Is.GreaterThan(count / 4), "particles that trap air, or nothing is compared");
+                    Assert.That(twin.Trapped.Count(n => n > 0.1 * Made), Is.GreaterThan(count / 4),
+                        "particles that trap air, or nothing is compared");
             }
         }
 
@@ -44,7 +46,8 @@ namespace Rill.Tests
                 for (int i = 0; i < count; i++)
                 {
                     uint hash = Reference.FoamSpawn.Hash(1u, stage.Ids[i], 1u);
-                    double expected = 2.0 * (twin.Trapped[i] + twin.Crest[i]), margin = 1e-3 + (twin.FliesOut[i] ? 0.4 * Made : 0.0);     // normals are packed, and neighbors of a crest may be at a limit
+                    // normals are packed, and neighbors of a crest may be at a limit
+                    double expected = 2.0 * (twin.Trapped[i] + twin.Crest[i]), margin = 1e-3 + (twin.FliesOut[i] ? 0.4 * Made : 0.0);
                     int low = Reference.FoamSpawn.Count(expected - margin, hash), high = Reference.FoamSpawn.Count(expected + margin, hash);
                     int number = (int)(counts[i] >> 16);
                     if (!twin.IsUncertain(i))
@@ -52,8 +55,10 @@ namespace Rill.Tests
                     sure += !twin.IsUncertain(i) && low == high ? 1 : 0;
                     for (int k = 0; k < number; k++, at++)
                     {
-                        double3 place = Reference.FoamSpawn.Position(stage.Points[i], stage.Velocities[i], Step, stage.Stages.Layout.DomainSize, hash, k, out double3 velocity);
-                        Assert.That(math.distance(FoamStage.Position(foam[at]), place), Is.LessThan(2e-3), $"foam particle {at}, number {k} of particle {i}");
+                        double3 place = Reference.FoamSpawn.Position(stage.Points[i], stage.Velocities[i], Step,
+                            stage.Stages.Layout.DomainSize, hash, k, out double3 velocity);
+                        Assert.That(math.distance(FoamStage.Position(foam[at]), place), Is.LessThan(2e-3),
+                            $"foam particle {at}, number {k} of particle {i}");
                         Assert.That(math.distance(FoamStage.Velocity(foam[at]), velocity), Is.LessThan(2e-3), $"velocity of foam particle {at}");
                     }
                     spawned += number;
@@ -86,7 +91,8 @@ namespace Rill.Tests
             using (var stage = new FoamStage(ParticleState.Random(0, seed: 4), FoamStage.Settings(10f)))
             {
                 Assert.That(stage.Step(3).Read(), Is.Empty);
-                Assert.That(GpuTest.Read<uint2>(stage.Foam.Potentials, stage.Stages.Layout.Capacity).All(p => GpuTest.IsGarbage(p.x) && GpuTest.IsGarbage(p.y)));
+                Assert.That(GpuTest.Read<uint2>(stage.Foam.Potentials, stage.Stages.Layout.Capacity).All(p => GpuTest.IsGarbage(p.x)
+                    && GpuTest.IsGarbage(p.y)));
             }
         }
 
@@ -126,7 +132,8 @@ namespace Rill.Tests
                 {
                     stage.Step();
                     var spawned = GpuTest.Read<uint>(stage.Foam.SpawnCounts, state.Count);
-                    return Enumerable.Range(0, state.Count).Where(i => stage.Points[i].y > 14.2 && math.all(math.abs(stage.Points[i].xz - 20.0) < 7.0)).Sum(i => spawned[i] >> 16);
+                    return Enumerable.Range(0, state.Count).Where(i => stage.Points[i].y > 14.2
+                        && math.all(math.abs(stage.Points[i].xz - 20.0) < 7.0)).Sum(i => spawned[i] >> 16);
                 }
             }
         }
@@ -140,7 +147,8 @@ namespace Rill.Tests
             Assert.That(coarse, Is.GreaterThan(0.5), "foam particles of the area in a step");
             Assert.That(fine / coarse, Is.EqualTo(1.0).Within(0.1), $"{fine} of {coarse} with twice the spacing");
 
-            // Water with 40 % of air, sheared at the same rate: foam particles that are expected over 12 x 12 d of a layer of 4 d, away from its ends.
+            // Water with 40 % of air, sheared at the same rate: foam particles that are expected over 12 x 12 d of a layer of 4 d, away
+            // from its ends.
             double FoamOfArea(int finer, uint seed)
             {
                 ParticleState block = ParticleState.Lattice(0f, 2.5f, new int3(16 * finer, 8 * finer, 16 * finer), jitter: 0.15f);
@@ -154,7 +162,9 @@ namespace Rill.Tests
                     stage.Step();
                     uint2[] potentials = GpuTest.Read<uint2>(stage.Foam.Potentials, state.Count);
                     double middle = 10.0 * finer;
-                    return Enumerable.Range(0, state.Count).Where(i => math.all(math.abs(stage.Points[i].xz - middle) < 6.0 * finer) && math.abs(stage.Points[i].y - 6.0 * finer) < 2.0 * finer).Sum(i => (double)math.asfloat(potentials[i].y & 0x7fffffffu));
+                    return Enumerable.Range(0, state.Count).Where(i => math.all(math.abs(stage.Points[i].xz - middle) < 6.0 * finer)
+                        && math.abs(stage.Points[i].y - 6.0 * finer) < 2.0 * finer).Sum(i
+                        => (double)math.asfloat(potentials[i].y & 0x7fffffffu));
                 }
             }
         }
@@ -170,7 +180,8 @@ namespace Rill.Tests
             {
                 int count = stage.Points.Length;
                 double3 box = stage.Stages.Layout.DomainSize;
-                var potentials = new Reference.FoamPotentials(box, stage.Points, stage.Velocities, Reference.Neighbors.ByCells(stage.Points, Reference.Kernels.H));
+                var potentials = new Reference.FoamPotentials(box, stage.Points, stage.Velocities,
+                    Reference.Neighbors.ByCells(stage.Points, Reference.Kernels.H));
                 Kinetic = new double[count];
                 Trapped = new double[count];
                 Crest = new double[count];
@@ -192,7 +203,8 @@ namespace Rill.Tests
                 }
                 for (int i = 0; i < count; i++)
                     if (FliesOut[i])
-                        Crest[i] = Made * Kinetic[i] * Reference.FoamPotentials.Ramp(potentials.Bend(i, normals), FoamScales.MinBend, FoamScales.MaxBend);
+                        Crest[i] = Made * Kinetic[i] * Reference.FoamPotentials.Ramp(potentials.Bend(i, normals), FoamScales.MinBend,
+                            FoamScales.MaxBend);
             }
 
             // Without the solver's own.

@@ -18,7 +18,8 @@ namespace Rill.Tests
 
         /// <param name="gravity">d/s².</param>
         /// <param name="fluidStep">s, in which the fluid came to where it is; the foam's is 1/60.</param>
-        public FoamStage(ParticleState state, FoamSettings settings, float3 gravity = default, int seed = 1, float fluidStep = 1f / 60f, long maxBinding = 0, int capacity = 0)
+        public FoamStage(ParticleState state, FoamSettings settings, float3 gravity = default, int seed = 1, float fluidStep = 1f / 60f,
+            long maxBinding = 0, int capacity = 0)
         {
             Input = SolverStages.Still();
             Input.timeStep = fluidStep;

@@ -31,7 +31,8 @@ namespace Rill.Tests
             GraphicsBuffer buffer = GpuBuffer.Structured<uint2>("Pairs", 4);
             try
             {
-                Assert.That(() => BufferClear.Now(buffer), Throws.ArgumentException.With.Message.Contains("8 bytes").And.Message.Contains("Clear.compute"));
+                Assert.That(() => BufferClear.Now(buffer),
+                    Throws.ArgumentException.With.Message.Contains("8 bytes").And.Message.Contains("Clear.compute"));
             }
             finally
             {

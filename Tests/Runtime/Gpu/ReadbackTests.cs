@@ -61,7 +61,8 @@ namespace Rill.Tests
         [Test]
         public void As_play_ends_its_own_requests_are_waited_for_and_no_others()
         {
-            GraphicsBuffer others = GpuTest.Upload("Others", new uint[4]), before = GpuTest.Upload("Before", new uint[4]), after = GpuTest.Upload("After", new uint[4]);
+            GraphicsBuffer others = GpuTest.Upload("Others", new uint[4]), before = GpuTest.Upload("Before", new uint[4]),
+                after = GpuTest.Upload("After", new uint[4]);
             AsyncGPUReadbackRequest request = AsyncGPUReadback.Request(others);
             Leave(before);
             PendingReadbacks.End();

@@ -33,7 +33,8 @@ namespace Rill.Tests.Reference
 
         public double Volume => size.x * size.y * size.z;
 
-        /// <summary>Particles of the outermost layer in an active cell: a d² of face towards a cell without a whole layer holds one, less what lies beyond.</summary>
+        /// <summary>Particles of the outermost layer in an active cell: a d² of face towards a cell without a whole layer holds one, less
+        /// what lies beyond.</summary>
         public double SurfaceLayer(int cell)
         {
             double particles = 0.0;
@@ -84,7 +85,8 @@ namespace Rill.Tests.Reference
         public bool IsAtSurface(int cell) => Enumerable.Range(0, 3).SelectMany(axis => new[] { Beside(cell, axis, false), Beside(cell, axis, true) })
             .Any(beside => beside >= 0 && active[beside] != active[cell]);
 
-        /// <summary>Weights at the surface: a particle's is 1 at a cell's centre and falls to 0 a cell away on each axis, but not towards a wall.</summary>
+        /// <summary>Weights at the surface: a particle's is 1 at a cell's centre and falls to 0 a cell away on each axis, but not towards a
+        /// wall.</summary>
         public CoarseCells Weigh(double3[] points)
         {
             for (int cell = 0; cell < Total; cell++)

@@ -19,7 +19,8 @@ namespace Rill.Tests.Reference
 
         public static Tensor Symmetric(double3 diagonal, double3 others)
         {
-            return new Tensor(new double3(diagonal.x, others.z, others.y), new double3(others.z, diagonal.y, others.x), new double3(others.y, others.x, diagonal.z));
+            return new Tensor(new double3(diagonal.x, others.z, others.y), new double3(others.z, diagonal.y, others.x),
+                new double3(others.y, others.x, diagonal.z));
         }
 
         public static Tensor Outer(double3 a, double3 b) => new Tensor(a.x * b, a.y * b, a.z * b);
@@ -27,7 +28,8 @@ namespace Rill.Tests.Reference
         /// <summary>A turn about z.</summary>
         public static Tensor Turn(double angle)
         {
-            return new Tensor(new double3(Math.Cos(angle), -Math.Sin(angle), 0.0), new double3(Math.Sin(angle), Math.Cos(angle), 0.0), new double3(0.0, 0.0, 1.0));
+            return new Tensor(new double3(Math.Cos(angle), -Math.Sin(angle), 0.0), new double3(Math.Sin(angle), Math.Cos(angle), 0.0),
+                new double3(0.0, 0.0, 1.0));
         }
 
         public static Tensor operator +(Tensor a, Tensor b) => new Tensor(a.x + b.x, a.y + b.y, a.z + b.z);

@@ -125,7 +125,9 @@ namespace Rill.Tests.Reference
                         mass[a, b] += 0.5 * weight * value[a] * value[b];
                         for (int k = 0; k < 3; k++)
                             for (int l = 0; l < 3; l++)
-                                stiffness[3 * a + k, 3 * b + l] += weight * ((k == l ? math.dot(slope[a], slope[b]) : 0.0) + slope[a][l] * slope[b][k] + slope[a][k] * slope[b][l]);
+                                stiffness[3 * a + k, 3 * b + l] += weight
+                                    * ((k == l ? math.dot(slope[a], slope[b]) : 0.0) + slope[a][l] * slope[b][k]
+                                    + slope[a][k] * slope[b][l]);
                     }
                 }
             }

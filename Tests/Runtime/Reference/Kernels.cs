@@ -31,7 +31,8 @@ namespace Rill.Tests.Reference
         public static readonly double RestDensity = SumLattice(Poly6);
 
         /// <summary>Σ|∇C|² of a particle inside that lattice.</summary>
-        public static readonly double RestSquares = SumLattice(r => r == 0.0 ? 0.0 : SpikyDerivative(r) * SpikyDerivative(r)) / (RestDensity * RestDensity);
+        public static readonly double RestSquares = SumLattice(r => r == 0.0 ? 0.0 : SpikyDerivative(r) * SpikyDerivative(r))
+            / (RestDensity * RestDensity);
 
         static double SumLattice(Func<double, double> value)
         {

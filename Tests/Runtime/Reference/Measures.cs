@@ -22,7 +22,8 @@ namespace Rill.Tests.Reference
             var constraint = new Constraint(box, points, neighbors);
             errors = Enumerable.Range(0, points.Length).Select(i => constraint.Density(i) - 1.0).ToArray();
             double steepest = Math.Abs(Walls.PlaneSlope(0.0));
-            interior = Enumerable.Range(0, points.Length).Select(i => math.length(constraint.Gradient(i)) < 0.35 * steepest && errors[i] > -0.15).ToArray();
+            interior = Enumerable.Range(0, points.Length).Select(i => math.length(constraint.Gradient(i)) < 0.35 * steepest
+                && errors[i] > -0.15).ToArray();
             deviations = Enumerable.Range(0, points.Length).Where(i => neighbors[i].Length >= 12).Select(Deviation).ToArray();
         }
 

@@ -46,7 +46,8 @@ namespace Rill.Tests
         public static double ToTriangle(double3 p, double3 a, double3 b, double3 c)
         {
             double3 normal = math.cross(b - a, c - a);
-            bool above = math.dot(math.cross(b - a, p - a), normal) >= 0 && math.dot(math.cross(c - b, p - b), normal) >= 0 && math.dot(math.cross(a - c, p - c), normal) >= 0;
+            bool above = math.dot(math.cross(b - a, p - a), normal) >= 0 && math.dot(math.cross(c - b, p - b), normal) >= 0
+                && math.dot(math.cross(a - c, p - c), normal) >= 0;
             if (above && math.lengthsq(normal) > 0)
                 return Math.Abs(math.dot(math.normalize(normal), p - a));
             return Math.Min(ToSegment(p, a, b), Math.Min(ToSegment(p, b, c), ToSegment(p, c, a)));

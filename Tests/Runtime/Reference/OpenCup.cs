@@ -5,7 +5,8 @@ using UnityEngine;
 
 namespace Rill.Tests.Reference
 {
-    /// <summary>A cup that is open above and shaken, as a mesh. Lengths in d, in the cup's frame: the axis is y, the floor's upper side at 0.</summary>
+    /// <summary>A cup that is open above and shaken, as a mesh. Lengths in d, in the cup's frame: the axis is y, the floor's upper side at
+    /// 0.</summary>
     sealed class OpenCup
     {
         public const float Radius = 7f, Depth = 14f, Filled = 6f;       // inside
@@ -28,10 +29,12 @@ namespace Rill.Tests.Reference
 
         /// <summary>With a wall and a floor of this thickness, a closed mesh.</summary>
         public static OpenCup Solid(float wall) =>
-            new OpenCup(Turned($"Cup {wall}", new float2(0f, -wall), new float2(Radius + wall, -wall), new float2(Radius + wall, Depth), new float2(Radius, Depth), new float2(Radius, 0f), new float2(0f, 0f)), wall, 0f);
+            new OpenCup(Turned($"Cup {wall}", new float2(0f, -wall), new float2(Radius + wall, -wall), new float2(Radius + wall, Depth),
+            new float2(Radius, Depth), new float2(Radius, 0f), new float2(0f, 0f)), wall, 0f);
 
         /// <summary>A surface without a thickness, which the bake gives this one: half of it to each side.</summary>
-        public static OpenCup Shell(float thickness) => new OpenCup(Turned("Cup", new float2(0f, 0f), new float2(Radius, 0f), new float2(Radius, Depth)), 0f, thickness);
+        public static OpenCup Shell(float thickness)
+            => new OpenCup(Turned("Cup", new float2(0f, 0f), new float2(Radius, 0f), new float2(Radius, Depth)), 0f, thickness);
 
         /// <param name="voxel">d; a shell is at least two of them thick.</param>
         public SignedDistanceField Bake(float voxel)
@@ -47,23 +50,30 @@ namespace Rill.Tests.Reference
         {
             Bounds bounds = field.Bounds;
             RigidPose pose = OfField(field, cup);
-            return new ColliderMotion { shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose, contributesDensity = true, field = field.Texture, voxel = field.VoxelSize, fieldUnit = 1f };
+            return new ColliderMotion
+            {
+                shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose,
+                contributesDensity = true, field = field.Texture, voxel = field.VoxelSize, fieldUnit = 1f
+            };
         }
 
-        public static RigidPose OfField(SignedDistanceField field, RigidPose cup) => new RigidPose(cup.position + math.mul(cup.rotation, field.Bounds.center), cup.rotation);
+        public static RigidPose OfField(SignedDistanceField field, RigidPose cup)
+            => new RigidPose(cup.position + math.mul(cup.rotation, field.Bounds.center), cup.rotation);
 
         /// <summary>Up to 0.2 g and 7 degrees: level enough that nothing comes near the rim.</summary>
         public static RigidPose Gently(float time)
         {
             float ease = math.saturate(0.5f * time);
-            return Pose(ease * new float3(2.4f * math.sin(4f * time), 1f * math.sin(5f * time), 1.5f * math.sin(3f * time)), ease * new float3(0.12f * math.sin(2f * time), 0.5f * time, 0.12f * math.sin(3f * time)));
+            return Pose(ease * new float3(2.4f * math.sin(4f * time), 1f * math.sin(5f * time), 1.5f * math.sin(3f * time)),
+                ease * new float3(0.12f * math.sin(2f * time), 0.5f * time, 0.12f * math.sin(3f * time)));
         }
 
         /// <summary>Up to 4 g, and tilted by up to half a right angle: most of the water is thrown out.</summary>
         public static RigidPose Hard(float time)
         {
             float ease = math.saturate(2f * time);
-            return Pose(ease * new float3(6f * math.sin(11f * time), 3f * math.sin(17f * time), 4f * math.sin(7f * time)), ease * new float3(0.5f * math.sin(2f * time), 0.7f * time, 0.8f * math.sin(3f * time)));
+            return Pose(ease * new float3(6f * math.sin(11f * time), 3f * math.sin(17f * time), 4f * math.sin(7f * time)),
+                ease * new float3(0.5f * math.sin(2f * time), 0.7f * time, 0.8f * math.sin(3f * time)));
         }
 
         static RigidPose Pose(float3 path, float3 turn) => new RigidPose(new float3(0.5f, 0.3f, 0.5f) * Box + path, quaternion.Euler(turn));
@@ -106,7 +116,8 @@ namespace Rill.Tests.Reference
                 for (int i = 0; i < ids.Count; i++)
                 {
                     float3 local = math.mul(math.conjugate(pose.rotation), positions[i].xyz - pose.position);
-                    Side now = local.y >= Depth ? Side.Above : math.length(local.xz) < cup.wallMiddle && local.y > cup.floorMiddle ? Side.Inside : Side.Outside;
+                    Side now = local.y >= Depth ? Side.Above : math.length(local.xz) < cup.wallMiddle && local.y > cup.floorMiddle
+                        ? Side.Inside : Side.Outside;
                     last.TryGetValue(ids[i], out Side before);
                     if (before == Side.Inside && now == Side.Outside || before == Side.Outside && now == Side.Inside)
                         Through++;

@@ -15,7 +15,8 @@ namespace Rill.Tests.Reference
             return shape.insideOut ? -distance : distance;
         }
 
-        /// <summary>Fraction of the rest density that a shape adds at p: of the half space behind its surface, for a box the product of its three slabs; at most that at a surface.</summary>
+        /// <summary>Fraction of the rest density that a shape adds at p: of the half space behind its surface, for a box the product of its
+        /// three slabs; at most that at a surface.</summary>
         public static double Density(in ColliderMotion shape, double3 p)
         {
             double surface = Walls.PlaneDensity(0.0);

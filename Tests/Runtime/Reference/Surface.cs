@@ -136,7 +136,11 @@ namespace Rill.Tests.Reference
 
         Plane First(int i)
         {
-            return new Plane { normal = directions[i], depth = Math.Min(-0.065 - 1.08 * offsets[i] + 0.0873 * weights[i], 1.4), trust = Step(0.02, 0.1, offsets[i]) };
+            return new Plane
+            {
+                normal = directions[i], depth = Math.Min(-0.065 - 1.08 * offsets[i] + 0.0873 * weights[i], 1.4),
+                trust = Step(0.02, 0.1, offsets[i])
+            };
         }
 
         // The mean of the planes around a particle, and how much they bend.
@@ -225,7 +229,8 @@ namespace Rill.Tests.Reference
                     double angle = 0.5 * Math.Atan2(2.0 * mixed, math.dot(p, a * p) - math.dot(q, a * q));
                     double c = Math.Cos(angle), s = Math.Sin(angle);
                     double3 third = math.cross(p, q);
-                    Tensor rotation = Tensor.Outer(third, third) + c * (Tensor.Outer(p, p) + Tensor.Outer(q, q)) + s * (Tensor.Outer(p, q) - Tensor.Outer(q, p));
+                    Tensor rotation = Tensor.Outer(third, third) + c * (Tensor.Outer(p, p) + Tensor.Outer(q, q))
+                        + s * (Tensor.Outer(p, q) - Tensor.Outer(q, p));
                     a = rotation * a * rotation.Transposed;
                     turn = rotation * turn;
                 }

@@ -17,7 +17,8 @@ namespace Rill.Tests.Reference
         {
             this.positions = positions;
             this.neighbors = neighbors;
-            coefficients = positions.Select((_, i) => 1.0 / Math.Max(Math.Max(Sum(i, 4) + Surface(i), 0.25 * OnLattice(4)), 0.5 * OnLattice(4) / OnLattice(2) * Sum(i, 2))).ToArray();
+            coefficients = positions.Select((_, i) => 1.0 / Math.Max(Math.Max(Sum(i, 4) + Surface(i), 0.25 * OnLattice(4)),
+                0.5 * OnLattice(4) / OnLattice(2) * Sum(i, 2))).ToArray();
         }
 
         /// <summary>Velocities v' of v' − s L v' = v.</summary>
@@ -57,9 +58,11 @@ namespace Rill.Tests.Reference
             return image;
         }
 
-        double3[] Without(double3[] velocities, double3[] solution, double strength) => Apply(solution, strength).Zip(velocities, (image, v) => v - image).ToArray();
+        double3[] Without(double3[] velocities, double3[] solution, double strength)
+            => Apply(solution, strength).Zip(velocities, (image, v) => v - image).ToArray();
 
-        double Sum(int i, int power) => neighbors[i].Sum(j => Weight(math.distance(positions[i], positions[j])) * Math.Pow(math.distance(positions[i], positions[j]), power));
+        double Sum(int i, int power) => neighbors[i]
+            .Sum(j => Weight(math.distance(positions[i], positions[j])) * Math.Pow(math.distance(positions[i], positions[j]), power));
 
         // So the outermost layer of the cubic lattice shears as the layers inside: its Σ w x²z² is 39/44 of theirs.
         double Surface(int i)
@@ -82,6 +85,7 @@ namespace Rill.Tests.Reference
             return t * t * (t + 3.0 / 7.0);
         }
 
-        static double OnLattice(int power) => 6.0 * Weight(1.0) + 12.0 * Weight(Math.Sqrt(2.0)) * Math.Pow(2.0, power / 2.0) + 8.0 * Weight(Math.Sqrt(3.0)) * Math.Pow(3.0, power / 2.0);
+        static double OnLattice(int power) => 6.0 * Weight(1.0) + 12.0 * Weight(Math.Sqrt(2.0)) * Math.Pow(2.0, power / 2.0)
+            + 8.0 * Weight(Math.Sqrt(3.0)) * Math.Pow(3.0, power / 2.0);
     }
 }

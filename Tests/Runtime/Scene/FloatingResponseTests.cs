@@ -16,7 +16,8 @@ namespace Rill.Tests
         static readonly float3 Up = new float3(0f, 1f, 0f);
 
         [Test]
-        public void A_late_force_brings_a_body_to_rest_at_every_density([Values(0.1f, 0.3f, 0.5f, 0.9f)] float ratio, [Values(20f, 40f, 70f)] float resistance, [Values(1, 2, 4)] int substeps, [Values(2, 4, 6)] int delay)
+        public void A_late_force_brings_a_body_to_rest_at_every_density([Values(0.1f, 0.3f, 0.5f, 0.9f)] float ratio,
+            [Values(20f, 40f, 70f)] float resistance, [Values(1, 2, 4)] int substeps, [Values(2, 4, 6)] int delay)
         {
             float height = Float(ratio, resistance, substeps, delay, responds: true, out float highest, out float restless);
             Assert.That(height, Is.EqualTo((0.5f - ratio) * Size).Within(0.02f * Size));
@@ -40,11 +41,14 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_late_force_heaves_a_body_at_the_period_of_the_same_water_at_once([Values(ColliderShape.Box, ColliderShape.Sphere)] ColliderShape shape, [Values(0.3f, 0.5f)] float addedMass, [Values(2, 3, 4)] int delay)
+        public void A_late_force_heaves_a_body_at_the_period_of_the_same_water_at_once(
+            [Values(ColliderShape.Box, ColliderShape.Sphere)]
+        ColliderShape shape, [Values(0.3f, 0.5f)] float addedMass, [Values(2, 3, 4)] int delay)
         {
             float atOnce = HeavePeriod(new Bath(shape, 0.5f, 0f, 1, 0f, addedMass), delay: 0, step: 0.001f, out _);
             float period = HeavePeriod(new Bath(shape, 0.5f, 0f, 1, 0f, addedMass), delay, Step, out float growth);
-            TestContext.Out.WriteLine($"period {period:0.000} s, {100f * (period / atOnce - 1f):+0.0;-0.0} % off that at once, {atOnce:0.000} s; swings by {growth:0.00} of where it was let go");
+            TestContext.Out.WriteLine($"period {period:0.000} s, {100f * (period / atOnce - 1f):+0.0;-0.0} % off that at once, " +
+                $"{atOnce:0.000} s; swings by {growth:0.00} of where it was let go");
             Assert.That(period, Is.EqualTo(atOnce).Within((shape == ColliderShape.Sphere ? 0.06f : 0.05f) * atOnce));
             Assert.That(growth, Is.EqualTo(1f).Within(0.3f), "nor is its heave driven or damped");
         }
@@ -135,7 +139,8 @@ namespace Rill.Tests
                 float carried = displaced * wet * addedMass;
                 float late = push - carried * (Speed - last) / step;
                 last = Speed;
-                var motion = new RelativeMotion(Vector3.up * Height, Quaternion.identity, known.Follow(Speed * Up, step, 4f * Substep), Vector3.zero, 4f * Substep);
+                var motion = new RelativeMotion(Vector3.up * Height, Quaternion.identity, known.Follow(Speed * Up, step, 4f * Substep),
+                    Vector3.zero, 4f * Substep);
                 forces.Add(new FluidForce(null, Vector3.up * late, Vector3.zero, motion));
                 float next = delay == 0 ? (push - Gravity * mass) / (mass + carried) : -Gravity;
                 int newest = forces.Count - 1 - delay;

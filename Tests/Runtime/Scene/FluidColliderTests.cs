@@ -95,8 +95,10 @@ namespace Rill.Tests
                 if (steps == 0 || frame < 5 || math.abs(frame - there) < 5)     // where it begins, and turns back
                     continue;
                 ColliderMotion motion = simulation.Input.colliders.Items[0];
-                Assert.That(math.distance(motion.start.position, motion.end.position) / steps, Is.EqualTo(wanted).Within(0.01f * wanted), $"frame {frame}");
-                Assert.That(Quaternion.Angle(motion.start.rotation, motion.end.rotation) / steps, Is.EqualTo(turn * simulation.FixedStep).Within(0.05f), $"frame {frame}");
+                Assert.That(math.distance(motion.start.position, motion.end.position) / steps, Is.EqualTo(wanted).Within(0.01f * wanted),
+                    $"frame {frame}");
+                Assert.That(Quaternion.Angle(motion.start.rotation, motion.end.rotation) / steps,
+                    Is.EqualTo(turn * simulation.FixedStep).Within(0.05f), $"frame {frame}");
             }
 
             for (int frame = 0; frame < 2 * rate / 25f + 2; frame++)
@@ -140,7 +142,8 @@ namespace Rill.Tests
         [Test]
         public void What_makes_no_collider_is_named_once_and_left_out([Values("radius", "size", "field", "place")] string what)
         {
-            FluidCollider collider = Make(what == "size" ? ColliderShape.Box : what == "field" ? ColliderShape.Mesh : ColliderShape.Sphere, water.transform.position);
+            FluidCollider collider = Make(what == "size" ? ColliderShape.Box : what == "field" ? ColliderShape.Mesh : ColliderShape.Sphere,
+                water.transform.position);
             if (what == "radius")
                 collider.Radius = -1f;
             if (what == "size")
@@ -152,7 +155,8 @@ namespace Rill.Tests
                 collider.transform.localPosition = 10f * Vector3.one;
                 parent.transform.localScale = 3e38f * Vector3.one;
             }
-            LogAssert.Expect(LogType.Error, new Regex("FluidCollider 'Collider' is left out: .*(" + (what == "place" ? "transform is not finite" : what == "field" ? "signed distance field" : what) + ")"));
+            LogAssert.Expect(LogType.Error, new Regex("FluidCollider 'Collider' is left out: .*("
+                + (what == "place" ? "transform is not finite" : what == "field" ? "signed distance field" : what) + ")"));
             simulation.Advance(simulation.FixedStep);
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.ColliderCount, Is.Zero);

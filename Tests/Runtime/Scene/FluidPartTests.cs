@@ -19,7 +19,8 @@ namespace Rill.Tests
 
         // From one side of the box to the other, both outside of it.
         [Test]
-        public void What_moves_while_time_stands_still_does_not_move_through_the_fluid([Values("drain", "emitter", "obstacle")] string what, [Values("paused", "restarted", "box lost")] string still)
+        public void What_moves_while_time_stands_still_does_not_move_through_the_fluid([Values("drain", "emitter", "obstacle")] string what,
+            [Values("paused", "restarted", "box lost")] string still)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000).Fill(0.3f))
             {
@@ -27,7 +28,8 @@ namespace Rill.Tests
                 mover.SetActive(false);
                 float side = what == "obstacle" ? 0.58f : 0.7f;     // one that is far off is not followed
                 Vector3 path = new Vector3(2f * side, 0f, 0f);
-                mover.transform.SetPositionAndRotation(new Vector3(-side, what == "emitter" ? 0f : -0.4f, 0f), Quaternion.LookRotation(Vector3.up, Vector3.forward));
+                mover.transform.SetPositionAndRotation(new Vector3(-side, what == "emitter" ? 0f : -0.4f, 0f),
+                    Quaternion.LookRotation(Vector3.up, Vector3.forward));
                 if (what == "obstacle")
                     mover.AddComponent<FluidCollider>().Size = 0.1f * Vector3.one;
                 else if (what == "drain")
@@ -107,7 +109,8 @@ namespace Rill.Tests
                             part = scene.Add<FluidForceField>(random.NextFloat3(-0.4f, 0.4f), random.NextFloat3Direction(), f => f.Strength = 30f);
                             break;
                         case 3:
-                            using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(float.NaN), new float3(0f, 0.2f, 0f) }, Unity.Collections.Allocator.Persistent))
+                            using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(float.NaN),
+                                new float3(0f, 0.2f, 0f) }, Unity.Collections.Allocator.Persistent))
                             using (var velocities = new Unity.Collections.NativeArray<float3>(2, Unity.Collections.Allocator.Persistent))
                                 scene.Fluid.AddParticles(places, velocities);
                             break;
@@ -119,7 +122,8 @@ namespace Rill.Tests
                         Object.DestroyImmediate(part.gameObject);
                 }
                 FluidStatistics last = scene.Step().AssertConserved();
-                TestContext.Out.WriteLine($"emitted {last.emitted}, drained {last.drained}, not finite {last.nonFinite}, refused {last.refused}, alive {last.particles}, recycling {last.recycling}, full {full} times");
+                TestContext.Out.WriteLine($"emitted {last.emitted}, drained {last.drained}, not finite {last.nonFinite}, refused " +
+                    $"{last.refused}, alive {last.particles}, recycling {last.recycling}, full {full} times");
                 Assert.That(last.emitted, Is.GreaterThan(300));
                 Assert.That(last.drained, Is.GreaterThan(200));
                 Assert.That(last.nonFinite, Is.InRange(1, 5));
@@ -277,7 +281,8 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(Box, Spacing, 2000))
             {
-                LogAssert.Expect(LogType.Warning, new Regex("rate of 0.1 m³/s is more than leaves its shape at rest density: at most 0.0[36]\\d* m³/s do at 1 m/s"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex("rate of 0.1 m³/s is more than leaves its shape at rest density: at most 0.0[36]\\d* m³/s do at 1 m/s"));
                 scene.Add<FluidEmitter>(new Vector3(0f, 0.4f, 0f), Vector3.down, e =>
                 {
                     e.Rate = 0.1f;
@@ -392,7 +397,9 @@ namespace Rill.Tests
                     FluidForceField field = scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f => f.Bounds = ForceFieldBounds.Sphere);
                     first = first ?? field;
                 }
-                LogAssert.Expect(LogType.Warning, new Regex("FluidForceField 'FluidForceField': FluidSimulation 'Fluid' has 32 of its kind, the most it takes, and leaves this one out"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex(
+                    "FluidForceField 'FluidForceField': FluidSimulation 'Fluid' has 32 of its kind, the most it takes, and leaves this one out"));
                 FluidForceField late = scene.Add<FluidForceField>(Vector3.zero, Vector3.up, f => f.Bounds = ForceFieldBounds.Sphere);
                 scene.Step();
                 Assert.That(scene.Fluid.Input.sources.fieldCount, Is.EqualTo(32));

@@ -103,7 +103,8 @@ namespace Rill.Tests
                     .Where(i => shape == VolumeShape.Box || math.length(Point(i) * Spacing) <= (0.31f - 0.5f * Spacing) * (1f + 1e-4f)).ToArray();
                 var random = new Unity.Mathematics.Random(math.hash(new int2(7, inside.Length)) | 1u);
                 float4[] expected = inside.Select(i => float3.zero + (Point(i) + random.NextFloat3(-0.02f, 0.02f)) * Spacing)
-                    .Select(local => new float4((float3)volume.transform.position + (float3)(volume.transform.rotation * (Vector3)local), 0f)).ToArray();
+                    .Select(local => new float4((float3)volume.transform.position + (float3)(volume.transform.rotation * (Vector3)local),
+                        0f)).ToArray();
                 using (Unity.Collections.NativeArray<float4> positions = volume.Fill(Spacing, 7))
                     Compare.Same("positions", positions.ToArray(), expected);
                 Assert.That(expected.Length, Is.GreaterThan(500));
@@ -122,7 +123,8 @@ namespace Rill.Tests
                 scene.Fluid.Restart();
                 float[] distances = scene.Read().positions.Select(p => math.distance(p.xyz * Spacing - 1f, center)).ToArray();
                 float volume = 4f / 3f * math.PI * radius * radius * radius;
-                TestContext.Out.WriteLine($"{distances.Length} particles, {volume / scene.ParticleVolume:0} by volume, furthest {distances.Max():0.000} m");
+                TestContext.Out.WriteLine(
+                    $"{distances.Length} particles, {volume / scene.ParticleVolume:0} by volume, furthest {distances.Max():0.000} m");
                 Assert.That(distances.Max(), Is.LessThan(radius - 0.4f * Spacing));
                 Assert.That(distances.Max(), Is.GreaterThan(radius - 1.2f * Spacing));
                 float whole = math.pow(1f - 0.5f * Spacing / radius, 3f);       // places whose particles are all inside

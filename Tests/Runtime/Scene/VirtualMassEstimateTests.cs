@@ -19,7 +19,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void It_is_the_water_s_own_once_a_body_has_moved_and_the_guess_again_after_a_rest([Values(0.15f, 0.5f, 2.5f, 4.7f)] float mass, [Values(0.1f, 1f)] float fraction)
+        public void It_is_the_water_s_own_once_a_body_has_moved_and_the_guess_again_after_a_rest(
+            [Values(0.15f, 0.5f, 2.5f, 4.7f)] float mass, [Values(0.1f, 1f)] float fraction)
         {
             var estimate = new VirtualMassEstimate();
             Learn(ref estimate, mass, new Vector3(3f, -4f, 0f), fraction);

@@ -56,7 +56,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_sphere_a_capsule_and_a_turned_box_remove_exactly_the_particles_whose_centre_is_inside([Values(0, 1, 2)] int kind, [Values(false, true)] bool sleeps)
+        public void A_sphere_a_capsule_and_a_turned_box_remove_exactly_the_particles_whose_centre_is_inside([Values(0, 1, 2)] int kind,
+            [Values(false, true)] bool sleeps)
         {
             using (SourceScene scene = Basin())
             {
@@ -73,11 +74,13 @@ namespace Rill.Tests
                 Func<Vector3, bool> isInside = kind == 0 ? p => (p - center).magnitude <= 0.27f
                     : kind == 1 ? p => DistanceToSegment(p, center, end) <= 0.18f
                     : (Func<Vector3, bool>)(p => IsInBox(Quaternion.Inverse(turn) * (p - center), size));
-                FluidShape shape = kind == 0 ? FluidShape.Sphere(center, 0.27f) : kind == 1 ? FluidShape.Capsule(center, end, 0.18f) : FluidShape.Box(center, size, turn);
+                FluidShape shape = kind == 0 ? FluidShape.Sphere(center, 0.27f) : kind == 1 ? FluidShape.Capsule(center, end, 0.18f)
+                    : FluidShape.Box(center, size, turn);
 
                 ParticleState before = scene.Read();
                 Matrix4x4 toWorld = scene.Fluid.DomainToWorld;
-                uint[] expected = before.ids.Where((_, i) => !isInside(toWorld.MultiplyPoint3x4(before.positions[i].xyz))).OrderBy(id => id).ToArray();
+                uint[] expected = before.ids.Where((_, i) => !isInside(toWorld.MultiplyPoint3x4(before.positions[i].xyz))).OrderBy(id => id)
+                    .ToArray();
                 Assert.That(expected.Length, Is.InRange(20, before.Count - 10));
                 scene.Fluid.RemoveInside(shape);
                 scene.Step();
@@ -113,7 +116,8 @@ namespace Rill.Tests
                 scene.Fluid.Fill(FluidShape.Box(new Vector3(0f, -0.1f, 0f), new Vector3(1f, 0.8f, 0.5f)));
                 int full = scene.Read().Count;
                 FluidStatistics statistics = scene.Step(90).AssertConserved();
-                TestContext.Out.WriteLine($"{before} particles, {same} after a fill of what is there, {full} of 400 after one twice as high, {statistics.densityError:0.0000} density error");
+                TestContext.Out.WriteLine($"{before} particles, {same} after a fill of what is there, {full} of 400 after one twice as " +
+                    $"high, {statistics.densityError:0.0000} density error");
                 Assert.That(same - before, Is.InRange(0, 5));
                 Assert.That(full, Is.InRange(340, 410));
                 Assert.That(statistics.densityError, Is.LessThan(0.02f));
@@ -137,7 +141,8 @@ namespace Rill.Tests
                     Assert.That(state.Count, Is.EqualTo(16));
                     Assert.That(state.velocities.All(v => math.abs(v.x * Spacing - 1f) < 1e-5f));
 
-                    LogAssert.Expect(LogType.Warning, new Regex("'Fluid' filled nothing of FluidVolume 'Elsewhere': none of its 32 particles lies in the box"));
+                    LogAssert.Expect(LogType.Warning,
+                        new Regex("'Fluid' filled nothing of FluidVolume 'Elsewhere': none of its 32 particles lies in the box"));
                     gameObject.transform.position = Vector3.right * 5f;
                     scene.Fluid.Fill(volume);
                     scene.Fluid.Fill(volume);
@@ -272,10 +277,12 @@ namespace Rill.Tests
                 {
                     bool isOutside = before.positions[i].x < 3f + 0.25f;
                     removed += isOutside ? 1 : 0;
-                    Assert.That(math.all(math.isfinite(after.positions[i].xyz)), Is.EqualTo(!isOutside), $"particle {i} at {before.positions[i].x} d");
+                    Assert.That(math.all(math.isfinite(after.positions[i].xyz)), Is.EqualTo(!isOutside),
+                        $"particle {i} at {before.positions[i].x} d");
                     Vector3 was = toWorld.MultiplyPoint3x4(before.positions[i].xyz);
                     if (!isOutside)
-                        Assert.That(Vector3.Distance(scene.Fluid.DomainToWorld.MultiplyPoint3x4(after.positions[i].xyz), was), Is.LessThan(0.26f * Spacing).And.LessThan(before.positions[i].x < 3.5f ? 1f : 1e-4f));
+                        Assert.That(Vector3.Distance(scene.Fluid.DomainToWorld.MultiplyPoint3x4(after.positions[i].xyz), was),
+                            Is.LessThan(0.26f * Spacing).And.LessThan(before.positions[i].x < 3.5f ? 1f : 1e-4f));
                 }
                 Compare.Same("velocities", after.velocities, before.velocities);
                 Assert.That(removed, Is.EqualTo(60));       // three layers of 20
@@ -302,7 +309,8 @@ namespace Rill.Tests
                     worst = math.max(worst, scene.Measure().speed);
                 }
                 FluidStatistics statistics = scene.AssertConserved();
-                TestContext.Out.WriteLine($"{before} particles, {statistics.particles} after six moves, rms speed at most {worst:0.000} m/s, density error {statistics.densityError:0.0000}");
+                TestContext.Out.WriteLine($"{before} particles, {statistics.particles} after six moves, rms speed at most " +
+                    $"{worst:0.000} m/s, density error {statistics.densityError:0.0000}");
                 Assert.That(statistics.particles, Is.EqualTo(before).Within(0.05f * before));
                 Assert.That(worst, Is.LessThan(0.3f));
                 Assert.That(statistics.drained, Is.GreaterThan(600));
@@ -316,10 +324,14 @@ namespace Rill.Tests
             {
                 FluidSimulation fluid = scene.Fluid;
                 Assert.That(Assert.Throws<ArgumentException>(() => FluidShape.Sphere(Vector3.zero, -1f)).Message, Does.Contain("radius -1"));
-                Assert.That(Assert.Throws<ArgumentException>(() => FluidShape.Box(Vector3.zero, new Vector3(1f, float.NaN, 1f))).Message, Does.Contain("finite"));
-                Assert.That(Assert.Throws<ArgumentException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 100f))).Message, Does.Contain("more than 16,777,216 particles of spacing 0.1 m"));
-                Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 1f), default, 8)).Message, Does.Contain("0 to 7"));
-                Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 1f), default, 0, -1f)).Message, Does.Contain("86400"));
+                Assert.That(Assert.Throws<ArgumentException>(() => FluidShape.Box(Vector3.zero, new Vector3(1f, float.NaN, 1f))).Message,
+                    Does.Contain("finite"));
+                Assert.That(Assert.Throws<ArgumentException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 100f))).Message,
+                    Does.Contain("more than 16,777,216 particles of spacing 0.1 m"));
+                Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 1f), default,
+                    8)).Message, Does.Contain("0 to 7"));
+                Assert.That(Assert.Throws<ArgumentOutOfRangeException>(() => fluid.Fill(FluidShape.Sphere(Vector3.zero, 1f), default, 0,
+                    -1f)).Message, Does.Contain("86400"));
                 Assert.That(Assert.Throws<ArgumentException>(() => fluid.Recenter(new Vector3(float.NaN, 0f, 0f))).Message, Does.Contain("finite"));
                 Assert.Throws<ArgumentNullException>(() => fluid.Fill((FluidVolume)null));
                 Exception inPass = null;
@@ -328,19 +340,22 @@ namespace Rill.Tests
                 Assert.That(inPass.Message, Does.Contain("BeforeStep").And.Contain("Update"));
                 fluid.enabled = false;
                 Assert.That(Assert.Throws<InvalidOperationException>(() => fluid.Clear()).Message, Does.Contain("'Fluid' is not running"));
-                Assert.That(Assert.Throws<InvalidOperationException>(() => fluid.RemoveInside(default)).Message, Does.Contain("before removing particles"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => fluid.RemoveInside(default)).Message,
+                    Does.Contain("before removing particles"));
             }
         }
 
         static void Add(FluidSimulation fluid, int count, int phase = 0, float lifetime = 0f)
         {
-            float3[] places = Enumerable.Range(0, count).Select(i => new float3(-0.4f + 0.1f * (i % 8), 0.05f + 0.1f * (i / 8 % 4), -0.15f + 0.1f * (i / 32))).ToArray();
+            float3[] places = Enumerable.Range(0, count)
+                .Select(i => new float3(-0.4f + 0.1f * (i % 8), 0.05f + 0.1f * (i / 8 % 4), -0.15f + 0.1f * (i / 32))).ToArray();
             using (var positions = new NativeArray<float3>(places, Allocator.Persistent))
             using (var velocities = new NativeArray<float3>(count, Allocator.Persistent))
                 fluid.AddParticles(positions, velocities, phase, lifetime);
         }
 
-        static uint[] Phases(SourceScene scene) => GpuTest.Read<uint>(scene.Fluid.Solver.Tags, scene.Read().Count).Select(tag => tag >> ParticleTags.PhaseShift).ToArray();
+        static uint[] Phases(SourceScene scene)
+            => GpuTest.Read<uint>(scene.Fluid.Solver.Tags, scene.Read().Count).Select(tag => tag >> ParticleTags.PhaseShift).ToArray();
 
         static float DistanceToSegment(Vector3 p, Vector3 a, Vector3 b)
         {
@@ -348,6 +363,7 @@ namespace Rill.Tests
             return Vector3.Distance(p, a + along * (b - a));
         }
 
-        static bool IsInBox(Vector3 p, Vector3 size) => Mathf.Abs(p.x) <= 0.5f * size.x && Mathf.Abs(p.y) <= 0.5f * size.y && Mathf.Abs(p.z) <= 0.5f * size.z;
+        static bool IsInBox(Vector3 p, Vector3 size) => Mathf.Abs(p.x) <= 0.5f * size.x && Mathf.Abs(p.y) <= 0.5f * size.y
+            && Mathf.Abs(p.z) <= 0.5f * size.z;
     }
 }

@@ -78,7 +78,8 @@ namespace Rill.Tests
             yield return Frames(20, rate);
             Assert.That(fluid.StepCount, Is.GreaterThan(5));
             for (int frame = 0; frame < seen.Count; frame++)
-                Assert.That(seen[frame], Is.EqualTo(-0.8 + speed * (times[frame] - addedTime)).Within(0.3f / PixelsPerMetre), $"frame {frame} at {times[frame]} s");
+                Assert.That(seen[frame], Is.EqualTo(-0.8 + speed * (times[frame] - addedTime)).Within(0.3f / PixelsPerMetre),
+                    $"frame {frame} at {times[frame]} s");
             Assert.That(times.Last() - times[2], Is.EqualTo((times.Count - 3.0) / rate).Within(1e-5), "the rate of the frames");
         }
 

@@ -62,7 +62,8 @@ namespace Rill.Tests
             yield return Frames(2);
             PutAt(fluid, 17, new float4(-3f, 4f, 5f, 0f));
             string problem = Failure(() => FluidAssert.NothingEscaped(fluid));
-            Assert.That(problem, Does.Contain("1 of 400 particles").And.Contain("Particle 17 is at -0.150, 0.200, 0.250 m").And.Contain("0.175 m too far."));
+            Assert.That(problem, Does.Contain("1 of 400 particles").And.Contain("Particle 17 is at -0.150, 0.200, 0.250 m").And.Contain(
+                "0.175 m too far."));
         }
 
         [UnityTest]
@@ -78,7 +79,8 @@ namespace Rill.Tests
             yield return Frames(2);
             FluidAssert.NothingEscaped(fluid);
             PutAt(fluid, 3, new float4(new float3(0.25f, 0.45f, 0.25f) / Spacing, 0f));
-            Assert.That(Failure(() => FluidAssert.NothingEscaped(fluid)), Does.Contain("1 of 400 particles").And.Contain("Particle 3 is at 0.250, 0.450, 0.250 m"));
+            Assert.That(Failure(() => FluidAssert.NothingEscaped(fluid)),
+                Does.Contain("1 of 400 particles").And.Contain("Particle 3 is at 0.250, 0.450, 0.250 m"));
         }
 
         [UnityTest]
@@ -142,7 +144,8 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Pool();
             yield return Frames(2);
-            Assert.That(() => FluidAssert.CostBelow(fluid, 1f), Throws.InvalidOperationException.With.Message.Contains("was not measured").And.Message.Contains("Switch its budget on"));
+            Assert.That(() => FluidAssert.CostBelow(fluid, 1f),
+                Throws.InvalidOperationException.With.Message.Contains("was not measured").And.Message.Contains("Switch its budget on"));
             Assert.That(() => FluidAssert.CostBelow(fluid, 0f), Throws.InstanceOf<ArgumentOutOfRangeException>());
         }
 
@@ -213,7 +216,8 @@ namespace Rill.Tests
         }
 
         // Four layers of 10 x 10 particles.
-        FluidSimulation Pool(int capacity = 1000, Action<FluidSimulation> setUp = null) => Fluid("Pool", new Vector3(0.5f, 0.6f, 0.5f), Spacing, capacity, new Vector3(0.5f, 0.2f, 0.5f), setUp);
+        FluidSimulation Pool(int capacity = 1000, Action<FluidSimulation> setUp = null)
+            => Fluid("Pool", new Vector3(0.5f, 0.6f, 0.5f), Spacing, capacity, new Vector3(0.5f, 0.2f, 0.5f), setUp);
 
         sealed class TwoMilliseconds : IGpuTimeSource
         {

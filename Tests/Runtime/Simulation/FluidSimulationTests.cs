@@ -219,7 +219,10 @@ namespace Rill.Tests
         public IEnumerator A_viscosity_beyond_its_passes_is_said_once_by_name_with_the_remedy()
         {
             FluidMaterial thick = FluidMaterial.Viscous(1000f, 50000f);
-            LogAssert.Expect(LogType.Warning, new Regex("'Dam': its dynamic viscosity of 5E\\+04 Pa s is more than 96 passes solve: at this spacing and substep that is .* Pa s\\. .* Take 9 substeps or a particle spacing of 0\\.1[45].* m, or lower"));
+            LogAssert.Expect(LogType.Warning,
+                new Regex(
+                "'Dam': its dynamic viscosity of 5E\\+04 Pa s is more than 96 passes solve: at this spacing and substep that is .* Pa " +
+                "s\\. .* Take 9 substeps or a particle spacing of 0\\.1[45].* m, or lower"));
             FluidSimulation fluid = Dam(f => f.Material = thick);
             yield return Frames(3);
             LogAssert.NoUnexpectedReceived();
@@ -306,13 +309,15 @@ namespace Rill.Tests
             // Places are filled in by world space, whose floats are a thousandth of a metre apart out there.
             Assert.That(math.distance(Mean(there), Mean(here)), Is.LessThan(0.1f));
 
-            float3 Mean(ParticleState state) => new float3(state.positions.Average(p => p.x), state.positions.Average(p => p.y), state.positions.Average(p => p.z));
+            float3 Mean(ParticleState state) => new float3(state.positions.Average(p => p.x), state.positions.Average(p => p.y),
+                state.positions.Average(p => p.z));
         }
 
         [UnityTest]
         public IEnumerator Any_spacing_means_the_same_when_gravity_is_in_proportion([Values(1e-4f, 10f)] float spacing)
         {
-            FluidSimulation fluid = Fluid("Scaled", Box / Spacing * spacing, spacing, 1000, new Vector3(10f, 8f, 10f) * spacing, f => f.Gravity = Vector3.down * (9.81f * spacing / Spacing)), usual = Dam();
+            FluidSimulation fluid = Fluid("Scaled", Box / Spacing * spacing, spacing, 1000, new Vector3(10f, 8f, 10f) * spacing,
+                f => f.Gravity = Vector3.down * (9.81f * spacing / Spacing)), usual = Dam();
             yield return Frames(20);
             ParticleState state = State(fluid), expected = State(usual);
             Assert.That(state.Count, Is.EqualTo(800));
@@ -346,7 +351,8 @@ namespace Rill.Tests
         [TestCase(float.PositiveInfinity, 60f)]
         public void A_step_rate_out_of_range_is_clamped_by_name(float given, float expected)
         {
-            LogAssert.Expect(LogType.Warning, new Regex($"'Dam': step rate {Regex.Escape(given.ToString())} is outside 10 to 1000; using {expected}\\."));
+            LogAssert.Expect(LogType.Warning,
+                new Regex($"'Dam': step rate {Regex.Escape(given.ToString())} is outside 10 to 1000; using {expected}\\."));
             FluidSimulation fluid = Dam(f => SetSerialized(f, "stepRate", given));
             Assert.That(fluid.IsRunning);
             Assert.That(fluid.FixedStep, Is.EqualTo(1f / expected));
@@ -478,7 +484,8 @@ namespace Rill.Tests
         public IEnumerator A_volume_partly_outside_is_filled_as_far_as_it_lies_inside_and_says_so()
         {
             LogAssert.Expect(LogType.Warning, new Regex("400 of 800 particles of FluidVolume 'Water' lie outside the domain of 'Half'"));
-            FluidSimulation fluid = Fluid("Half", Box, Spacing, 1000, Vector3.zero, f => AddWater(f, new Vector3(0.5f, 0.4f, 0.5f), new Vector3(0.5f, 0f, 0f)));
+            FluidSimulation fluid = Fluid("Half", Box, Spacing, 1000, Vector3.zero,
+                f => AddWater(f, new Vector3(0.5f, 0.4f, 0.5f), new Vector3(0.5f, 0f, 0f)));
             yield return Frames(1);
             Assert.That(State(fluid).Count, Is.EqualTo(400));
         }
@@ -496,7 +503,8 @@ namespace Rill.Tests
         public IEnumerator A_volume_that_is_not_finite_is_left_out_by_name()
         {
             LogAssert.Expect(LogType.Error, new Regex("FluidVolume 'Water' was not filled: .*not finite"));
-            FluidSimulation fluid = Fluid("Fluid", Box, Spacing, 1000, new Vector3(0.5f, 0.4f, 0.5f), f => AddWater(f, new Vector3(0.5f, float.NaN, 0.5f), Vector3.zero));
+            FluidSimulation fluid = Fluid("Fluid", Box, Spacing, 1000, new Vector3(0.5f, 0.4f, 0.5f),
+                f => AddWater(f, new Vector3(0.5f, float.NaN, 0.5f), Vector3.zero));
             yield return Frames(1);
             Assert.That(State(fluid).Count, Is.EqualTo(800), "the other volume");
         }
@@ -537,9 +545,11 @@ namespace Rill.Tests
             using (var positions = new NativeArray<float3>(2, Allocator.Persistent))
             using (var velocities = new NativeArray<float3>(3, Allocator.Persistent))
             {
-                Assert.That(Assert.Throws<ArgumentException>(() => fluid.AddParticles(positions, velocities)).Message, Does.Contain("2 positions with 3 velocities"));
+                Assert.That(Assert.Throws<ArgumentException>(() => fluid.AddParticles(positions, velocities)).Message,
+                    Does.Contain("2 positions with 3 velocities"));
                 fluid.enabled = false;
-                Assert.That(Assert.Throws<InvalidOperationException>(() => fluid.AddParticles(positions, positions)).Message, Does.Contain("'Fluid' is not running"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => fluid.AddParticles(positions, positions)).Message,
+                    Does.Contain("'Fluid' is not running"));
             }
             yield return null;
         }
@@ -556,7 +566,8 @@ namespace Rill.Tests
                 fluid.transform.position += Vector3.right * (float)(velocity / 60.0);
                 yield return null;
                 if (frame > 0)
-                    Assert.That(math.distance(fluid.Input.gravity, new float3(inertial ? -6f : 0f, -9.81f, 0f)), Is.LessThan(0.05f), $"frame {frame}");
+                    Assert.That(math.distance(fluid.Input.gravity, new float3(inertial ? -6f : 0f, -9.81f, 0f)), Is.LessThan(0.05f),
+                        $"frame {frame}");
             }
             if (inertial)
                 Assert.That(State(fluid).velocities.Average(v => v.x), Is.LessThan(State(still).velocities.Average(v => v.x) - 1f));
@@ -608,7 +619,8 @@ namespace Rill.Tests
 
         // Frames and steps differ: at 144 Hz two or three frames pass between two steps.
         [Test]
-        public void A_box_in_even_or_evenly_faster_motion_is_pushed_alike_at_any_frame_rate([Values(1f / 144f, 1f / 100f, 1f / 60f, 1f / 25f)] float frame, [Values(0f, 6f)] float acceleration)
+        public void A_box_in_even_or_evenly_faster_motion_is_pushed_alike_at_any_frame_rate([Values(1f / 144f, 1f / 100f, 1f / 60f,
+            1f / 25f)] float frame, [Values(0f, 6f)] float acceleration)
         {
             using (var scene = new SourceScene(new Vector3(1f, 1f, 1f), 0.1f, 100))
             {
@@ -732,7 +744,8 @@ namespace Rill.Tests
         {
             FluidSimulation fluid = Fluid("Placed", Box, Spacing, 10, Vector3.zero, f => f.transform.position = new Vector3(5f, 6f, 7f));
             Assert.That(Vector3.Distance(fluid.DomainToWorld.MultiplyPoint3x4(Vector3.zero), new Vector3(4.5f, 5.7f, 6.75f)), Is.LessThan(1e-5f));
-            Assert.That(Vector3.Distance(fluid.DomainToWorld.MultiplyPoint3x4(new Vector3(20f, 12f, 10f)), new Vector3(5.5f, 6.3f, 7.25f)), Is.LessThan(1e-5f));
+            Assert.That(Vector3.Distance(fluid.DomainToWorld.MultiplyPoint3x4(new Vector3(20f, 12f, 10f)), new Vector3(5.5f, 6.3f, 7.25f)),
+                Is.LessThan(1e-5f));
         }
 
         /// <summary>A layout that cannot be, and what is said of it.</summary>
@@ -771,7 +784,8 @@ namespace Rill.Tests
 
         static IEnumerable<string> Buffers(FluidSimulation fluid)
         {
-            return fluid.Solver.Describe(fluid.Input, fluid.StatisticsInterval).SelectMany(stage => stage.Buffers).Select(buffer => buffer.name).ToArray();
+            return fluid.Solver.Describe(fluid.Input, fluid.StatisticsInterval).SelectMany(stage => stage.Buffers)
+                .Select(buffer => buffer.name).ToArray();
         }
     }
 }

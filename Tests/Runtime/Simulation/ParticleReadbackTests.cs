@@ -75,8 +75,11 @@ namespace Rill.Tests
                 for (int i = 0; i < count; i++)
                     Assert.That(positions[i], Is.EqualTo(readback.Positions[i]));
 
-                Assert.That(() => readback.CopyTo(few), Throws.ArgumentException.With.Message.Contains("'positions' holds 7 elements").And.Message.Contains("FluidSimulation.Capacity, 3,000"));
-                Assert.That(() => readback.CopyTo(positions, positions), Throws.InvalidOperationException.With.Message.Contains("not for Velocities"));
+                Assert.That(() => readback.CopyTo(few),
+                    Throws.ArgumentException.With.Message.Contains("'positions' holds 7 elements").And.Message.Contains(
+                    "FluidSimulation.Capacity, 3,000"));
+                Assert.That(() => readback.CopyTo(positions, positions),
+                    Throws.InvalidOperationException.With.Message.Contains("not for Velocities"));
                 Assert.That(() => readback.Phases, Throws.InvalidOperationException.With.Message.Contains("not for Phases"));
             }
         }

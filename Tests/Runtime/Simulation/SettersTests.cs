@@ -16,18 +16,20 @@ namespace Rill.Tests
         static readonly Dictionary<string, string> Names = new Dictionary<string, string> { ["FluidSimulation.solver"] = "Settings" };
 
         static IEnumerable<Type> Components => AppDomain.CurrentDomain.GetAssemblies()
-            .Where(assembly => assembly == typeof(FluidSimulation).Assembly || assembly.GetReferencedAssemblies().Any(name => name.Name == "Rill") && IsOfPackage(assembly.GetName().Name))
+            .Where(assembly => assembly == typeof(FluidSimulation).Assembly
+                || assembly.GetReferencedAssemblies().Any(name => name.Name == "Rill") && IsOfPackage(assembly.GetName().Name))
             .SelectMany(assembly => assembly.GetTypes())
             .Where(type => type.IsPublic && !type.IsAbstract && typeof(MonoBehaviour).IsAssignableFrom(type))
             .OrderBy(type => type.Name);
 
-        static bool IsOfPackage(string assembly) => assembly == "Rill.Physics" || assembly == "Rill.Terrain" || assembly == "Rill.Universal" || assembly == "Rill.HighDefinition";
+        static bool IsOfPackage(string assembly) => assembly == "Rill.Physics" || assembly == "Rill.Terrain" || assembly == "Rill.Universal"
+            || assembly == "Rill.HighDefinition";
 
         [TestCaseSource(nameof(Components))]
         public void A_script_sets_every_field_that_the_inspector_sets(Type component)
         {
             var without = new List<string>();
-            foreach (FieldInfo field in SerializedFields(component))
+            foreach (FieldInfo field in SerializedFields(component).SelectMany(Parts))
                 if (!IsSetByListeners(field) && PropertyOf(component, field)?.GetSetMethod() == null)
                     without.Add(field.Name);
             Assert.That(without, Is.Empty, $"fields of {component.Name} without a public property that sets them");
@@ -88,8 +90,10 @@ namespace Rill.Tests
         static IEnumerable<FieldInfo> SerializedFields(Type component)
         {
             for (Type type = component; type != null && type != typeof(MonoBehaviour); type = type.BaseType)
-                foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public | BindingFlags.DeclaredOnly))
-                    if ((field.IsPublic || field.IsDefined(typeof(SerializeField))) && !field.IsDefined(typeof(HideInInspector)) && !field.IsDefined(typeof(NonSerializedAttribute)))
+                foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public
+                    | BindingFlags.DeclaredOnly))
+                    if ((field.IsPublic || field.IsDefined(typeof(SerializeField))) && !field.IsDefined(typeof(HideInInspector))
+                        && !field.IsDefined(typeof(NonSerializedAttribute)))
                         yield return field;
         }
 
@@ -99,6 +103,10 @@ namespace Rill.Tests
                 name = field.Name.Substring(0, 1).ToUpperInvariant() + field.Name.Substring(1);
             return component.GetProperty(name, BindingFlags.Instance | BindingFlags.Public);
         }
+
+        // A struct that scripts cannot name is set by properties of the component, one for each field.
+        static IEnumerable<FieldInfo> Parts(FieldInfo field) =>
+            field.FieldType.IsNotPublic && field.FieldType.IsValueType ? SerializedFields(field.FieldType) : new[] { field };
 
         // A script adds listeners to an event and does not replace it.
         static bool IsSetByListeners(FieldInfo field) => typeof(UnityEventBase).IsAssignableFrom(field.FieldType);

@@ -22,7 +22,8 @@ namespace Rill.Tests
         {
             SolverSettings settings = SolverSettings.Default;
             settings.iterations = given;
-            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"iterations {given} is outside 1 to 50; using {expected}.");
+            AssertClamped(settings.Validate(out string problem), problem, given != expected,
+                $"iterations {given} is outside 1 to 50; using {expected}.");
             Assert.That(settings.iterations, Is.EqualTo(expected));
         }
 
@@ -36,7 +37,8 @@ namespace Rill.Tests
         {
             SolverSettings settings = SolverSettings.Default;
             settings.relaxation = given;
-            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"relaxation {given} is outside 0 to 2; using {expected}.");
+            AssertClamped(settings.Validate(out string problem), problem, given != expected,
+                $"relaxation {given} is outside 0 to 2; using {expected}.");
             Assert.That(settings.relaxation, Is.EqualTo(expected));
         }
 
@@ -49,7 +51,8 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             Assert.That(settings.sleepSpeed, Is.Zero);
             settings.sleepSpeed = given;
-            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"sleep speed {given} is outside 0 to 1; using {expected}.");
+            AssertClamped(settings.Validate(out string problem), problem, given != expected,
+                $"sleep speed {given} is outside 0 to 1; using {expected}.");
             Assert.That(settings.sleepSpeed, Is.EqualTo(expected));
         }
 
@@ -63,7 +66,8 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             Assert.That(settings.numericalDamping, Is.EqualTo(1f));
             settings.numericalDamping = given;
-            AssertClamped(settings.Validate(out string problem), problem, given != expected, $"numerical damping {given} is outside 0 to 1; using {expected}.");
+            AssertClamped(settings.Validate(out string problem), problem, given != expected,
+                $"numerical damping {given} is outside 0 to 1; using {expected}.");
             Assert.That(settings.numericalDamping, Is.EqualTo(expected));
         }
 
@@ -137,9 +141,15 @@ namespace Rill.Tests
         [TestCase(2e6f)]
         public void A_material_out_of_range_becomes_valid_and_says_so(float bad)
         {
-            var material = new FluidMaterial { density = bad, velocitySmoothing = bad, dynamicViscosity = bad, wallFriction = bad, vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad, relaxationTime = bad };
+            var material = new FluidMaterial
+            {
+                density = bad, velocitySmoothing = bad, dynamicViscosity = bad, wallFriction = bad,
+                vorticity = bad, artificialPressure = bad, artificialPressureDistance = bad, allowedTension = bad, shearModulus = bad,
+                relaxationTime = bad
+            };
             Assert.That(material.Validate(out string problem), Is.False);
-            foreach (string name in new[] { "density", "velocity smoothing", "dynamic viscosity", "wall friction", "vorticity", "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
+            foreach (string name in new[] { "density", "velocity smoothing", "dynamic viscosity", "wall friction", "vorticity",
+                "artificial pressure", "artificial pressure distance", "allowed tension", "shear modulus", "relaxation time" })
                 Assert.That(problem, Does.Contain($"{name} {bad} is outside"));
             Assert.That(material.Validate(out problem), Is.True, problem);
         }

@@ -48,7 +48,9 @@ namespace Rill.Tests
         public IEnumerator A_fluid_that_a_script_adds_is_off_after_one_error_that_names_the_stage_and_the_remedy()
         {
             FluidSimulation fluid = Fluid();
-            LogAssert.Expect(LogType.Error, new Regex("^Rill: FluidSimulation 'Fluid' is off: the shaders of the stage 'ParticleUpload' .* Shaders In Build .* FluidShaders .* Preloaded Assets"));
+            LogAssert.Expect(LogType.Error, new Regex(
+                "^Rill: FluidSimulation 'Fluid' is off: the shaders of the stage 'ParticleUpload' .* Shaders In Build .* FluidShaders " +
+                ".* Preloaded Assets"));
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
             Assert.That(!fluid.enabled && !fluid.IsRunning);
@@ -69,7 +71,8 @@ namespace Rill.Tests
 
         [UnityTest]
         public IEnumerator What_is_switched_on_without_its_stage_stays_off_after_one_error_and_the_fluid_goes_on(
-            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
+            [Values("ImplicitViscosity", "Viscoelasticity", "VorticityConfinement", "RestingRegions", "Statistics", "CoarseGrid",
+            "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries")] string stage)
         {
             FluidSimulation fluid = Fluid();
             fluid.StatisticsInterval = 0;
@@ -78,7 +81,8 @@ namespace Rill.Tests
             fluid.gameObject.SetActive(true);
             yield return Frames(2);
 
-            LogAssert.Expect(LogType.Error, new Regex($"^Rill: FluidSimulation 'Fluid' goes on without .*: the shaders of the stage '{stage}' .* Shaders In Build"));
+            LogAssert.Expect(LogType.Error, new Regex(
+                $"^Rill: FluidSimulation 'Fluid' goes on without .*: the shaders of the stage '{stage}' .* Shaders In Build"));
             SwitchOn(stage, fluid);
             yield return Frames(4);
             Assert.That(fluid.StepCount, Is.EqualTo(6));
@@ -114,7 +118,8 @@ namespace Rill.Tests
             fluid.ShadersInBuild = ShadersInBuild.AllFeatures;
             Build(fluid.gameObject);
             fluid.gameObject.SetActive(true);
-            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters", "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries" })
+            foreach (string stage in new[] { "ImplicitViscosity", "Viscoelasticity", "Statistics", "CoarseGrid", "Colliders", "Emitters",
+                "Drains", "ForceFields", "ParticleAccess", "ParticleEdits", "Queries" })
                 SwitchOn(stage, fluid);
             fluid.gameObject.AddComponent<ParticleRenderer>();
             fluid.gameObject.AddComponent<DomainRenderer>();
@@ -152,7 +157,8 @@ namespace Rill.Tests
             material.dynamicViscosity = 1f;
             material.vorticity = 1f;        // nothing sleeps beside it
             fluid.Material = material;
-            Assert.That(Used(fluid), Is.EqualTo(StageSet.Core | StageSet.Statistics | StageSet.DeepWater | StageSet.ImplicitViscosity | StageSet.Viscoelasticity | StageSet.Vorticity));
+            Assert.That(Used(fluid), Is.EqualTo(StageSet.Core | StageSet.Statistics | StageSet.DeepWater | StageSet.ImplicitViscosity
+                | StageSet.Viscoelasticity | StageSet.Vorticity));
         }
 
         [Test]

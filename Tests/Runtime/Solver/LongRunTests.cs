@@ -12,10 +12,12 @@ namespace Rill.Tests
         [Test]
         public void Still_water_keeps_its_energy_its_volume_and_its_place([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            using (var fluid = new TestFluid(new float3(5f, 10f, 5f) * Spacing, Spacing, 100, Settings(deepWater)).AddBlock(0f, new float3(5f, 4f, 5f) * Spacing))
+            using (var fluid = new TestFluid(new float3(5f, 10f, 5f) * Spacing, Spacing, 100, Settings(deepWater))
+                .AddBlock(0f, new float3(5f, 4f, 5f) * Spacing))
             {
                 FluidStatistics early = fluid.Step(300).MeasureWhole(), late = fluid.Step(Steps).MeasureWhole();
-                TestContext.Out.WriteLine($"energy {late.Energy / early.Energy:0.0000}, volume {early.volumeRatio:0.000} then {late.volumeRatio:0.000}, speed {late.speed:0.0000} m/s");
+                TestContext.Out.WriteLine($"energy {late.Energy / early.Energy:0.0000}, volume {early.volumeRatio:0.000} then " +
+                    $"{late.volumeRatio:0.000}, speed {late.speed:0.0000} m/s");
                 Assert.That(late.Energy, Is.EqualTo(early.Energy).Within(2).Percent);
                 Assert.That(late.volumeRatio, Is.EqualTo(early.volumeRatio).Within(0.02f));
             }

@@ -37,7 +37,8 @@ namespace Rill.Tests
             settings.iterations = iterations;
             // Pairs of particles push each other alike; what the coarse grid adds in deep water balances only on the whole.
             settings.deepWater = DeepWater.Off;
-            using (var fluid = new TestFluid(new float3(2f, 4f, 2f), 0.05f, 1000, settings).AddBlock(new float3(0.7f, 2.5f, 0.7f), 0.5f, new float3(0.2f, 0f, 0.1f), jitter: 0.2f))
+            using (var fluid = new TestFluid(new float3(2f, 4f, 2f), 0.05f, 1000, settings).AddBlock(new float3(0.7f, 2.5f, 0.7f), 0.5f,
+                new float3(0.2f, 0f, 0.1f), jitter: 0.2f))
             {
                 FluidStatistics before = fluid.Measure();
                 const int steps = 30;
@@ -104,7 +105,8 @@ namespace Rill.Tests
 
             TestFluid Crowd()
             {
-                float3[] places = Enumerable.Range(0, 800).Select(i => new float3(0.51f) + 0.03f * new float3(i % 10, i / 10 % 10, i / 100) / 10f).ToArray();
+                float3[] places = Enumerable.Range(0, 800)
+                    .Select(i => new float3(0.51f) + 0.03f * new float3(i % 10, i / 10 % 10, i / 100) / 10f).ToArray();
                 return new TestFluid(1f, 0.05f, 800).Add(places);
             }
         }
@@ -200,7 +202,8 @@ namespace Rill.Tests
         [TestCase(100)]
         public void One_particle_too_many_is_refused_and_the_others_go_on(int capacity)
         {
-            float3[] places = Enumerable.Range(0, capacity + 1).Select(i => new float3(0.05f + 0.08f * (i % 11), 0.1f + 0.08f * (i / 11), 0.5f)).ToArray();
+            float3[] places = Enumerable.Range(0, capacity + 1)
+                .Select(i => new float3(0.05f + 0.08f * (i % 11), 0.1f + 0.08f * (i / 11), 0.5f)).ToArray();
             using (var fluid = new TestFluid(1f, 0.05f, capacity).Add(places).Step(2))
             {
                 Assert.That(fluid.Alive, Is.EqualTo(capacity));
@@ -338,7 +341,8 @@ namespace Rill.Tests
                 fluid.Input.settings.iterations = 3;
                 fluid.Input.settings.substeps = 2;
                 fluid.Input.material.velocitySmoothing = 0f;
-                var kernels = fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).ToDictionary(kernel => kernel.kernel, kernel => kernel.perStep);
+                var kernels = fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).ToDictionary(kernel => kernel.kernel,
+                    kernel => kernel.perStep);
                 Assert.That(kernels["DensityConstraint.compute: BuildList"], Is.EqualTo(2));
                 Assert.That(kernels["DensityConstraint.compute: SolveLambda"], Is.EqualTo(4));
                 Assert.That(kernels["DensityConstraint.compute: ApplyDeltaP"], Is.EqualTo(6));
@@ -354,7 +358,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(1f, 0.05f, 10))
             using (var three = new NativeArray<float4>(3, Allocator.Persistent))
             using (var two = new NativeArray<float4>(2, Allocator.Persistent))
-                Assert.That(Assert.Throws<ArgumentException>(() => fluid.Solver.Add(three, two)).Message, Does.Contain("3 positions with 2 velocities"));
+                Assert.That(Assert.Throws<ArgumentException>(() => fluid.Solver.Add(three, two)).Message,
+                    Does.Contain("3 positions with 2 velocities"));
         }
 
         static TestFluid Dam()

@@ -123,7 +123,8 @@ namespace Rill.Tests
             {
                 string fronts = string.Join(", ", new[] { 6, 9, 12, 15 }.Select(step => $"{Fronts[step]:0.000}"));
                 string turns = string.Join(", ", Turns.Take(4).Select(time => $"{time:0.00}"));
-                return $"spacing {spacing:0.000} m: volume ratio {VolumeRatio:0.000}, front {fronts} m, turns at {turns} s, settled at {SettlingTime:0.00} s";
+                return $"spacing {spacing:0.000} m: volume ratio {VolumeRatio:0.000}, front {fronts} m, turns at {turns} s, settled at " +
+                    $"{SettlingTime:0.00} s";
             }
         }
     }

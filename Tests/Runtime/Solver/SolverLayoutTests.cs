@@ -117,7 +117,8 @@ namespace Rill.Tests
             AssertRefused(() => Layout(new float3(8000f, 8000f, 8000f), 1f, 1000), "Domain size", "grid cells of 2 m", "raise the particle spacing");
         }
 
-        static SolverLayout Layout(float3 box, float spacing, int capacity) => new SolverLayout(box, spacing, capacity, neighborCapacity: 96, listMargin: 1f);
+        static SolverLayout Layout(float3 box, float spacing, int capacity)
+            => new SolverLayout(box, spacing, capacity, neighborCapacity: 96, listMargin: 1f);
 
         static void AssertRefused(TestDelegate make, params string[] texts)
         {

@@ -47,18 +47,21 @@ namespace Rill.Tests
                     for (int frame = 0; frame < 30 && sequence.Written < 2; frame++)
                         yield return null;
                     Assert.That((sequence.Captured, sequence.Written, sequence.Problem), Is.EqualTo((2, 2, (string)null)));
-                    Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName), Is.EquivalentTo(new[] { "water_000000.ply", "water_000001.ply" }));
+                    Assert.That(Directory.GetFiles(folder).Select(Path.GetFileName),
+                        Is.EquivalentTo(new[] { "water_000000.ply", "water_000001.ply" }));
 
                     byte[] bytes = File.ReadAllBytes(Path.Combine(folder, "water_000000.ply"));
                     int body = bytes.Length - first.Count * PlyParticle;
-                    Assert.That(Encoding.ASCII.GetString(bytes, 0, body), Does.StartWith("ply\n").And.EndWith("end_header\n").And.Contain($"element vertex {first.Count}\n"));
+                    Assert.That(Encoding.ASCII.GetString(bytes, 0, body),
+                        Does.StartWith("ply\n").And.EndWith("end_header\n").And.Contain($"element vertex {first.Count}\n"));
                     for (int i = 0; i < first.Count; i += 37)
                     {
                         float3 position = new float3(Number(bytes, body, i, 0), Number(bytes, body, i, 1), Number(bytes, body, i, 2));
                         float3 expected = scene.Fluid.DomainToWorld.MultiplyPoint3x4(first.positions[i].xyz);
                         Assert.That(math.distance(position, expected), Is.LessThan(1e-5f), $"particle {i}");
                         float3 velocity = new float3(Number(bytes, body, i, 3), Number(bytes, body, i, 4), Number(bytes, body, i, 5));
-                        Assert.That(math.distance(velocity, (float3)scene.Fluid.DomainToWorld.MultiplyVector(first.velocities[i].xyz)), Is.LessThan(1e-4f));
+                        Assert.That(math.distance(velocity, (float3)scene.Fluid.DomainToWorld.MultiplyVector(first.velocities[i].xyz)),
+                            Is.LessThan(1e-4f));
                         Assert.That(Number(bytes, body, i, 6), Is.InRange(300f, 1300f), "kg/m³");
                         Assert.That(BitConverter.ToUInt32(bytes, body + i * PlyParticle + 29), Is.EqualTo(first.ids[i]));
                     }
@@ -69,7 +72,8 @@ namespace Rill.Tests
         [Test]
         public void Arrays_of_other_lengths_are_refused()
         {
-            ArgumentException refusal = Assert.Throws<ArgumentException>(() => new ParticleFrame(new float3[2], new float3[3], new float[2], new byte[2], new uint[2], 0.0));
+            ArgumentException refusal = Assert.Throws<ArgumentException>(() => new ParticleFrame(new float3[2], new float3[3], new float[2],
+                new byte[2], new uint[2], 0.0));
             Assert.That(refusal.Message, Does.Contain("2 positions with 3 velocities"));
             Assert.Throws<ArgumentNullException>(() => new ParticleFrame(null, new float3[0], new float[0], new byte[0], new uint[0], 0.0));
         }
@@ -91,6 +95,7 @@ namespace Rill.Tests
             }
         }
 
-        static float Number(byte[] bytes, int body, int particle, int number) => BitConverter.ToSingle(bytes, body + particle * PlyParticle + 4 * number);
+        static float Number(byte[] bytes, int body, int particle, int number)
+            => BitConverter.ToSingle(bytes, body + particle * PlyParticle + 4 * number);
     }
 }

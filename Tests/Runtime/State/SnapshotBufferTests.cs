@@ -102,7 +102,8 @@ namespace Rill.Tests
 
         static SnapshotCase AllStages => new SnapshotCase
         {
-            name = "all stages", deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f, dynamicViscosity = 0.5f, colliders = true, emitter = true, drain = true,
+            name = "all stages", deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f, dynamicViscosity = 0.5f,
+            colliders = true, emitter = true, drain = true,
             field = true, moves = true, sleepSpeed = 0.02f, draws = true,
         };
 
@@ -119,13 +120,17 @@ namespace Rill.Tests
                     foreach (KeyValuePair<string, GraphicsBuffer> buffer in SolverBuffers.Of(scene.Fluid.Solver))
                     {
                         seen.Add(buffer.Key);
-                        bool isListed = NotStored.ContainsKey(buffer.Key) || NotStoredBelow.Keys.Any(buffer.Key.StartsWith) || Lists.Contains(buffer.Key) && made.dynamicViscosity == 0f;
-                        Assert.That(stored.Contains(buffer.Value) || isListed, $"{buffer.Key} is in no snapshot. Put it into ListState of its stage, or here with the reason why no step depends on it.");
-                        Assert.That(stored.Contains(buffer.Value) && isListed, Is.False, $"{buffer.Key} is in snapshots and on the list of what is not");
+                        bool isListed = NotStored.ContainsKey(buffer.Key) || NotStoredBelow.Keys.Any(buffer.Key.StartsWith)
+                            || Lists.Contains(buffer.Key) && made.dynamicViscosity == 0f;
+                        Assert.That(stored.Contains(buffer.Value) || isListed, $"{buffer.Key} is in no snapshot. Put it into ListState " +
+                            $"of its stage, or here with the reason why no step depends on it.");
+                        Assert.That(stored.Contains(buffer.Value) && isListed, Is.False,
+                            $"{buffer.Key} is in snapshots and on the list of what is not");
                     }
                 }
             Assert.That(NotStored.Keys.Where(path => !seen.Contains(path)), Is.Empty, "on the list, but there is no such buffer");
-            TestContext.Out.WriteLine($"{seen.Count} buffers, {seen.Count(path => !NotStored.ContainsKey(path) && !NotStoredBelow.Keys.Any(path.StartsWith))} of them stored");
+            TestContext.Out.WriteLine($"{seen.Count} buffers, " +
+                $"{seen.Count(path => !NotStored.ContainsKey(path) && !NotStoredBelow.Keys.Any(path.StartsWith))} of them stored");
         }
 
         // What would be read before it is written shows: the fluid goes on as it did all the same.
@@ -140,7 +145,8 @@ namespace Rill.Tests
                 ParticleState expected = scene.Run(5).Read();
                 foreach (KeyValuePair<string, GraphicsBuffer> buffer in SolverBuffers.Of(scene.Fluid.Solver))
                     if (NotStored.TryGetValue(buffer.Key, out (Why why, string reason) known) && known.why == Why.Zero)
-                        Assert.That(GpuTest.Read<uint>(buffer.Value, buffer.Value.count * buffer.Value.stride / sizeof(uint)), Is.All.Zero, buffer.Key);
+                        Assert.That(GpuTest.Read<uint>(buffer.Value, buffer.Value.count * buffer.Value.stride / sizeof(uint)), Is.All.Zero,
+                            buffer.Key);
 
                 scene.GoTo(taken).Fluid.Restore(snapshot);
                 int filled = 0;
@@ -155,6 +161,7 @@ namespace Rill.Tests
             }
         }
 
-        static HashSet<GraphicsBuffer> Stored(SnapshotScene scene) => new HashSet<GraphicsBuffer>(scene.Fluid.Solver.Capture(new SnapshotContents()).Buffers);
+        static HashSet<GraphicsBuffer> Stored(SnapshotScene scene)
+            => new HashSet<GraphicsBuffer>(scene.Fluid.Solver.Capture(new SnapshotContents()).Buffers);
     }
 }

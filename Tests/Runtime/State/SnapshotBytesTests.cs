@@ -13,7 +13,11 @@ namespace Rill.Tests
     /// <summary>Snapshots as bytes: what is no snapshot is refused in words, and nothing else comes of it.</summary>
     public class SnapshotBytesTests
     {
-        static readonly SnapshotCase Small = new SnapshotCase { name = "small", depth = 0.1f, emitter = true, drain = true, colliders = true, dynamicViscosity = 0.5f, sleepSpeed = 0.02f, deepWater = DeepWater.On, numericalDamping = 0.5f };
+        static readonly SnapshotCase Small = new SnapshotCase
+        {
+            name = "small", depth = 0.1f, emitter = true, drain = true,
+            colliders = true, dynamicViscosity = 0.5f, sleepSpeed = 0.02f, deepWater = DeepWater.On, numericalDamping = 0.5f
+        };
 
         byte[] bytes;
         FluidSnapshot snapshot;
@@ -39,7 +43,9 @@ namespace Rill.Tests
         {
             FluidSnapshot back = FluidSnapshot.FromBytes(bytes);
             Assert.That(back.ToBytes(), Is.EqualTo(bytes));
-            Assert.That((back.ParticleCount, back.StepCount, back.FluidTime, back.ParticleSpacing, back.DomainSize), Is.EqualTo((snapshot.ParticleCount, snapshot.StepCount, snapshot.FluidTime, snapshot.ParticleSpacing, snapshot.DomainSize)));
+            Assert.That((back.ParticleCount, back.StepCount, back.FluidTime, back.ParticleSpacing, back.DomainSize),
+                Is.EqualTo((snapshot.ParticleCount, snapshot.StepCount, snapshot.FluidTime, snapshot.ParticleSpacing,
+                snapshot.DomainSize)));
             Assert.That(back.StepCount, Is.EqualTo(3));
         }
 
@@ -141,11 +147,14 @@ namespace Rill.Tests
 
         static IEnumerable<TestCaseData> Refusals()
         {
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => Encoding.ASCII.GetBytes("PNG and so on")), "do not begin with 'RillSnap'").SetName("no snapshot");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => Encoding.ASCII.GetBytes("PNG and so on")),
+                "do not begin with 'RillSnap'").SetName("no snapshot");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => new byte[0]), "do not begin with 'RillSnap'").SetName("nothing");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => b.Take(b.Length - 5).ToArray()), "Read all of the file").SetName("truncated");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 2)), "have version 2, but this package reads up to 1. Update").SetName("newer version");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, b.Length - 400, 77, false)), "checksum is another").SetName("changed");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 2)),
+                "have version 2, but this package reads up to 1. Update").SetName("newer version");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, b.Length - 400, 77, false)), "checksum is another")
+                .SetName("changed");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 24, 99)), "section 99 is unknown").SetName("unknown section");
             yield return new TestCaseData(new Func<byte[], byte[]>(TwoOfOneId), "two particles have the id").SetName("two of one id");
             yield return new TestCaseData(new Func<byte[], byte[]>(FarNeighbor), "a neighbor has index").SetName("a neighbor that is not there");
@@ -153,7 +162,8 @@ namespace Rill.Tests
         }
 
         [TestCaseSource(nameof(Refusals))]
-        public void A_refusal_says_what_is_wrong(Func<byte[], byte[]> change, string expected) => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
+        public void A_refusal_says_what_is_wrong(Func<byte[], byte[]> change, string expected)
+            => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
 
         [Test]
         public void Another_box_spacing_or_capacity_is_refused_by_name_and_the_fluid_stays()
@@ -162,7 +172,8 @@ namespace Rill.Tests
             {
                 (new Vector3(1f, 1f, 0.8f), 0.04f, 6000, "particle spacing of 0.05 m, but this one has 0.04 m. Set the Particle Spacing to 0.05"),
                 (new Vector3(1f, 1.5f, 0.8f), 0.05f, 6000, "is of a box of 1 x 1 x 0.8 m, but this one is 1 x 1.5 x 0.8 m"),
-                (new Vector3(1f, 1f, 0.8f), 0.05f, 200, $"has {snapshot.ParticleCount} particles, more than the capacity of 200. Raise the Capacity to at least {snapshot.ParticleCount}"),
+                (new Vector3(1f, 1f, 0.8f), 0.05f, 200, $"has {snapshot.ParticleCount} particles, more than the capacity of 200. Raise " +
+                    $"the Capacity to at least {snapshot.ParticleCount}"),
             })
                 using (SourceScene scene = new SourceScene(box, spacing, capacity).Fill(0.05f).Step())
                 {
@@ -176,7 +187,8 @@ namespace Rill.Tests
         [Test]
         public void A_larger_capacity_goes_on_the_same()
         {
-            using (SourceScene small = new SourceScene(Vector3.one, 0.05f, 3000).Fill(0.3f).Step(3), large = new SourceScene(Vector3.one, 0.05f, 5000))
+            using (SourceScene small = new SourceScene(Vector3.one, 0.05f, 3000).Fill(0.3f).Step(3),
+                large = new SourceScene(Vector3.one, 0.05f, 5000))
             {
                 FluidSnapshotRequest request = small.Fluid.RequestSnapshot();
                 AsyncGPUReadback.WaitAllRequests();

@@ -8,7 +8,8 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>A fluid with all that acts on it, whose objects are where a step of the script has them: another made the same way does the same.</summary>
+    /// <summary>A fluid with all that acts on it, whose objects are where a step of the script has them: another made the same way does the
+    /// same.</summary>
     sealed class SnapshotScene : IDisposable
     {
         const float Step60 = 1f / 60f;

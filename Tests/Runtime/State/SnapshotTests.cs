@@ -22,14 +22,19 @@ namespace Rill.Tests
             yield return new SnapshotCase { name = "vorticity", vorticity = 0.3f };
             yield return new SnapshotCase { name = "moving colliders", colliders = true, frameSteps = 0.7f };
             yield return new SnapshotCase { name = "moving box", moves = true, frameSteps = 1.3f };
-            yield return new SnapshotCase { name = "moving colliders in deep water", colliders = true, moves = true, deepWater = DeepWater.On, depth = 0.6f };
+            yield return new SnapshotCase
+            {
+                name = "moving colliders in deep water", colliders = true, moves = true,
+                deepWater = DeepWater.On, depth = 0.6f
+            };
             yield return new SnapshotCase { name = "emitter with phase and lifetime", emitter = true, steps = 20 };
             yield return new SnapshotCase { name = "drain that recycles", emitter = true, drain = true, steps = 20, frameSteps = 0.7f };
             yield return new SnapshotCase { name = "falling asleep", sleepSpeed = 0.5f, stands = true, colliders = true, field = true, steps = 28 };
             yield return new SnapshotCase { name = "sleep", sleepSpeed = 0.5f, stands = true, colliders = true, field = true, steps = 56 };
             yield return new SnapshotCase
             {
-                name = "all together", deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f, dynamicViscosity = 0.5f, colliders = true, emitter = true,
+                name = "all together", deepWater = DeepWater.On, depth = 0.5f, substeps = 2, numericalDamping = 0.5f,
+                dynamicViscosity = 0.5f, colliders = true, emitter = true,
                 drain = true, field = true, moves = true, frameSteps = 0.7f, sleepSpeed = 0.02f,
             };
         }
@@ -51,7 +56,8 @@ namespace Rill.Tests
                 if (made.stands)
                     Assert.That(scene.RegionStates(), Does.Contain((uint)RegionState.Asleep), "some of it sleeps");
                 steps = scene.Fluid.StepCount;
-                TestContext.Out.WriteLine($"{made}: {snapshot.ParticleCount} particles, {bytes.Length} bytes, {bytes.Length / snapshot.ParticleCount} a particle");
+                TestContext.Out.WriteLine(
+                    $"{made}: {snapshot.ParticleCount} particles, {bytes.Length} bytes, {bytes.Length / snapshot.ParticleCount} a particle");
 
                 scene.GoTo(taken).Fluid.Restore(snapshot);
                 TestFluid.AssertSame(scene.Run(After).Read(), expected);

@@ -5,7 +5,8 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>All graphics buffers that a solver and its stages hold, found by reflection, so that none can be forgotten: by their path from the solver.</summary>
+    /// <summary>All graphics buffers that a solver and its stages hold, found by reflection, so that none can be forgotten: by their path
+    /// from the solver.</summary>
     static class SolverBuffers
     {
         public static Dictionary<string, GraphicsBuffer> Of(PbfSolver solver)
@@ -40,7 +41,8 @@ namespace Rill.Tests
         {
             if (value is GraphicsBuffer buffer)
                 found[name] = buffer;
-            else if (value != null && value.GetType().IsClass && value.GetType().Assembly == typeof(PbfSolver).Assembly && !(value is UnityEngine.Object) && !(value is Delegate) && seen.Add(value))
+            else if (value != null && value.GetType().IsClass && value.GetType().Assembly == typeof(PbfSolver).Assembly
+                && !(value is UnityEngine.Object) && !(value is Delegate) && seen.Add(value))
                 next.Enqueue((value, name + "."));
         }
 

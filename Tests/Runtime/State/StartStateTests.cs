@@ -50,7 +50,8 @@ namespace Rill.Tests
             using (var scene = new SourceScene(Box, 0.04f, 4000))
             {
                 scene.Fluid.StartState = asset;
-                LogAssert.Expect(LogType.Error, new Regex("fills its volumes instead of its start state 'Fluid Snapshot'.*Set the Particle Spacing to 0.05"));
+                LogAssert.Expect(LogType.Error,
+                    new Regex("fills its volumes instead of its start state 'Fluid Snapshot'.*Set the Particle Spacing to 0.05"));
                 scene.Fill(0.1f);
                 Assert.That(scene.Count(ParticleCounter.Alive), Is.GreaterThan(0));
                 scene.Fluid.Restart();      // logged once

@@ -29,7 +29,8 @@ namespace Rill.Tests
                 var above = new double3(random.NextDouble(0.01, 19.99), 25.0, random.NextDouble(0.01, 19.99));
                 Assert.That(block.Hit(above, new double3(0.0, -2.0, 0.0), out double distance, out bool isOnWall) && !isOnWall);
                 Assert.That(25.0 - 2.0 * distance, Is.EqualTo(8.0).Within(0.03), "the top of the block, in lengths of the direction");
-                Assert.That(block.Hit(new double3(above.x, 0.39 * above.z, -5.0), new double3(0.0, 0.0, 1.0), out distance, out isOnWall) && isOnWall);
+                Assert.That(block.Hit(new double3(above.x, 0.39 * above.z, -5.0), new double3(0.0, 0.0, 1.0), out distance, out isOnWall)
+                    && isOnWall);
                 Assert.That(sheet.Hit(above, new double3(0.0, -1.0, 0.0), out distance, out _));
                 Assert.That(15.0 - distance, Is.InRange(0.0, 0.5));
                 double3 outwards = random.NextFloat3Direction();
@@ -38,14 +39,16 @@ namespace Rill.Tests
             }
             TestContext.Out.WriteLine($"ball from a lattice: {Math.Sqrt(squares / rays):0.000} d rms from the radius of its volume");
             Assert.That(Math.Sqrt(squares / rays), Is.LessThan(0.2), "steps of the lattice");
-            Assert.That(new Isosurface(new[] { new double3(5.0) }, 10.0).Hit(new double3(5.0, 5.0, -1.0), new double3(0.0, 0.0, 1.0), out _, out _), Is.False, "a drop alone is spray");
+            Assert.That(new Isosurface(new[] { new double3(5.0) }, 10.0).Hit(new double3(5.0, 5.0, -1.0), new double3(0.0, 0.0, 1.0), out _,
+                out _), Is.False, "a drop alone is spray");
         }
 
         [Test]
         public void A_breaking_dam_is_drawn_where_its_particles_are() => Assert.That(Error(1, 192, 108), Is.LessThanOrEqualTo(0.38));
 
         [Test, Explicit("100,000 particles: a minute on a CPU")]
-        public void A_breaking_dam_of_a_hundred_thousand_is_drawn_where_its_particles_are() => Assert.That(Error(2, 384, 216), Is.LessThanOrEqualTo(0.35));
+        public void A_breaking_dam_of_a_hundred_thousand_is_drawn_where_its_particles_are()
+            => Assert.That(Error(2, 384, 216), Is.LessThanOrEqualTo(0.35));
 
         // Rms, d. The same 1.5 m of dam, of 12,480 particles and of 99,840.
         static double Error(int scale, int width, int height)
@@ -109,7 +112,10 @@ namespace Rill.Tests
                     errors.Add(drawn - depth);
                 }
             double[] sizes = errors.Select(e => Math.Abs(e)).OrderBy(e => e).ToArray();
-            told = $"depth RMSE {Math.Sqrt(sizes.Average(e => e * e)):0.000} d, mean {errors.Average():+0.000;-0.000} d, median {sizes[sizes.Length / 2]:0.000} d, 90 % {sizes[sizes.Length * 9 / 10]:0.000} d, 99 % {sizes[sizes.Length * 99 / 100]:0.000} d; silhouette IoU {both / (double)either:0.0000}; {either:N0} pixels, {left:N0} more with spray, of {spray.Length} particles, {Math.Sqrt(all / allBoth):0.000} d with them";
+            told = $"depth RMSE {Math.Sqrt(sizes.Average(e => e * e)):0.000} d, mean {errors.Average():+0.000;-0.000} d, median " +
+                $"{sizes[sizes.Length / 2]:0.000} d, 90 % {sizes[sizes.Length * 9 / 10]:0.000} d, 99 % " +
+                $"{sizes[sizes.Length * 99 / 100]:0.000} d; silhouette IoU {both / (double)either:0.0000}; {either:N0} pixels, " +
+                $"{left:N0} more with spray, of {spray.Length} particles, {Math.Sqrt(all / allBoth):0.000} d with them";
             return errors.ToArray();
         }
 

@@ -44,7 +44,8 @@ namespace Rill.Tests
             if (refracts)
                 Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(0.03f));
             else
-                Assert.That(math.csum(seen) / 3f, Is.EqualTo(math.csum(expected) / 3f).Within(0.03f * math.csum(expected) / 3f), "one coverage for all colours");
+                Assert.That(math.csum(seen) / 3f, Is.EqualTo(math.csum(expected) / 3f).Within(0.03f * math.csum(expected) / 3f),
+                "one coverage for all colours");
         }
 
         [UnityTest]
@@ -73,7 +74,8 @@ namespace Rill.Tests
             SurfaceLook clear = surface.Look;
             clear.colorAtDepth = Color.white;
             surface.Look = clear;
-            // From 45 degrees. The edge of a black floor, which is looked for around a point of the water where straight and bent rays reach the floor.
+            // From 45 degrees. The edge of a black floor, which is looked for around a point of the water where straight and bent rays
+            // reach the floor.
             const float entry = -0.25f;
             float slope = Mathf.Tan(Mathf.Asin(Mathf.Sqrt(0.5f) / clear.refractionIndex)), edge = entry + Depth * slope;
             camera.transform.position = new Vector3(0f, Depth - 0.5f + 2f, entry - 2f);
@@ -101,7 +103,8 @@ namespace Rill.Tests
             smooth.roughness = 0f;
             surface.Look = smooth;
             var white = new Cubemap(2, TextureFormat.RGBAFloat, false);
-            foreach (CubemapFace face in new[] { CubemapFace.PositiveX, CubemapFace.NegativeX, CubemapFace.PositiveY, CubemapFace.NegativeY, CubemapFace.PositiveZ, CubemapFace.NegativeZ })
+            foreach (CubemapFace face in new[] { CubemapFace.PositiveX, CubemapFace.NegativeX, CubemapFace.PositiveY, CubemapFace.NegativeY,
+                CubemapFace.PositiveZ, CubemapFace.NegativeZ })
                 white.SetPixels(new[] { Color.white, Color.white, Color.white, Color.white }, face);
             white.Apply();
             surface.Reflection = white;
@@ -113,7 +116,8 @@ namespace Rill.Tests
             camera.orthographicSize = 0.1f;
             fluid.gameObject.SetActive(true);
             yield return Frames(20);
-            float seen = scene.Mean().g, cosine = Mathf.Cos(degrees * Mathf.Deg2Rad), expected = 0.0204f + (1f - 0.0204f) * Mathf.Pow(1f - cosine, 5f);
+            float seen = scene.Mean().g, cosine = Mathf.Cos(degrees * Mathf.Deg2Rad),
+                expected = 0.0204f + (1f - 0.0204f) * Mathf.Pow(1f - cosine, 5f);
             surface.Reflection = null;
             Object.DestroyImmediate(white);
             TestContext.Out.WriteLine($"seen {seen:0.00000}, Schlick {expected:0.00000}");
@@ -161,7 +165,8 @@ namespace Rill.Tests
             surface.Look = SurfaceLook.Water;
             surface.Sun = null;
             fluid.gameObject.SetActive(true);
-            // Straight down on a plain white ground, so that what is seen is a matter of depth and slope alone. By a pixel a frame: the last picture is the next one, shifted.
+            // Straight down on a plain white ground, so that what is seen is a matter of depth and slope alone. By a pixel a frame: the
+            // last picture is the next one, shifted.
             yield return Frames(150);
             float4[] last = scene.Pixels();
             var differences = new List<float>();
@@ -172,7 +177,8 @@ namespace Rill.Tests
                 float4[] next = scene.Pixels();
                 for (int y = 0; y < Pixels; y++)
                     for (int x = 1; x < Pixels; x++)
-                        differences.Add(255f * math.cmax(math.abs(math.saturate(next[y * Pixels + x - 1].xyz) - math.saturate(last[y * Pixels + x].xyz))));
+                        differences.Add(255f * math.cmax(math.abs(math.saturate(next[y * Pixels + x - 1].xyz)
+                            - math.saturate(last[y * Pixels + x].xyz))));
                 last = next;
             }
             (float rms, float high) = RmsAndHigh(differences);
@@ -183,7 +189,8 @@ namespace Rill.Tests
         }
 
         [UnityTest]
-        public IEnumerator Glass_before_the_water_tints_it_and_glass_behind_it_vanishes_where_it_refracts([Values(3000, 2900)] int queue, [Values(true, false)] bool refracts)
+        public IEnumerator Glass_before_the_water_tints_it_and_glass_behind_it_vanishes_where_it_refracts([Values(3000, 2900)] int queue,
+            [Values(true, false)] bool refracts)
         {
             surface.Refraction = refracts;
             fluid.gameObject.SetActive(true);
@@ -211,11 +218,13 @@ namespace Rill.Tests
             float left = scene.Mean(8, 24, 16, 48).g, right = scene.Mean(40, 56, 16, 48).g;
             Object.DestroyImmediate(pane);
             Object.DestroyImmediate(glass);
-            TestContext.Out.WriteLine($"{without:0.000} without, {before:0.000} before, {behind:0.000} behind, {left:0.000} and {right:0.000} through");
+            TestContext.Out.WriteLine(
+                $"{without:0.000} without, {before:0.000} before, {behind:0.000} behind, {left:0.000} and {right:0.000} through");
             float tinted = 0.5f * without;
             bool isDrawnAfter = queue > 2950;
             // What is drawn before the water is what the water blends over, or refracts away; wherever it stands.
-            Assert.That(before, isDrawnAfter ? Is.EqualTo(tinted).Within(0.02f) : refracts ? Is.EqualTo(without).Within(0.02f) : Is.LessThan(0.8f * without));
+            Assert.That(before, isDrawnAfter ? Is.EqualTo(tinted).Within(0.02f) : refracts ? Is.EqualTo(without).Within(0.02f)
+                : Is.LessThan(0.8f * without));
             Assert.That(behind, isDrawnAfter || refracts ? Is.EqualTo(without).Within(0.02f) : Is.LessThan(0.8f * without));
             if (!isDrawnAfter)
                 yield break;
@@ -247,8 +256,10 @@ namespace Rill.Tests
             surface.Refraction = refracts;
             fluid.gameObject.SetActive(true);
             yield return Frames(3);
-            RenderTexture[] there = System.Array.FindAll(Resources.FindObjectsOfTypeAll<RenderTexture>(), texture => texture.IsCreated());      // not those of other tests that wait to be collected
-            Assert.That(there, refracts ? Has.Some.Property("name").EqualTo("Rill.Surface.SceneColor") : Has.None.Property("name").EqualTo("Rill.Surface.SceneColor"));
+            // not those of other tests that wait to be collected
+            RenderTexture[] there = System.Array.FindAll(Resources.FindObjectsOfTypeAll<RenderTexture>(), texture => texture.IsCreated());
+            Assert.That(there, refracts ? Has.Some.Property("name").EqualTo("Rill.Surface.SceneColor")
+                : Has.None.Property("name").EqualTo("Rill.Surface.SceneColor"));
         }
 
         [UnityTest]
@@ -345,7 +356,8 @@ namespace Rill.Tests
             QualitySettings.shadowResolution = resolution;
             foreach (Object one in new Object[] { floor, roof, sun.gameObject })
                 Object.Destroy(one);
-            TestContext.Out.WriteLine($"in the light {lit:F3}, in the shade {shaded:F3}, receiving none {receivesNone:F3}, without shadows {castsNone:F3}");
+            TestContext.Out.WriteLine(
+                $"in the light {lit:F3}, in the shade {shaded:F3}, receiving none {receivesNone:F3}, without shadows {castsNone:F3}");
             Assert.That(shaded / lit, Is.EqualTo(0.25f).Within(0.02f), "three quarters of the light are gone");
             Assert.That(nothingCasts, Is.EqualTo(lit).Within(0.02f * lit));
             Assert.That(receivesNone, Is.EqualTo(lit).Within(0.02f * lit));
@@ -404,7 +416,8 @@ namespace Rill.Tests
             QualitySettings.shadowResolution = resolution;
             Object.Destroy(floor);
             Object.Destroy(sun.gameObject);
-            TestContext.Out.WriteLine($"on the floor {left[0]:F3}, under a sheet of one particle {left[1] / left[0]:F3} of it, under 12 {left[2] / left[0]:F3}");
+            TestContext.Out.WriteLine(
+                $"on the floor {left[0]:F3}, under a sheet of one particle {left[1] / left[0]:F3} of it, under 12 {left[2] / left[0]:F3}");
             Assert.That(left[2] / left[0], Is.LessThan(0.05f), "all the light is gone");
             Assert.That(left[1] / left[0], Is.InRange(0.5f, 0.85f), "a quarter and some");
         }

@@ -47,7 +47,8 @@ namespace Rill.Tests
             RenderSettings.fogStartDistance = start;
             RenderSettings.fogEndDistance = end;
             yield return WaterScene.Frames(2);
-            float seen = mode == FogMode.Linear ? (end - Away) / (end - start) : mode == FogMode.Exponential ? math.exp(-density * Away) : math.exp(-density * density * Away * Away);
+            float seen = mode == FogMode.Linear ? (end - Away) / (end - start) : mode == FogMode.Exponential ? math.exp(-density * Away)
+                : math.exp(-density * density * Away * Away);
             Assert.That(math.cmax(math.abs(scene.At(0f) - math.lerp(Fog, clear, seen))), Is.LessThan(0.01f));
         }
     }

@@ -33,7 +33,8 @@ namespace Rill.Tests
         [TestCase(30f, 8f, 0.5f, 200, 0f, 0.1f, 2.5f)]
         [TestCase(30f, 8f, 0.01f, 400, 0f, 0.1f, 2.5f)]
         [TestCase(30f, 8f, 0.5f, 200, 8f, 0.25f, 5.5f)]
-        public void A_pool_is_a_plane_as_high_as_its_volume(float side, float depth, float viscosity, int steps, float tilt, float unevenness, float slope)
+        public void A_pool_is_a_plane_as_high_as_its_volume(float side, float depth, float viscosity, int steps, float tilt,
+            float unevenness, float slope)
         {
             Flatness drawn = Pool(SolverSettings.Default, side, depth, viscosity, steps, tilt);
             Assert.That(Math.Abs(drawn.mean), Is.LessThanOrEqualTo(0.1));
@@ -74,7 +75,8 @@ namespace Rill.Tests
                             bool isInside = math.cmax(math.abs(point - middle).xz) < (0.5f * side - rim) * Spacing;
                             if (picture.Depth[y * picture.Width + x] == 0f)
                             {
-                                Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - middle).xz), Is.LessThan(0.5f * Spacing), "a hole that is not in a corner");
+                                Assert.That(math.cmin(0.5f * side * Spacing - math.abs(point - middle).xz), Is.LessThan(0.5f * Spacing),
+                                    "a hole that is not in a corner");
                                 continue;
                             }
                             sum += error;
@@ -82,7 +84,9 @@ namespace Rill.Tests
                             if (isInside)
                             {
                                 squares += error * error;
-                                slopes += Math.Pow(Math.Acos(Math.Min(math.dot(math.normalize((double3)picture.Normals[y * picture.Width + x].xyz), up), 1.0)), 2.0);
+                                slopes += Math.Pow(
+                                    Math.Acos(Math.Min(math.dot(math.normalize((double3)picture.Normals[y * picture.Width + x].xyz), up),
+                                    1.0)), 2.0);
                                 inside++;
                             }
                             if (smoothing == 0f || x % Coarse != 0 || y % Coarse != 0)
@@ -95,10 +99,17 @@ namespace Rill.Tests
                             rawSquares += of * of;
                             raysInside++;
                         }
-                    flatness = new Flatness { mean = sum / all, rms = Math.Sqrt(squares / inside), degrees = math.degrees(Math.Sqrt(slopes / inside)) };
-                    TestContext.Out.WriteLine($"{side} x {depth} x {side} d, viscosity {viscosity}, {steps} steps, tilt {tilt}°, smoothing {smoothing} d: height mean {flatness.mean:+0.000;-0.000} d, rms {flatness.rms:0.000} d, normals {flatness.degrees:0.00}° rms");
+                    flatness = new Flatness
+                    {
+                        mean = sum / all, rms = Math.Sqrt(squares / inside),
+                        degrees = math.degrees(Math.Sqrt(slopes / inside))
+                    };
+                    TestContext.Out.WriteLine($"{side} x {depth} x {side} d, viscosity {viscosity}, {steps} steps, tilt {tilt}°, " +
+                        $"smoothing {smoothing} d: height mean {flatness.mean:+0.000;-0.000} d, rms {flatness.rms:0.000} d, normals " +
+                        $"{flatness.degrees:0.00}° rms");
                     if (smoothing != 0f)
-                        TestContext.Out.WriteLine($"isosurface of its raw particles: mean {raw / rays:+0.000;-0.000} d, rms {Math.Sqrt(rawSquares / raysInside):0.000} d");
+                        TestContext.Out.WriteLine($"isosurface of its raw particles: mean {raw / rays:+0.000;-0.000} d, rms " +
+                            $"{Math.Sqrt(rawSquares / raysInside):0.000} d");
                 }
                 return flatness;
             }
@@ -114,7 +125,8 @@ namespace Rill.Tests
             {
                 fluid.Input.gravity = 0f;
                 var random = new Unity.Mathematics.Random(seed);
-                fluid.Add(Enumerable.Range(0, count).Select(_ => (15f + 9.7f * math.pow(random.NextFloat(), 1f / 3f) * random.NextFloat3Direction()) * Spacing).ToArray());
+                fluid.Add(Enumerable.Range(0, count)
+                    .Select(_ => (15f + 9.7f * math.pow(random.NextFloat(), 1f / 3f) * random.NextFloat3Direction()) * Spacing).ToArray());
                 for (int step = 0; step < 90; step++)
                 {
                     fluid.Step();
@@ -134,7 +146,8 @@ namespace Rill.Tests
                         for (int x = 0; x < picture.Width; x++)
                         {
                             picture.Ray(x, y, out float3 origin, out _);
-                            double drawn = picture.Depth[y * picture.Width + x] / Spacing, left = radius * radius - math.lengthsq(origin.xy / Spacing - middle.xy);
+                            double drawn = picture.Depth[y * picture.Width + x] / Spacing,
+                                left = radius * radius - math.lengthsq(origin.xy / Spacing - middle.xy);
                             either += left > 0.0 || drawn > 0.0 ? 1 : 0;
                             if (left <= 0.0 || drawn == 0.0)
                                 continue;
@@ -152,10 +165,12 @@ namespace Rill.Tests
                             rays++;
                         }
                     double rms = Math.Sqrt(squares / both), overlap = both / (double)either;
-                    TestContext.Out.WriteLine($"ball of seed {seed}, smoothing {smoothing} d: depth RMSE {rms:0.000} d, mean {sum / both:+0.000;-0.000} d; silhouette IoU {overlap:0.0000}");
+                    TestContext.Out.WriteLine($"ball of seed {seed}, smoothing {smoothing} d: depth RMSE {rms:0.000} d, mean " +
+                        $"{sum / both:+0.000;-0.000} d; silhouette IoU {overlap:0.0000}");
                     if (smoothing == 0f)
                         continue;
-                    TestContext.Out.WriteLine($"isosurface of its raw particles: depth RMSE {Math.Sqrt(raw / rays):0.000} d; from it to what is drawn {Math.Sqrt(between / rays):0.000} d rms");
+                    TestContext.Out.WriteLine($"isosurface of its raw particles: depth RMSE {Math.Sqrt(raw / rays):0.000} d; from it " +
+                        $"to what is drawn {Math.Sqrt(between / rays):0.000} d rms");
                     Assert.That(rms, Is.LessThanOrEqualTo(0.4), "0.1 is aimed at");
                     Assert.That(overlap, Is.GreaterThanOrEqualTo(0.95), "0.98 is aimed at");
                 }

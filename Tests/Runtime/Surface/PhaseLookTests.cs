@@ -12,7 +12,8 @@ namespace Rill.Tests
     {
         const float Depth = WaterScene.Depth;
 
-        static readonly float3 Base = WaterScene.Left, First = new float3(0.7f, 0.3f, 0.4f), Second = new float3(0.9f, 0.8f, 0.2f);     // left after 0.5 m
+        // left after 0.5 m
+        static readonly float3 Base = WaterScene.Left, First = new float3(0.7f, 0.3f, 0.4f), Second = new float3(0.9f, 0.8f, 0.2f);
 
         WaterScene scene;
         FluidSurface surface;
@@ -110,7 +111,8 @@ namespace Rill.Tests
 
         static float3 Left(float3 after, float thickness) => 0.98f * math.pow(after, thickness / 0.5f);
 
-        static void IsNear(float3 seen, float3 expected, float within = 0.04f) => Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(within), $"{seen} for {expected}");
+        static void IsNear(float3 seen, float3 expected, float within = 0.04f)
+            => Assert.That(math.cmax(math.abs(seen / expected - 1f)), Is.LessThan(within), $"{seen} for {expected}");
 
         // x: 0 to 1 across the domain.
         void SetPhases(System.Func<float, int, int> phaseOf)

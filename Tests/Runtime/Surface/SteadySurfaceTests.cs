@@ -31,13 +31,15 @@ namespace Rill.Tests
                 float4[] velocities = fluid.Read().velocities, positions = fluid.Read().positions;
                 const float k = 2f * Mathf.PI / 20f, speed = 8f;        // d/s
                 for (int i = 0; i < velocities.Length; i++)
-                    velocities[i].xyz = speed * math.exp(k * (positions[i].y - 9f)) * new float3(-math.sin(k * positions[i].x), math.cos(k * positions[i].x), 0f);
+                    velocities[i].xyz = speed * math.exp(k * (positions[i].y - 9f)) * new float3(-math.sin(k * positions[i].x),
+                        math.cos(k * positions[i].x), 0f);
                 fluid.Solver.Velocities.SetData(velocities);
                 picture.Look(new Vector3(20f, 80f, 6f) * Spacing, new Vector3(20f, 0f, 6f) * Spacing, -8f * Spacing, 200, 50);
                 for (int frame = 0; frame < frames; frame++)
                     picture.Draw(fluid.Step());
                 (double rms, double max, double crest, double height) = DifferenceFromAFirstFrame(fluid);
-                TestContext.Out.WriteLine($"after {frames} frames: {rms:F4} d rms, {max:F3} d at most, {crest:F3} d at the crest, of a wave of {height:F2} d");
+                TestContext.Out.WriteLine(
+                    $"after {frames} frames: {rms:F4} d rms, {max:F3} d at most, {crest:F3} d at the crest, of a wave of {height:F2} d");
                 Assert.That(height, Is.GreaterThan(1.0), "a wave");
                 Assert.That(crest, Is.LessThan(0.05));
                 Assert.That(rms, Is.LessThan(0.025));

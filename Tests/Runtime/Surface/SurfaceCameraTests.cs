@@ -29,7 +29,8 @@ namespace Rill.Tests
             scene.Camera.cullingMask = ~(1 << scene.Root.layer);
             yield return Frames(4);
             Assert.That(scene.Mean(), Is.EqualTo(Color.white));
-            Assert.That(Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.IsCreated()), Has.None.Property("name").StartsWith("Rill.Surface"), "nothing is made for it");
+            Assert.That(Resources.FindObjectsOfTypeAll<RenderTexture>().Where(texture => texture.IsCreated()),
+                Has.None.Property("name").StartsWith("Rill.Surface"), "nothing is made for it");
             scene.Camera.cullingMask = ~0;
             yield return Frames(4);
             Assert.That(scene.Mean().r, Is.LessThan(0.5f));
@@ -89,7 +90,8 @@ namespace Rill.Tests
             TestContext.Out.WriteLine($"{left:0.000} of one, {right:0.000} of both");
             float dark = 0.98f * Mathf.Pow(Left.y, Depth / 0.5f);
             Assert.That(left, Is.EqualTo(dark).Within(0.02f), "one alone");
-            Assert.That(right, nearerIsFirst ? Is.EqualTo(dark).Within(0.02f) : Is.GreaterThan(0.9f), "the nearer one before the opaque scene, without the other");
+            Assert.That(right, nearerIsFirst ? Is.EqualTo(dark).Within(0.02f) : Is.GreaterThan(0.9f),
+                "the nearer one before the opaque scene, without the other");
         }
 
         // From an angle, over a floor of two colours: what is refracted is looked up beside where it is seen.
@@ -118,7 +120,8 @@ namespace Rill.Tests
             float4[] both = Pixels(screen);
             for (int half = 0; half < 2; half++)
             {
-                float most = whole[half].Select((pixel, i) => math.cmax(math.abs(pixel.xyz - both[i / Size * 2 * Size + half * Size + i % Size].xyz))).Max();
+                float most = whole[half].Select((pixel,
+                    i) => math.cmax(math.abs(pixel.xyz - both[i / Size * 2 * Size + half * Size + i % Size].xyz))).Max();
                 Assert.That(whole[half].Count(pixel => pixel.y < 0.5f), Is.GreaterThan(Size * Size / 4), "water");
                 Assert.That(most, Is.LessThan(0.004f), half == 0 ? "the left one" : "the right one");
             }
@@ -152,7 +155,8 @@ namespace Rill.Tests
             yield return Frames(2);
             float4[] unfiltered = scene.Pixels();
             float others = Difference(pictures[1], unfiltered), apart = Difference(pictures[0], unfiltered);
-            TestContext.Out.WriteLine($"{others:0.0000} rms from that without the filter, which is {apart:0.0000} from that with it; {commands[1]} bytes of commands for {commands[0]}");
+            TestContext.Out.WriteLine($"{others:0.0000} rms from that without the filter, which is {apart:0.0000} from that with it; " +
+                $"{commands[1]} bytes of commands for {commands[0]}");
             Assert.That(others, Is.LessThan(0.2f * apart));
             Assert.That(commands[1], Is.LessThan(commands[0]), "one pass of the two");
         }

@@ -51,7 +51,8 @@ namespace Rill.Tests
                 return depths;
             }
 
-            Vector3 before = Normals(Ridge(6.99f))[8 * Size + 7], after = Normals(Ridge(7.01f))[8 * Size + 7], beside = Normals(Ridge(7f))[8 * Size + 11];
+            Vector3 before = Normals(Ridge(6.99f))[8 * Size + 7], after = Normals(Ridge(7.01f))[8 * Size + 7],
+                beside = Normals(Ridge(7f))[8 * Size + 11];
             Assert.That(Vector3.Angle(beside, Vector3.forward), Is.EqualTo(Mathf.Atan(0.4f) * Mathf.Rad2Deg).Within(0.1f), "its sides slope");
             Assert.That(Vector3.Angle(before, after), Is.LessThan(2f), "it has moved by a fiftieth of a texel");
         }
@@ -89,7 +90,9 @@ namespace Rill.Tests
             var input = new Texture2DArray(Size, Size, 1, TextureFormat.RFloat, false, true);
             input.SetPixelData(depths, 0, 0);
             input.Apply(false);
-            var output = new RenderTexture(new RenderTextureDescriptor(Size, Size, format, GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = 1, enableRandomWrite = true });
+            var output = new RenderTexture(new RenderTextureDescriptor(Size, Size, format,
+                GraphicsFormat.None)
+            { dimension = TextureDimension.Tex2DArray, volumeDepth = 1, enableRandomWrite = true });
             output.Create();
             GpuTest.Run(cmd =>
             {

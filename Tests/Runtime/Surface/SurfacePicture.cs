@@ -44,12 +44,15 @@ namespace Rill.Tests
         /// <param name="size">Angle from the picture's bottom to its top, degrees; below 0: minus the height, m, without perspective.</param>
         public SurfacePicture Look(Vector3 from, Vector3 at, float size, int width, int height, float near = 0.1f, float far = 200f)
         {
-            Matrix4x4 toWorld = Matrix4x4.TRS(from, Quaternion.LookRotation(at - from, Mathf.Abs((at - from).normalized.y) > 0.99f ? Vector3.forward : Vector3.up), new Vector3(1f, 1f, -1f));
+            Matrix4x4 toWorld = Matrix4x4.TRS(from,
+                Quaternion.LookRotation(at - from, Mathf.Abs((at - from).normalized.y) > 0.99f ? Vector3.forward : Vector3.up),
+                new Vector3(1f, 1f, -1f));
             float aspect = (float)width / height;
             views = new FluidViews
             {
                 camera = eye.GetComponent<Camera>(), eyes = 1, view = toWorld.inverse, width = width, height = height, sceneSize = Vector2.one,
-                projection = size > 0f ? Matrix4x4.Perspective(size, aspect, near, far) : Matrix4x4.Ortho(0.5f * size * aspect, -0.5f * size * aspect, 0.5f * size, -0.5f * size, near, far),
+                projection = size > 0f ? Matrix4x4.Perspective(size, aspect, near, far)
+                    : Matrix4x4.Ortho(0.5f * size * aspect, -0.5f * size * aspect, 0.5f * size, -0.5f * size, near, far),
             };
             return this;
         }
@@ -93,7 +96,8 @@ namespace Rill.Tests
             Matrix4x4 p = Projection;
             bool isOrthographic = p.m32 == 0f;
             Matrix4x4 toWorld = WorldToView.inverse;
-            var across = new Vector3((picture.x + (isOrthographic ? -p.m03 : p.m02)) / p.m00, (picture.y + (isOrthographic ? -p.m13 : p.m12)) / p.m11, 0f);
+            var across = new Vector3((picture.x + (isOrthographic ? -p.m03 : p.m02)) / p.m00,
+                (picture.y + (isOrthographic ? -p.m13 : p.m12)) / p.m11, 0f);
             origin = toWorld.MultiplyPoint3x4(isOrthographic ? across : Vector3.zero);
             direction = toWorld.MultiplyVector(isOrthographic ? Vector3.back : across + Vector3.back);
         }
@@ -105,7 +109,8 @@ namespace Rill.Tests
             return origin + direction * Depth[y * Width + x];
         }
 
-        /// <summary>Depth along the view where a point of the world is seen, m, and that of the surface there; false beyond the picture, where there is no water and at edges.</summary>
+        /// <summary>Depth along the view where a point of the world is seen, m, and that of the surface there; false beyond the picture,
+        /// where there is no water and at edges.</summary>
         /// <param name="edge">Depths around a pixel that differ by more are those of an edge, m.</param>
         public bool TrySee(float3 world, float edge, out float depth, out float surface)
         {
@@ -116,7 +121,8 @@ namespace Rill.Tests
             int column = Mathf.FloorToInt(x), row = Mathf.FloorToInt(y);
             if (column < 0 || row < 0 || column + 1 >= Width || row + 1 >= Height)
                 return false;
-            var around = new float4(Depth[row * Width + column], Depth[row * Width + column + 1], Depth[(row + 1) * Width + column], Depth[(row + 1) * Width + column + 1]);
+            var around = new float4(Depth[row * Width + column], Depth[row * Width + column + 1], Depth[(row + 1) * Width + column],
+                Depth[(row + 1) * Width + column + 1]);
             if (math.cmin(around) == 0f || math.cmax(around) - math.cmin(around) > edge)
                 return false;
             surface = math.lerp(math.lerp(around.x, around.y, x - column), math.lerp(around.z, around.w, x - column), y - row);

@@ -54,7 +54,8 @@ namespace Rill.Tests
             using (TestFluid fluid = Still(30))
             {
                 float3 center = new float3(15f);
-                float3[] inside = ParticleState.Lattice(0f, 0.5f, 30, 0.1f).positions.Select(p => p.xyz).Where(p => math.distance(p, center) < radius).Select(p => p * Spacing).ToArray();
+                float3[] inside = ParticleState.Lattice(0f, 0.5f, 30, 0.1f).positions.Select(p => p.xyz)
+                    .Where(p => math.distance(p, center) < radius).Select(p => p * Spacing).ToArray();
                 fluid.Add(inside);
                 for (int step = 0; step < 60; step++)
                 {
@@ -79,7 +80,8 @@ namespace Rill.Tests
                         squares += (drawn - depth) * (drawn - depth);
                     }
                 double rms = Math.Sqrt(squares / both) / Spacing, overlap = (double)both / either;
-                TestContext.Out.WriteLine($"{inside.Length:N0} particles, R = {expected / Spacing:F2} d: depth RMSE {rms:F3} d, silhouette IoU {overlap:F4}");
+                TestContext.Out.WriteLine(
+                    $"{inside.Length:N0} particles, R = {expected / Spacing:F2} d: depth RMSE {rms:F3} d, silhouette IoU {overlap:F4}");
                 Assert.That(overlap, Is.GreaterThanOrEqualTo(0.98));
                 Assert.That(rms, Is.LessThanOrEqualTo(0.2), "0.1 is aimed at");
             }
@@ -91,7 +93,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(new float3(32f, 24f, 32f) * Spacing, Spacing, 32 * 32 * 10))
             {
                 fluid.AddBlock(0f, new float3(32f, 10f, 32f) * Spacing).Step(180);
-                picture.Look(new Vector3(16f * Spacing, 4f, 16f * Spacing), new Vector3(16f, 0f, 16f) * Spacing, -24f * Spacing, 240, 240).Draw(fluid);
+                picture.Look(new Vector3(16f * Spacing, 4f, 16f * Spacing), new Vector3(16f, 0f, 16f) * Spacing, -24f * Spacing, 240, 240)
+                    .Draw(fluid);
                 double sum = 0.0, tilt = 0.0;
                 for (int y = 0; y < picture.Height; y++)
                     for (int x = 0; x < picture.Width; x++)
@@ -116,7 +119,8 @@ namespace Rill.Tests
             using (TestFluid fluid = Still(32))
             {
                 fluid.AddBlock(new float3(2f, 15f, 2f) * Spacing, new float3(28f, layers, 28f) * Spacing, jitter: 0.2f).Step();
-                picture.Look(new Vector3(16f * Spacing, 4f, 16f * Spacing), new Vector3(16f, 0f, 16f) * Spacing, -24f * Spacing, 360, 360).Draw(fluid);
+                picture.Look(new Vector3(16f * Spacing, 4f, 16f * Spacing), new Vector3(16f, 0f, 16f) * Spacing, -24f * Spacing, 360, 360)
+                    .Draw(fluid);
                 double covered = picture.Depth.Count(depth => depth > 0f) / (double)picture.Depth.Length;
                 TestContext.Out.WriteLine($"sheet of {layers} layers: {100.0 * covered:F2} % covered");
                 Assert.That(covered, Is.GreaterThanOrEqualTo(0.995));
@@ -128,8 +132,10 @@ namespace Rill.Tests
         {
             using (TestFluid fluid = Still(40))
             {
-                fluid.AddBlock(new float3(8f, 14f, 4f) * Spacing, new float3(12f, 12f, 8f) * Spacing).AddBlock(new float3(16f, 14f, 28f) * Spacing, new float3(12f, 12f, 8f) * Spacing).Step();
-                picture.Look(new Vector3(20f, 20f, -60f) * Spacing, new Vector3(20f, 20f, 20f) * Spacing, 25f, 320, 320).Draw(fluid, smoothing: 2f, quality: SurfaceQuality.High);
+                fluid.AddBlock(new float3(8f, 14f, 4f) * Spacing, new float3(12f, 12f, 8f) * Spacing)
+                    .AddBlock(new float3(16f, 14f, 28f) * Spacing, new float3(12f, 12f, 8f) * Spacing).Step();
+                picture.Look(new Vector3(20f, 20f, -60f) * Spacing, new Vector3(20f, 20f, 20f) * Spacing, 25f, 320, 320)
+                    .Draw(fluid, smoothing: 2f, quality: SurfaceQuality.High);
                 int near = 0, far = 0;
                 for (int y = 0; y < picture.Height; y++)
                     for (int x = 0; x < picture.Width; x++)
@@ -156,7 +162,8 @@ namespace Rill.Tests
                 fluid.Input.gravity = 0f;
                 fluid.AddBlock(new float3(0f, 2f, 0f) * Spacing, new float3(14f, layers, 14f) * Spacing, jitter: 0.1f).Step();
                 float top = (layers + 4f) * Spacing;
-                picture.Look(new Vector3(7f * Spacing, top + 1f, 7f * Spacing), new Vector3(7f * Spacing, 0f, 7f * Spacing), -10f * Spacing, 200, 200).Draw(fluid);
+                picture.Look(new Vector3(7f * Spacing, top + 1f, 7f * Spacing), new Vector3(7f * Spacing, 0f, 7f * Spacing), -10f * Spacing,
+                    200, 200).Draw(fluid);
                 double mean = picture.Thickness.Average() / Spacing;
                 TestContext.Out.WriteLine($"{layers} layers: thickness {mean:F2} d");
                 Assert.That(mean, Is.EqualTo(layers).Within(0.03 * layers));
@@ -195,7 +202,8 @@ namespace Rill.Tests
         static bool HitSphere(double3 origin, double3 direction, double3 center, double radius, out double depth)
         {
             double3 from = origin - center;
-            double a = math.dot(direction, direction), b = math.dot(from, direction), c = math.dot(from, from) - radius * radius, root = b * b - a * c;
+            double a = math.dot(direction, direction), b = math.dot(from, direction), c = math.dot(from, from) - radius * radius,
+                root = b * b - a * c;
             depth = root >= 0.0 ? (-b - math.sqrt(root)) / a : 0.0;
             return root >= 0.0;
         }

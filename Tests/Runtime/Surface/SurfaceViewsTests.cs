@@ -98,7 +98,8 @@ namespace Rill.Tests
             foreach (double error in errors)
                 squares += error * error;
             double rms = Math.Sqrt(squares / errors.Count), found = errors[(int)(0.99 * errors.Count)];
-            TestContext.Out.WriteLine($"{water:N0} pixels of water, {100.0 * errors.Count / water:F1} % compared: {rms:F4} d rms, {found:F4} d at the 99th percentile, {errors[errors.Count - 1]:F2} d at most");
+            TestContext.Out.WriteLine($"{water:N0} pixels of water, {100.0 * errors.Count / water:F1} % compared: {rms:F4} d rms, " +
+                $"{found:F4} d at the 99th percentile, {errors[errors.Count - 1]:F2} d at most");
             Assert.That(water, Is.GreaterThan(8000));
             Assert.That(errors.Count, Is.GreaterThan(least * water));
             Assert.That(rms, Is.LessThan(0.1));

@@ -16,7 +16,8 @@ namespace Rill.Tests
         const int Pixels = 128, Rays = 3;        // of the picture, and of a pixel along x and y
         const float Size = 3f, Fill = 0.4f, Floor = -0.4f, Square = 0.25f, Index = 1.333f;
 
-        static readonly double3 Dark = new double3(0.08, 0.1, 0.3), Bright = new double3(0.9, 0.8, 0.6), Ball = new double3(0.8, 0.1, 0.05);    // linear
+        // linear
+        static readonly double3 Dark = new double3(0.08, 0.1, 0.3), Bright = new double3(0.9, 0.8, 0.6), Ball = new double3(0.8, 0.1, 0.05);
         static readonly double3 Left = new double3(0.4, 0.75, 0.85);        // of white after 1 m
         static readonly double3 BallCenter = new double3(0.1, Floor + 0.15, 0.1);
         const double BallRadius = 0.14;
@@ -95,8 +96,10 @@ namespace Rill.Tests
                 for (int x = 0; x < Pixels; x++)
                     for (int i = 0; i < Rays * Rays; i++)
                     {
-                        Ray ray = camera.ViewportPointToRay(new Vector3((x + (i % Rays + 0.5f) / Rays) / Pixels, (y + (i / Rays + 0.5f) / Rays) / Pixels, 0f));
-                        picture[y * Pixels + x] += Seen(new double3((float3)ray.origin), math.normalize(new double3((float3)ray.direction))) / (Rays * Rays);
+                        Ray ray = camera.ViewportPointToRay(new Vector3((x + (i % Rays + 0.5f) / Rays) / Pixels,
+                            (y + (i / Rays + 0.5f) / Rays) / Pixels, 0f));
+                        picture[y * Pixels + x] += Seen(new double3((float3)ray.origin), math.normalize(new double3((float3)ray.direction)))
+                            / (Rays * Rays);
                     }
             return picture;
         }
@@ -123,7 +126,8 @@ namespace Rill.Tests
         double3[] Read() => Array.ConvertAll(scene.Pixels(), pixel => new double3(pixel.xyz));
 
         // As a screen shows it.
-        static double[] Luminance(double3[] picture) => Array.ConvertAll(picture, color => Math.Pow(Math.Max(math.dot(color, new double3(0.2126, 0.7152, 0.0722)), 0.0), 1.0 / 2.2));
+        static double[] Luminance(double3[] picture)
+            => Array.ConvertAll(picture, color => Math.Pow(Math.Max(math.dot(color, new double3(0.2126, 0.7152, 0.0722)), 0.0), 1.0 / 2.2));
 
         // Wang et al. 2004 with windows of 8 x 8 pixels and values from 0 to 1.
         static double Similarity(double[] a, double[] b)
@@ -148,7 +152,8 @@ namespace Rill.Tests
                     const double n = window * window;
                     (meanA, meanB) = (meanA / n, meanB / n);
                     double varianceA = squareA / n - meanA * meanA, varianceB = squareB / n - meanB * meanB, covariance = both / n - meanA * meanB;
-                    sum += (2.0 * meanA * meanB + steady) * (2.0 * covariance + contrast) / ((meanA * meanA + meanB * meanB + steady) * (varianceA + varianceB + contrast));
+                    sum += (2.0 * meanA * meanB + steady) * (2.0 * covariance + contrast)
+                        / ((meanA * meanA + meanB * meanB + steady) * (varianceA + varianceB + contrast));
                 }
             return sum / count;
         }

@@ -6,7 +6,8 @@ using UnityEngine.Rendering;
 
 namespace Rill.Tests
 {
-    /// <summary>Still water in a box around the origin, drawn by a <see cref="FluidSurface"/> that mirrors nothing, under a camera that looks straight down. It is off until a test turns it on.</summary>
+    /// <summary>Still water in a box around the origin, drawn by a <see cref="FluidSurface"/> that mirrors nothing, under a camera that
+    /// looks straight down. It is off until a test turns it on.</summary>
     sealed class WaterScene
     {
         public const float Spacing = 0.05f, Depth = 0.6f;       // m
@@ -161,7 +162,8 @@ namespace Rill.Tests
         /// <summary>The pixel that far right of and above the middle of the picture, m.</summary>
         public float3 At(float right, float up = 0f)
         {
-            int x = (int)((right / Camera.orthographicSize * 0.5f + 0.5f) * Target.width), y = (int)((up / Camera.orthographicSize * 0.5f + 0.5f) * Target.height);
+            int x = (int)((right / Camera.orthographicSize * 0.5f + 0.5f) * Target.width),
+                y = (int)((up / Camera.orthographicSize * 0.5f + 0.5f) * Target.height);
             return Pixels()[y * Target.width + x].xyz;
         }
 
@@ -170,7 +172,8 @@ namespace Rill.Tests
 
         public Color Mean(int left, int right, int bottom, int top) => Mean(Target, left, right, bottom, top);
 
-        public static Color Mean(RenderTexture texture) => Mean(texture, texture.width / 4, 3 * texture.width / 4, texture.height / 4, 3 * texture.height / 4);
+        public static Color Mean(RenderTexture texture)
+            => Mean(texture, texture.width / 4, 3 * texture.width / 4, texture.height / 4, 3 * texture.height / 4);
 
         public static Color Mean(RenderTexture texture, int left, int right, int bottom, int top)
         {

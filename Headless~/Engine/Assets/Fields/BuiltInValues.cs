@@ -45,10 +45,13 @@ namespace Host.Assets
             [typeof(Hash128)] = n => Hash128.Parse(n.Text("Hash")),
         };
 
-        public static Vector3 Vector3(YamlNode n, Vector3 otherwise = default) => n == null ? otherwise : new Vector3(n.Float("x"), n.Float("y"), n.Float("z"));
+        public static Vector3 Vector3(YamlNode n, Vector3 otherwise = default)
+            => n == null ? otherwise : new Vector3(n.Float("x"), n.Float("y"), n.Float("z"));
         public static Vector4 Vector4(YamlNode n) => n == null ? default : new Vector4(n.Float("x"), n.Float("y"), n.Float("z"), n.Float("w"));
-        public static Quaternion Quaternion(YamlNode n) => n == null ? UnityEngine.Quaternion.identity : new Quaternion(n.Float("x"), n.Float("y"), n.Float("z"), n.Float("w", 1));
-        public static Color Color(YamlNode n, Color otherwise = default) => n == null ? otherwise : new Color(n.Float("r"), n.Float("g"), n.Float("b"), n.Float("a", 1));
+        public static Quaternion Quaternion(YamlNode n) => n == null ? UnityEngine.Quaternion.identity
+            : new Quaternion(n.Float("x"), n.Float("y"), n.Float("z"), n.Float("w", 1));
+        public static Color Color(YamlNode n, Color otherwise = default)
+            => n == null ? otherwise : new Color(n.Float("r"), n.Float("g"), n.Float("b"), n.Float("a", 1));
 
         static Vector3Int Vector3Int(YamlNode n) => n == null ? default : new Vector3Int(n.Int("x"), n.Int("y"), n.Int("z"));
 
@@ -76,11 +79,13 @@ namespace Host.Assets
         {
             var keys = n.Items("m_Curve").Select(k =>
             {
-                var key = new Keyframe(k.Float("time"), k.Float("value"), k.Float("inSlope"), k.Float("outSlope"), k.Float("inWeight"), k.Float("outWeight"));
+                var key = new Keyframe(k.Float("time"), k.Float("value"), k.Float("inSlope"), k.Float("outSlope"), k.Float("inWeight"),
+                    k.Float("outWeight"));
                 key.weightedMode = (WeightedMode)k.Int("weightedMode");
                 return key;
             });
-            return new AnimationCurve(keys.ToArray()) { preWrapMode = Wrap(n.Int("m_PreInfinity", 2)), postWrapMode = Wrap(n.Int("m_PostInfinity", 2)) };
+            return new AnimationCurve(keys.ToArray()) { preWrapMode = Wrap(n.Int("m_PreInfinity", 2)),
+                postWrapMode = Wrap(n.Int("m_PostInfinity", 2)) };
         }
 
         /// <summary>Files number the modes differently from the API: 0 ping-pong, 1 loop, 2 clamp.</summary>

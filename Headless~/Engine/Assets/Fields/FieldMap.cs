@@ -45,7 +45,8 @@ namespace Host.Assets
         public static MappedField[] Of(Type type)
         {
             if (!Known.TryGetValue(type, out var fields))
-                Known[type] = fields = SerializedFields.Of(type).Where(f => !IsEngineState(f.DeclaringType)).Select(f => new MappedField(f)).ToArray();
+                Known[type] = fields = SerializedFields.Of(type).Where(f => !IsEngineState(f.DeclaringType)).Select(f => new MappedField(f))
+                    .ToArray();
             return fields;
         }
 

@@ -12,7 +12,8 @@ namespace Host.Assets
     /// <summary>Finds the object that a reference in a file means; null after it has reported why there is none.</summary>
     internal delegate Object ReferenceResolver(FileReference reference, Type fieldType, ReadScope scope);
 
-    /// <summary>Puts a document's values into an object's serialized fields, as Unity does when it loads the object. One reader for one object.</summary>
+    /// <summary>Puts a document's values into an object's serialized fields, as Unity does when it loads the object. One reader for one
+    /// object.</summary>
     internal sealed class FieldReader
     {
         // Unity stops here too: a [Serializable] class that holds itself would have no end.
@@ -39,7 +40,8 @@ namespace Host.Assets
         static readonly HashSet<string> Bookkeeping = new HashSet<string>
         {
             "m_ObjectHideFlags", "m_CorrespondingSourceObject", "m_PrefabInstance", "m_PrefabAsset", "m_PrefabParentObject", "m_PrefabInternal",
-            "m_GameObject", "m_Enabled", "m_EditorHideFlags", "m_GeneratorAsset", "m_Script", "m_Name", "m_EditorClassIdentifier", "references", "serializedVersion",
+            "m_GameObject", "m_Enabled", "m_EditorHideFlags", "m_GeneratorAsset", "m_Script", "m_Name", "m_EditorClassIdentifier",
+                "references", "serializedVersion",
         };
 
         /// <summary>Reads a MonoBehaviour or ScriptableObject. A key that the file lacks keeps what the constructor left.</summary>
@@ -65,8 +67,10 @@ namespace Host.Assets
             }
             // What the host's engine leaves out of its own classes is no fault of the project.
             foreach (var entry in source.Entries)
-                if (!Bookkeeping.Contains(entry.Key) && !fields.Any(f => f.IsNamed(entry.Key)) && !FieldMap.IsEngine(type) && !FieldMap.StandsForPackage(type))
-                    warn($"{entry.Value.Location}: {scope}: {type.Name} has no serialized field '{entry.Key}'; a renamed one needs [FormerlySerializedAs(\"{entry.Key}\")], otherwise save the file again");
+                if (!Bookkeeping.Contains(entry.Key) && !fields.Any(f => f.IsNamed(entry.Key)) && !FieldMap.IsEngine(type)
+                    && !FieldMap.StandsForPackage(type))
+                    warn($"{entry.Value.Location}: {scope}: {type.Name} has no serialized field '{entry.Key}'; a renamed one needs " +
+                        $"[FormerlySerializedAs(\"{entry.Key}\")], otherwise save the file again");
         }
 
         /// <summary>False after a message, when the value does not fit and the field keeps what it had.</summary>
@@ -159,7 +163,8 @@ namespace Host.Assets
             static object checked16(YamlScalar scalar, long low, long high, Func<long, object> cast)
             {
                 var number = scalar.ToLong();
-                return number >= low && number <= high ? cast(number) : throw scalar.Location.Error($"{number} does not lie between {low} and {high}");
+                return number >= low && number <= high ? cast(number)
+                    : throw scalar.Location.Error($"{number} does not lie between {low} and {high}");
             }
         }
 
@@ -179,7 +184,8 @@ namespace Host.Assets
             }
             else if ((node as YamlPackedList)?.Packed is YamlScalar packed || (packed = node as YamlScalar) != null && !packed.IsEmpty)
             {
-                if (!(element.IsPrimitive || element.IsEnum) || !PackedNumbers.TryRead(element, packed.Value, items)) return Misfit(type, node, scope);
+                if (!(element.IsPrimitive || element.IsEnum) || !PackedNumbers.TryRead(element, packed.Value, items))
+                    return Misfit(type, node, scope);
                 if (node is YamlPackedList overridden) Override(element, items, overridden, scope);
             }
             else if (!IsEmpty(node) && node is not YamlMapping { Entries: { Count: 0 } }) return Misfit(type, node, scope);
@@ -204,7 +210,8 @@ namespace Host.Assets
         {
             var element = FieldMap.ElementOf(type);
             if (element != null)
-                return FieldMap.ListOf(type, ((node as YamlSequence)?.Elements ?? new List<YamlNode>()).Select(item => ReadManaged(element, item, scope)).ToList());
+                return FieldMap.ListOf(type, ((node as YamlSequence)?.Elements ?? new List<YamlNode>())
+                    .Select(item => ReadManaged(element, item, scope)).ToList());
             var id = node["rid"] is YamlScalar rid ? rid.ToLong() : -2;
             if (id < 0) return null;
             var found = ManagedObject(id, node, scope);
@@ -226,7 +233,8 @@ namespace Host.Assets
             var type = findManagedType(name.Text("class"), name.Text("ns"), name.Text("asm"));
             if (type == null)
             {
-                fail($"{entry.Location}: {scope}: the type {name.Text("ns")}.{name.Text("class")} of assembly {name.Text("asm")} does not exist: a moved one needs [MovedFrom]");
+                fail($"{entry.Location}: {scope}: the type {name.Text("ns")}.{name.Text("class")} of assembly {name.Text("asm")} does " +
+                    $"not exist: a moved one needs [MovedFrom]");
                 return null;
             }
             var value = managed[id] = New(type);
@@ -256,7 +264,8 @@ namespace Host.Assets
 
         // As Unity, which needs no constructor, but runs one without parameters when there is.
         static object New(Type type) =>
-            type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, Type.EmptyTypes, null) != null
+            type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null,
+            Type.EmptyTypes, null) != null
                 ? Activator.CreateInstance(type, true)
                 : RuntimeHelpers.GetUninitializedObject(type);
     }

@@ -19,7 +19,8 @@ namespace Host.Assets
             ["MeshFilter.m_Mesh"] = "sharedMesh", ["MeshCollider.m_Mesh"] = "sharedMesh", ["SkinnedMeshRenderer.m_Mesh"] = "sharedMesh",
             ["Renderer.m_Materials"] = "sharedMaterials", ["Renderer.m_CastShadows"] = "shadowCastingMode",
             ["RenderSettings.m_LinearFogStart"] = "fogStartDistance", ["RenderSettings.m_LinearFogEnd"] = "fogEndDistance",
-            ["RenderSettings.m_SkyboxMaterial"] = "skybox", ["RenderSettings.m_CustomReflection"] = "customReflectionTexture", ["Collider.m_Material"] = "sharedMaterial",
+            ["RenderSettings.m_SkyboxMaterial"] = "skybox", ["RenderSettings.m_CustomReflection"] = "customReflectionTexture",
+                ["Collider.m_Material"] = "sharedMaterial",
             ["Rigidbody.m_LinearDamping"] = "drag", ["Rigidbody.m_AngularDamping"] = "angularDrag", ["Rigidbody.m_Interpolate"] = "interpolation",
             ["Rigidbody.m_CollisionDetection"] = "collisionDetectionMode", ["Rigidbody.m_InertiaRotation"] = "inertiaTensorRotation",
             // After the tensor and the centre, which they take back.
@@ -31,11 +32,13 @@ namespace Host.Assets
         static readonly Dictionary<Type, Dictionary<string, PropertyInfo>> Known = new Dictionary<Type, Dictionary<string, PropertyInfo>>();
 
         /// <param name="target">Null for a class of static properties.</param>
-        public static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope) => Read(target, type, fields, reader, scope, _ => true);
+        public static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope)
+            => Read(target, type, fields, reader, scope, _ => true);
 
         /// <summary>Of a stub those properties that merely hold a value; the others throw.</summary>
         public static void ReadStub(object target, YamlMapping fields, FieldReader reader, ReadScope scope) =>
-            Read(target, target.GetType(), fields, reader, scope, p => p.GetMethod?.IsDefined(typeof(CompilerGeneratedAttribute)) == true || p.DeclaringType.Assembly == typeof(UnityEngine.Object).Assembly);
+            Read(target, target.GetType(), fields, reader, scope, p => p.GetMethod?.IsDefined(typeof(CompilerGeneratedAttribute)) == true
+            || p.DeclaringType.Assembly == typeof(UnityEngine.Object).Assembly);
 
         static void Read(object target, Type type, YamlMapping fields, FieldReader reader, ReadScope scope, Func<PropertyInfo, bool> which)
         {
@@ -45,7 +48,8 @@ namespace Host.Assets
                 if (property == null || !which(property)) continue;
                 var node = Unwrap(property.PropertyType, entry.Value);
                 scope.Enter(entry.Key);
-                if (reader.TryRead(property.PropertyType, null, node, scope, out var value)) property.SetValue(target, value, BindingFlags.DoNotWrapExceptions, null, null, null);
+                if (reader.TryRead(property.PropertyType, null, node, scope, out var value))
+                    property.SetValue(target, value, BindingFlags.DoNotWrapExceptions, null, null, null);
                 scope.Leave();
             }
         }

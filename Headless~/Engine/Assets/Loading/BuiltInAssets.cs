@@ -12,10 +12,14 @@ namespace Host.Assets
 
         static readonly Dictionary<long, string> Names = new Dictionary<long, string>
         {
-            [10202] = "Cube.fbx", [10206] = "Cylinder.fbx", [10207] = "Sphere.fbx", [10208] = "Capsule.fbx", [10209] = "Plane.fbx", [10210] = "Quad.fbx",
-            [10301] = "Default-Particle.mat", [10302] = "Default-Diffuse.mat", [10303] = "Default-Material.mat", [10304] = "Default-Skybox.mat", [10306] = "Default-Line.mat", [10308] = "Default-ParticleSystem.mat", [10754] = "Sprites-Default.mat",
+            [10202] = "Cube.fbx", [10206] = "Cylinder.fbx", [10207] = "Sphere.fbx", [10208] = "Capsule.fbx", [10209] = "Plane.fbx",
+                [10210] = "Quad.fbx",
+            [10301] = "Default-Particle.mat", [10302] = "Default-Diffuse.mat", [10303] = "Default-Material.mat",
+                [10304] = "Default-Skybox.mat", [10306] = "Default-Line.mat", [10308] = "Default-ParticleSystem.mat",
+                [10754] = "Sprites-Default.mat",
             [46] = "Standard", [45] = "Standard (Specular setup)", [7] = "Legacy Shaders/Diffuse", [30] = "Legacy Shaders/Transparent/Diffuse",
-            [10750] = "Unlit/Transparent", [10751] = "Unlit/Transparent Cutout", [10752] = "Unlit/Texture", [10753] = "Sprites/Default", [10755] = "Unlit/Color",
+            [10750] = "Unlit/Transparent", [10751] = "Unlit/Transparent Cutout", [10752] = "Unlit/Texture", [10753] = "Sprites/Default",
+                [10755] = "Unlit/Color",
             [104] = "Skybox/6 Sided", [106] = "Skybox/Procedural",
             // Particles/Additive, Standard Surface and Standard Unlit: particles are not drawn here.
             [200] = "Sprites/Default", [210] = "Sprites/Default", [211] = "Sprites/Default",

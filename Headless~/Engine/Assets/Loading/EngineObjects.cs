@@ -34,7 +34,8 @@ namespace Host.Assets
         }
 
         // The package of the pipeline that is stood in for is there in name.
-        string Includes(string path) => Player.PipelinePackage != null && path == $"Packages/{Player.PipelinePackage}/package.json" ? path : includes?.Invoke(path);
+        string Includes(string path) => Player.PipelinePackage != null && path == $"Packages/{Player.PipelinePackage}/package.json" ? path
+            : includes?.Invoke(path);
 
         public TextAsset Text(AssetEntry entry) => AsAsset(new TextAsset(File.ReadAllBytes(entry.File)), entry.Name);
 
@@ -42,9 +43,11 @@ namespace Host.Assets
         public Texture2D Texture(AssetEntry entry)
         {
             var image = PngImage.Read(File.ReadAllBytes(entry.File), entry.Path);
-            var settings = File.Exists(entry.File + ".meta") ? UnityYaml.ParsePlain(File.ReadAllText(entry.File + ".meta"), entry.Path + ".meta")["TextureImporter"] : null;
+            var settings = File.Exists(entry.File + ".meta")
+                ? UnityYaml.ParsePlain(File.ReadAllText(entry.File + ".meta"), entry.Path + ".meta")["TextureImporter"] : null;
             var mipmaps = settings?["mipmaps"] ?? new YamlMapping(default);
-            var texture = new Texture2D(image.Width, image.Height, TextureFormat.RGBA32, mipmaps.Bool("enableMipMap", true), !mipmaps.Bool("sRGBTexture", true));
+            var texture = new Texture2D(image.Width, image.Height, TextureFormat.RGBA32, mipmaps.Bool("enableMipMap", true),
+                !mipmaps.Bool("sRGBTexture", true));
             texture.SetPixels32(image.Pixels);
             texture.Apply();
             return AsAsset(TextureReader.Sampled(texture, settings?["textureSettings"]), entry.Name);

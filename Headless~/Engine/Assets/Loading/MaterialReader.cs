@@ -31,7 +31,8 @@ namespace Host.Assets
             }
 
             // A material variant holds only what differs from its parent.
-            if (!fields.Reference("m_Parent").IsNone && Find<Material>(fields["m_Parent"], "m_Parent") is Material parent) material.CopyPropertiesFromMaterial(parent);
+            if (!fields.Reference("m_Parent").IsNone && Find<Material>(fields["m_Parent"], "m_Parent") is Material parent)
+                material.CopyPropertiesFromMaterial(parent);
 
             var saved = fields["m_SavedProperties"];
             foreach (var (name, value) in Properties(saved, "m_TexEnvs"))

@@ -15,7 +15,8 @@ namespace Host.Assets
         /// <exception cref="AssetException">The mesh is compressed, or its data is shorter than it says.</exception>
         public static Mesh Make(YamlMapping fields)
         {
-            if (fields.Int("m_MeshCompression") != 0) throw fields.Location.Error("the mesh is compressed, which the host does not read: set its mesh compression to Off");
+            if (fields.Int("m_MeshCompression") != 0)
+                throw fields.Location.Error("the mesh is compressed, which the host does not read: set its mesh compression to Off");
             var mesh = new Mesh { indexFormat = (IndexFormat)fields.Int("m_IndexFormat") };
             var vertices = new VertexData(fields["m_VertexData"] ?? throw fields.Location.Error("the mesh has no vertex data"));
 
@@ -33,10 +34,12 @@ namespace Host.Assets
             {
                 var first = parts[i].Int("firstByte") / (mesh.indexFormat == IndexFormat.UInt16 ? 2 : 4);
                 var count = parts[i].Int("indexCount");
-                if (first + count > indices.Length) throw parts[i].Location.Error($"sub-mesh {i} ends at index {first + count}, but the buffer has {indices.Length}");
+                if (first + count > indices.Length)
+                    throw parts[i].Location.Error($"sub-mesh {i} ends at index {first + count}, but the buffer has {indices.Length}");
                 mesh.SetIndices(indices.AsSpan(first, count).ToArray(), (MeshTopology)parts[i].Int("topology"), i, false, parts[i].Int("baseVertex"));
             }
-            mesh.bounds = new Bounds(BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Center"]), 2 * BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Extent"]));
+            mesh.bounds = new Bounds(BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Center"]),
+                2 * BuiltInValues.Vector3(fields["m_LocalAABB"]?["m_Extent"]));
             if (!fields.Bool("m_IsReadable", true)) mesh.UploadMeshData(true);
             return mesh;
         }
@@ -55,7 +58,8 @@ namespace Host.Assets
         {
             var numbers = new List<object>();
             var type = fields.Int("m_IndexFormat") == 0 ? typeof(ushort) : typeof(int);
-            if (!PackedNumbers.TryRead(type, fields.Text("m_IndexBuffer"), numbers)) throw fields.Location.Error("the mesh's index buffer is damaged");
+            if (!PackedNumbers.TryRead(type, fields.Text("m_IndexBuffer"), numbers))
+                throw fields.Location.Error("the mesh's index buffer is damaged");
             return numbers.Select(Convert.ToInt32).ToArray();
         }
 
@@ -72,7 +76,8 @@ namespace Host.Assets
             {
                 count = node.Int("m_VertexCount");
                 channels = node.Items("m_Channels")
-                    .Select(c => new Channel { Stream = c.Int("stream"), Offset = c.Int("offset"), Format = c.Int("format"), Dimension = c.Int("dimension") & 15 }).ToArray();
+                    .Select(c => new Channel { Stream = c.Int("stream"), Offset = c.Int("offset"), Format = c.Int("format"),
+                        Dimension = c.Int("dimension") & 15 }).ToArray();
                 if (!PackedNumbers.TryBytes(node.Text("_typelessdata"), out data)) throw node.Location.Error("the mesh's vertex data is damaged");
 
                 // One stream after the other, each starting at a multiple of 16 bytes.
@@ -83,7 +88,8 @@ namespace Host.Assets
                 {
                     strides[s] = channels.Where(c => c.Dimension > 0 && c.Stream == s).Sum(c => (c.Dimension * Size(c.Format) + 3) / 4 * 4);
                     starts[s] = at;
-                    if (at + strides[s] * count > data.Length) throw node.Location.Error($"the mesh has {data.Length} bytes of vertex data, but its {count} vertices need more");
+                    if (at + strides[s] * count > data.Length)
+                        throw node.Location.Error($"the mesh has {data.Length} bytes of vertex data, but its {count} vertices need more");
                     at = (at + strides[s] * count + 15) / 16 * 16;
                 }
             }

@@ -20,7 +20,8 @@ namespace Host.Assets
         /// <summary>Settings of the importer that must have the value at which they do nothing.</summary>
         static readonly (string Key, int Value, string What)[] Unread =
         {
-            ("meshCompression", 0, "Mesh Compression"), ("keepQuads", 0, "Keep Quads"), ("swapUVChannels", 0, "Swap UVs"), ("generateSecondaryUV", 0, "Generate Lightmap UVs"),
+            ("meshCompression", 0, "Mesh Compression"), ("keepQuads", 0, "Keep Quads"), ("swapUVChannels", 0, "Swap UVs"),
+                ("generateSecondaryUV", 0, "Generate Lightmap UVs"),
             ("addColliders", 0, "Generate Colliders"), ("weldVertices", 1, "Weld Vertices off"),
         };
 
@@ -38,14 +39,17 @@ namespace Host.Assets
             var mesh = Build(file, meshes.Float("globalScale", 1), NormalMode(entry, settings["tangentSpace"], file.Looks));
             mesh.name = name;
             mesh.IsAsset = true;
-            if (mesh.HasVertexAttribute(VertexAttribute.TexCoord0) && (settings["tangentSpace"]?.Int("tangentImportMode", 3) ?? 3) == 3) mesh.RecalculateTangents();
+            if (mesh.HasVertexAttribute(VertexAttribute.TexCoord0) && (settings["tangentSpace"]?.Int("tangentImportMode", 3) ?? 3) == 3)
+                mesh.RecalculateTangents();
             if (!(settings["animations"]?.Bool("isReadable") ?? false)) mesh.UploadMeshData(true);
             asset.With(FileId(settings, meshes, entry, name), mesh);
             return asset;
         }
 
-        /// <summary>Unity's rule for parts of a model (fileIdsGeneration 2): a hash of class, name and the count of those of that name before it.</summary>
-        public static long HashedId(string typeName, string name, int before = 0) => unchecked((long)XxHash64.Of(Encoding.UTF8.GetBytes($"Type:{typeName}->{name}{before}")));
+        /// <summary>Unity's rule for parts of a model (fileIdsGeneration 2): a hash of class, name and the count of those of that name
+        /// before it.</summary>
+        public static long HashedId(string typeName, string name, int before = 0)
+            => unchecked((long)XxHash64.Of(Encoding.UTF8.GetBytes($"Type:{typeName}->{name}{before}")));
 
         /// <summary>File ids of the objects that Unity makes of the file and this reads.</summary>
         public static IEnumerable<long> FileIds(AssetEntry entry)
@@ -58,7 +62,8 @@ namespace Host.Assets
         static YamlNode Settings(AssetEntry entry)
         {
             var meta = entry.File + ".meta";
-            return (File.Exists(meta) ? UnityYaml.ParsePlain(File.ReadAllText(meta), entry.Path + ".meta")["ModelImporter"] : null) ?? new YamlMapping(default);
+            return (File.Exists(meta) ? UnityYaml.ParsePlain(File.ReadAllText(meta), entry.Path + ".meta")["ModelImporter"] : null)
+                ?? new YamlMapping(default);
         }
 
         /// <summary>What the table of the .meta file says, or the hash.</summary>
@@ -67,17 +72,23 @@ namespace Host.Assets
             foreach (var row in settings.Items("internalIDToNameTable"))
                 if (row["first"]?[MeshClass.ToString()] is YamlScalar id && row.Text("second") == name) return id.ToLong();
             if (meshes != null && meshes.Int("fileIdsGeneration", 2) != 2)
-                throw Unable(entry, $"its .meta file numbers its parts by an older rule (fileIdsGeneration {meshes.Int("fileIdsGeneration")}) and its internalIDToNameTable does not have the mesh '{name}'");
+                throw Unable(entry, $"its .meta file numbers its parts by an older rule (fileIdsGeneration " +
+                    $"{meshes.Int("fileIdsGeneration")}) and its internalIDToNameTable does not have the mesh '{name}'");
             return HashedId("Mesh", name);
         }
 
         static string MeshName(AssetEntry entry, MeshLooks looks)
         {
             if (looks.Groups.Count == 0) throw new AssetException($"{entry.Path} has no faces");
-            if (looks.Groups.Count > 1) throw Unable(entry, $"it has {looks.Groups.Count} groups with faces ({Listed(looks.Groups)}), each of which is a mesh of its own");
+            if (looks.Groups.Count > 1)
+                throw Unable(entry,
+                $"it has {looks.Groups.Count} groups with faces ({Listed(looks.Groups)}), each of which is a mesh of its own");
             if (looks.Objects.Count > 1) throw Unable(entry, $"it has {looks.Objects.Count} objects with faces ({Listed(looks.Objects)})");
-            if (looks.Materials.Count > 1) throw Unable(entry, $"it has {looks.Materials.Count} materials ({Listed(looks.Materials)}), each of which is a sub-mesh");
-            if (looks.Objects[0].Length > 0 && looks.Groups[0].Length == 0) throw Unable(entry, $"its faces belong to the object '{looks.Objects[0]}' and to no group, and how Unity names that mesh is not known here");
+            if (looks.Materials.Count > 1)
+                throw Unable(entry, $"it has {looks.Materials.Count} materials ({Listed(looks.Materials)}), each of which is a sub-mesh");
+            if (looks.Objects[0].Length > 0 && looks.Groups[0].Length == 0)
+                throw Unable(entry,
+                $"its faces belong to the object '{looks.Objects[0]}' and to no group, and how Unity names that mesh is not known here");
             return looks.Groups[0].Length > 0 ? looks.Groups[0] : NoGroup;
         }
 
@@ -95,7 +106,8 @@ namespace Host.Assets
         }
 
         static AssetException Unable(AssetEntry entry, string why) =>
-            new($"{entry.Path}: {why}: the host does not do that. Export the file as one group of one material with normals, or change its import settings");
+            new($"{entry.Path}: {why}: the host does not do that. Export the file as one group of one material with normals, or change " +
+            $"its import settings");
 
         /// <summary>A vertex for every combination of position, normal and texture coordinate that the corners have.</summary>
         static Mesh Build(MeshFile file, float scale, bool hasNormals)

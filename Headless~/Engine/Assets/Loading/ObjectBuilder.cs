@@ -42,7 +42,8 @@ namespace Host.Assets
             foreach (var document in documents.Documents)
                 if (document.Origin != null) result.Origins[document.FileId] = document.Origin;
             childrenOf = documents.Documents.Where(PrefabExpander.IsTransform).ToLookup(ParentOf);
-            componentsOf = documents.Documents.Where(d => d.ClassId != PrefabExpander.GameObject).ToLookup(d => d.Fields.Reference("m_GameObject").FileId);
+            componentsOf = documents.Documents.Where(d => d.ClassId != PrefabExpander.GameObject)
+                .ToLookup(d => d.Fields.Reference("m_GameObject").FileId);
         }
 
         /// <returns>The GameObjects without a parent, in the order of the hierarchy window.</returns>
@@ -53,7 +54,8 @@ namespace Host.Assets
             if (lost != null) project.Fail($"{lost.Location}: the {lost.TypeName} {lost.FileId} is its own ancestor: correct m_Father");
 
             foreach (var document in documents.Documents)
-                if (document.Fields.Reference("m_GameObject").IsNone && document.ClassId != PrefabExpander.GameObject && !PrefabExpander.IsTransform(document)) MakeFree(document);
+                if (document.Fields.Reference("m_GameObject").IsNone && document.ClassId != PrefabExpander.GameObject
+                    && !PrefabExpander.IsTransform(document)) MakeFree(document);
             foreach (var (document, target) in made) ReadValues(document, target);
             return roots;
         }
@@ -70,7 +72,8 @@ namespace Host.Assets
 
         IEnumerable<UnityDocument> InRootOrder(IEnumerable<UnityDocument> transforms)
         {
-            var listed = documents.Documents.Where(d => d.ClassId == SceneRoots).SelectMany(d => d.Fields.Items("m_Roots")).Select(r => FileReference.Of(r).FileId).ToList();
+            var listed = documents.Documents.Where(d => d.ClassId == SceneRoots).SelectMany(d => d.Fields.Items("m_Roots"))
+                .Select(r => FileReference.Of(r).FileId).ToList();
             return transforms.OrderBy(t =>
             {
                 var at = listed.IndexOf(t.FileId);
@@ -115,8 +118,10 @@ namespace Host.Assets
         IEnumerable<UnityDocument> ComponentsOf(UnityDocument gameObject)
         {
             // Old editors used the component's class id for the key.
-            var listed = gameObject.Fields.Items("m_Component").OfType<YamlMapping>().SelectMany(c => c.Entries).Select(e => FileReference.Of(e.Value).FileId).ToList();
-            return componentsOf[gameObject.FileId].Where(d => !PrefabExpander.IsTransform(d)).OrderBy(d => listed.Contains(d.FileId) ? listed.IndexOf(d.FileId) : int.MaxValue);
+            var listed = gameObject.Fields.Items("m_Component").OfType<YamlMapping>().SelectMany(c => c.Entries)
+                .Select(e => FileReference.Of(e.Value).FileId).ToList();
+            return componentsOf[gameObject.FileId].Where(d => !PrefabExpander.IsTransform(d)).OrderBy(d => listed.Contains(d.FileId)
+                ? listed.IndexOf(d.FileId) : int.MaxValue);
         }
 
         void MakeComponent(UnityDocument document, GameObject owner)
@@ -135,9 +140,11 @@ namespace Host.Assets
             else
             {
                 type = project.ComponentType(document.TypeName);
-                if (type == null) project.Note($"{document.Location}: the host has no {document.TypeName}; it is left out of '{PathOf(owner)}' (and of others, if there are)", document.TypeName);
+                if (type == null) project.Note($"{document.Location}: the host has no {document.TypeName}; it is left out of " +
+                    $"'{PathOf(owner)}' (and of others, if there are)", document.TypeName);
             }
-            if (type != null && project.IsStub(type)) project.Note($"{document.Location}: the host has a {type.Name} in name only: the one on '{PathOf(owner)}' (and others, if there are) does nothing", type.Name);
+            if (type != null && project.IsStub(type)) project.Note($"{document.Location}: the host has a {type.Name} in name only: the " +
+                $"one on '{PathOf(owner)}' (and others, if there are) does nothing", type.Name);
             if (type == null)
             {
                 result.LeftOut.Add(document.FileId);
@@ -157,22 +164,27 @@ namespace Host.Assets
                 case MonoBehaviour:
                     var scope = new ReadScope(() => $"the script of '{document.Fields.Text("m_Name")}'");
                     var type = project.ScriptType(document.Fields.Reference("m_Script"), scope);
-                    if (type != null && !typeof(ScriptableObject).IsAssignableFrom(type)) project.Fail($"{document.Location}: {scope} is {type.Name}, which is no ScriptableObject: only those can be assets");
+                    if (type != null && !typeof(ScriptableObject).IsAssignableFrom(type))
+                        project.Fail(
+                        $"{document.Location}: {scope} is {type.Name}, which is no ScriptableObject: only those can be assets");
                     else if (type != null) found = ObjectFactory.CreateScriptableObject(type);
                     break;
-                case Material: found = MaterialReader.Make(document.Fields, Resolve, new ReadScope(() => $"Material '{document.Fields.Text("m_Name")}'")); break;
+                case Material: found = MaterialReader.Make(document.Fields, Resolve,
+                    new ReadScope(() => $"Material '{document.Fields.Text("m_Name")}'")); break;
                 case Mesh: found = MeshReader.Make(document.Fields); break;
                 case Texture2D: found = TextureReader.MakeTexture2D(document.Fields); break;
                 // `rill check` has no device to put voxels on, and needs none.
                 case Texture3D: found = Player.Device == null ? null : TextureReader.MakeTexture3D(document.Fields); break;
                 case RenderTexture: found = TextureReader.MakeRenderTexture(document.Fields); break;
                 case RenderSettings when isScene:
-                    NativeFields.Read(null, typeof(UnityEngine.RenderSettings), document.Fields, Reader(), new ReadScope(() => "the scene's RenderSettings"));
+                    NativeFields.Read(null, typeof(UnityEngine.RenderSettings), document.Fields, Reader(),
+                        new ReadScope(() => "the scene's RenderSettings"));
                     UnityEngine.Headless.EnvironmentLighting.Invalidate();
                     return;
                 default:
                     if (isScene) return;
-                    project.Note($"{document.Location}: the host makes no {document.TypeName} from a file; '{document.Fields.Text("m_Name")}' is left out");
+                    project.Note($"{document.Location}: the host makes no {document.TypeName} from a file; " +
+                        $"'{document.Fields.Text("m_Name")}' is left out");
                     break;
             }
             if (found == null)
@@ -225,7 +237,8 @@ namespace Host.Assets
 
         // ---- names for messages
 
-        static string Describe(Object target) => target is Component component ? $"{target.GetType().Name} on '{PathOf(component.gameObject)}'" : $"{target.GetType().Name} '{target.name}'";
+        static string Describe(Object target) => target is Component component
+            ? $"{target.GetType().Name} on '{PathOf(component.gameObject)}'" : $"{target.GetType().Name} '{target.name}'";
 
         static string PathOf(GameObject gameObject)
         {

@@ -10,7 +10,8 @@ namespace Host.Assets
     {
         public static RenderTexture MakeRenderTexture(YamlMapping fields)
         {
-            var description = new RenderTextureDescriptor(fields.Int("m_Width"), fields.Int("m_Height"), (GraphicsFormat)fields.Int("m_ColorFormat"), (GraphicsFormat)fields.Int("m_DepthStencilFormat"))
+            var description = new RenderTextureDescriptor(fields.Int("m_Width"), fields.Int("m_Height"),
+                (GraphicsFormat)fields.Int("m_ColorFormat"), (GraphicsFormat)fields.Int("m_DepthStencilFormat"))
             {
                 msaaSamples = Math.Max(fields.Int("m_AntiAliasing"), 1),
                 dimension = (TextureDimension)fields.Int("m_Dimension", (int)TextureDimension.Tex2D),
@@ -24,7 +25,8 @@ namespace Host.Assets
 
         public static Texture2D MakeTexture2D(YamlMapping fields)
         {
-            var texture = new Texture2D(fields.Int("m_Width"), fields.Int("m_Height"), (TextureFormat)fields.Int("m_TextureFormat"), fields.Int("m_MipCount", 1), fields.Int("m_ColorSpace") == 0);
+            var texture = new Texture2D(fields.Int("m_Width"), fields.Int("m_Height"), (TextureFormat)fields.Int("m_TextureFormat"),
+                fields.Int("m_MipCount", 1), fields.Int("m_ColorSpace") == 0);
             texture.LoadRawTextureData(Data(fields));
             texture.Apply(false);
             return Sampled(texture, fields["m_TextureSettings"]);
@@ -32,8 +34,11 @@ namespace Host.Assets
 
         public static Texture3D MakeTexture3D(YamlMapping fields)
         {
-            var texture = new Texture3D(fields.Int("m_Width"), fields.Int("m_Height"), fields.Int("m_Depth"), (GraphicsFormat)fields.Int("m_Format"), TextureCreationFlags.None, 1);
-            if (fields.Int("m_MipCount", 1) > 1) throw fields.Location.Error($"the volume texture '{fields.Text("m_Name")}' has mip levels, which the host does not read: save it without");
+            var texture = new Texture3D(fields.Int("m_Width"), fields.Int("m_Height"), fields.Int("m_Depth"),
+                (GraphicsFormat)fields.Int("m_Format"), TextureCreationFlags.None, 1);
+            if (fields.Int("m_MipCount", 1) > 1)
+                throw fields.Location.Error(
+                $"the volume texture '{fields.Text("m_Name")}' has mip levels, which the host does not read: save it without");
             texture.SetPixelData(Data(fields), 0);
             texture.Apply(false, !fields.Bool("m_IsReadable", true));
             return Sampled(texture, fields["m_TextureSettings"]);
@@ -41,8 +46,11 @@ namespace Host.Assets
 
         static byte[] Data(YamlMapping fields)
         {
-            if (!PackedNumbers.TryBytes(fields.Text("_typelessdata"), out var bytes)) throw fields.Location.Error($"the data of the texture '{fields.Text("m_Name")}' is damaged");
-            if (bytes.Length == 0) throw fields.Location.Error($"the texture '{fields.Text("m_Name")}' keeps its data in another file, which the host does not read");
+            if (!PackedNumbers.TryBytes(fields.Text("_typelessdata"), out var bytes))
+                throw fields.Location.Error($"the data of the texture '{fields.Text("m_Name")}' is damaged");
+            if (bytes.Length == 0)
+                throw fields.Location.Error(
+                $"the texture '{fields.Text("m_Name")}' keeps its data in another file, which the host does not read");
             return bytes;
         }
 

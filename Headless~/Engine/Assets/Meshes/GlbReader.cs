@@ -15,7 +15,8 @@ namespace Host.Assets
         const int Byte = 5120, UnsignedByte = 5121, Short = 5122, UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126;
         const int TriangleList = 4, TriangleStrip = 5, TriangleFan = 6;
 
-        static readonly string[] KnownExtensions = { "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu", "EXT_texture_webp", "KHR_lights_punctual" };
+        static readonly string[] KnownExtensions = { "KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
+            "EXT_texture_webp", "KHR_lights_punctual" };
 
         readonly string shownAs;
         readonly byte[] file;
@@ -38,7 +39,8 @@ namespace Host.Assets
         public static MeshFile Read(string name, byte[] file, string shownAs)
         {
             AssetException Damaged(string what) => new($"{shownAs} is damaged: {what}: export it again");
-            if (file.Length < 20 || BinaryPrimitives.ReadUInt32LittleEndian(file) != Magic) throw new AssetException($"{shownAs} is no GLB file: it does not start with \"glTF\"");
+            if (file.Length < 20 || BinaryPrimitives.ReadUInt32LittleEndian(file) != Magic)
+                throw new AssetException($"{shownAs} is no GLB file: it does not start with \"glTF\"");
             var version = BinaryPrimitives.ReadUInt32LittleEndian(file.AsSpan(4));
             if (version != 2) throw new AssetException($"{shownAs} is of glTF {version}: export it as glTF 2.0");
 
@@ -59,7 +61,8 @@ namespace Host.Assets
                 reader.ReadScene();
                 return new MeshFile(name, reader.vertices.ToArray(), reader.triangles.ToArray(), reader.parts, reader.Notes());
             }
-            catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or IndexOutOfRangeException)
+            catch (Exception e) when (
+                e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or IndexOutOfRangeException)
             {
                 throw Damaged(e.Message.TrimEnd('.'));
             }
@@ -79,7 +82,8 @@ namespace Host.Assets
             if (root.TryGetProperty("extensionsRequired", out var required))
                 foreach (var extension in required.EnumerateArray().Select(e => e.GetString()))
                     if (Array.IndexOf(KnownExtensions, extension) < 0)
-                        throw new AssetException($"{shownAs} needs the glTF extension {extension}, which is not read here: export it without (no compression)");
+                        throw new AssetException(
+                            $"{shownAs} needs the glTF extension {extension}, which is not read here: export it without (no compression)");
             if (!root.TryGetProperty("nodes", out var nodes)) return;
             if (root.TryGetProperty("scenes", out var scenes))
             {
@@ -89,7 +93,8 @@ namespace Host.Assets
                 return;
             }
             // A library without a scene: all nodes that are no one's children.
-            var children = nodes.EnumerateArray().SelectMany(n => n.TryGetProperty("children", out var list) ? list.EnumerateArray().Select(c => c.GetInt32()).ToArray() : Array.Empty<int>()).ToHashSet();
+            var children = nodes.EnumerateArray().SelectMany(n => n.TryGetProperty("children", out var list)
+                ? list.EnumerateArray().Select(c => c.GetInt32()).ToArray() : Array.Empty<int>()).ToHashSet();
             for (var i = 0; i < nodes.GetArrayLength(); i++)
                 if (!children.Contains(i)) Node(nodes, i, Matrix4x4.identity);
         }
@@ -119,8 +124,10 @@ namespace Host.Assets
                 for (var i = 0; i < 16; i++) columns[i] = matrix[i].GetSingle();
                 return columns;
             }
-            var position = node.TryGetProperty("translation", out var t) ? new Vector3(t[0].GetSingle(), t[1].GetSingle(), t[2].GetSingle()) : Vector3.zero;
-            var rotation = node.TryGetProperty("rotation", out var r) ? new Quaternion(r[0].GetSingle(), r[1].GetSingle(), r[2].GetSingle(), r[3].GetSingle()) : Quaternion.identity;
+            var position = node.TryGetProperty("translation", out var t) ? new Vector3(t[0].GetSingle(), t[1].GetSingle(), t[2].GetSingle())
+                : Vector3.zero;
+            var rotation = node.TryGetProperty("rotation", out var r)
+                ? new Quaternion(r[0].GetSingle(), r[1].GetSingle(), r[2].GetSingle(), r[3].GetSingle()) : Quaternion.identity;
             var scale = node.TryGetProperty("scale", out var s) ? new Vector3(s[0].GetSingle(), s[1].GetSingle(), s[2].GetSingle()) : Vector3.one;
             return Matrix4x4.TRS(position, rotation, scale);
         }
@@ -193,7 +200,8 @@ namespace Host.Assets
                 if (accessor.GetProperty("type").GetString() != type) throw new FormatException($"accessor {index} is no {type}");
                 Count = accessor.GetProperty("count").GetInt32();
                 kind = accessor.GetProperty("componentType").GetInt32();
-                size = kind switch { Byte or UnsignedByte => 1, Short or UnsignedShort => 2, UnsignedInt or Float => 4, _ => throw new FormatException($"component type {kind} of accessor {index} does not exist") };
+                size = kind switch { Byte or UnsignedByte => 1, Short or UnsignedShort => 2, UnsignedInt or Float => 4,
+                    _ => throw new FormatException($"component type {kind} of accessor {index} does not exist") };
                 normalized = accessor.TryGetProperty("normalized", out var flag) && flag.GetBoolean();
 
                 var view = glb.root.GetProperty("bufferViews")[viewIndex.GetInt32()];
@@ -201,7 +209,8 @@ namespace Host.Assets
                 if (buffer != 0 || glb.root.GetProperty("buffers")[0].TryGetProperty("uri", out _))
                     throw new AssetException($"{glb.shownAs} keeps its vertices in another file: export it as one .glb with everything inside");
                 stride = view.TryGetProperty("byteStride", out var step) ? step.GetInt32() : size * components;
-                long offset = (view.TryGetProperty("byteOffset", out var o) ? o.GetInt64() : 0) + (accessor.TryGetProperty("byteOffset", out o) ? o.GetInt64() : 0);
+                long offset = (view.TryGetProperty("byteOffset", out var o) ? o.GetInt64() : 0)
+                    + (accessor.TryGetProperty("byteOffset", out o) ? o.GetInt64() : 0);
                 if (Count < 0 || offset < 0 || stride < size * components || offset + (Count - 1L) * stride + size * components > glb.binaryLength)
                     throw new FormatException($"accessor {index} reaches beyond the end of the data");
                 start = glb.binaryStart + (int)offset;
@@ -215,7 +224,8 @@ namespace Host.Assets
                     Float => BinaryPrimitives.ReadSingleLittleEndian(at),
                     Byte => normalized ? Math.Max((sbyte)at[0] / 127f, -1f) : (sbyte)at[0],
                     UnsignedByte => at[0] / (normalized ? 255f : 1f),
-                    Short => normalized ? Math.Max(BinaryPrimitives.ReadInt16LittleEndian(at) / 32767f, -1f) : BinaryPrimitives.ReadInt16LittleEndian(at),
+                    Short => normalized ? Math.Max(BinaryPrimitives.ReadInt16LittleEndian(at) / 32767f, -1f)
+                        : BinaryPrimitives.ReadInt16LittleEndian(at),
                     UnsignedShort => BinaryPrimitives.ReadUInt16LittleEndian(at) / (normalized ? 65535f : 1f),
                     _ => BinaryPrimitives.ReadUInt32LittleEndian(at),
                 };

@@ -40,7 +40,8 @@ namespace Host.Assets
             if (!File.Exists(file)) throw new AssetException($"{file} does not exist");
             if (kind != ".obj" && kind != ".glb") throw new AssetException($"{file} is no mesh that can be read here: save it as .obj or .glb");
             if (new FileInfo(file).Length == 0) throw new AssetException($"{file} is empty");
-            if (new FileInfo(file).Length > Array.MaxLength) throw new AssetException($"{file} has more than 2 GB: split it, or reduce its triangles");
+            if (new FileInfo(file).Length > Array.MaxLength)
+                throw new AssetException($"{file} has more than 2 GB: split it, or reduce its triangles");
             byte[] bytes = File.ReadAllBytes(file);
             string name = Path.GetFileNameWithoutExtension(file);
             return kind == ".obj" ? ObjReader.Read(name, bytes, file) : GlbReader.Read(name, bytes, file);

@@ -8,12 +8,15 @@ using UnityEngine;
 
 namespace Host.Assets
 {
-    /// <summary>Wavefront OBJ: positions and faces; polygons become fans around their first corner. What else a file has does not bear on its shape, and is read only where its looks are asked for.</summary>
-    /// <remarks>Wavefront, Advanced Visualizer manual, appendix B1 "Object Files". Works on the bytes: a million triangles are read in less than a second.</remarks>
+    /// <summary>Wavefront OBJ: positions and faces; polygons become fans around their first corner. What else a file has does not bear on
+    /// its shape, and is read only where its looks are asked for.</summary>
+    /// <remarks>Wavefront, Advanced Visualizer manual, appendix B1 "Object Files". Works on the bytes: a million triangles are read in less
+    /// than a second.</remarks>
     internal sealed class ObjReader
     {
         /// <summary>Statements that would add to the shape; the others name, shade or group.</summary>
-        static readonly Dictionary<string, string> Elements = new() { ["l"] = "lines", ["p"] = "points", ["curv"] = "curves", ["curv2"] = "curves", ["surf"] = "free-form surfaces" };
+        static readonly Dictionary<string, string> Elements = new() { ["l"] = "lines", ["p"] = "points", ["curv"] = "curves",
+            ["curv2"] = "curves", ["surf"] = "free-form surfaces" };
 
         readonly string shownAs;
         readonly List<Vector3> vertices = new();
@@ -41,7 +44,9 @@ namespace Host.Assets
             reader.ReadLines(text);
             if (reader.vertices.Count == 0 && reader.triangles.Count == 0)
                 throw new AssetException($"{shownAs} is no OBJ file: no line starts with v or f");
-            return new MeshFile(name, reader.vertices.ToArray(), reader.triangles.ToArray(), reader.parts, reader.leftOut.Select(kind => $"{kind.Value.ToString("N0", CultureInfo.InvariantCulture)} {kind.Key} are left out.").ToList()) { Looks = reader.looks };
+            return new MeshFile(name, reader.vertices.ToArray(), reader.triangles.ToArray(), reader.parts,
+                reader.leftOut.Select(kind => $"{kind.Value.ToString("N0", CultureInfo.InvariantCulture)} {kind.Key} are left out.")
+                .ToList()) { Looks = reader.looks };
         }
 
         void ReadLines(ReadOnlySpan<byte> text)
@@ -91,9 +96,11 @@ namespace Host.Assets
             else if (word.SequenceEqual("o"u8)) Part(ref item, rest);
             else if (word.SequenceEqual("g"u8)) Part(ref group, rest);
             else if (word.SequenceEqual("usemtl"u8)) Part(ref material, rest);
-            else if (looks != null && word.SequenceEqual("vn"u8)) looks.Normals.Add(new Vector3(-Number(ref rest), Number(ref rest), Number(ref rest)));
+            else if (looks != null && word.SequenceEqual("vn"u8))
+                looks.Normals.Add(new Vector3(-Number(ref rest), Number(ref rest), Number(ref rest)));
             else if (looks != null && word.SequenceEqual("vt"u8)) looks.Uvs.Add(new Vector2(Number(ref rest), Number(ref rest)));
-            else if (word[0] != 'v' && Elements.TryGetValue(Encoding.ASCII.GetString(word), out var kind)) leftOut[kind] = leftOut.GetValueOrDefault(kind) + 1;
+            else if (word[0] != 'v' && Elements.TryGetValue(Encoding.ASCII.GetString(word), out var kind))
+                leftOut[kind] = leftOut.GetValueOrDefault(kind) + 1;
         }
 
         void Vertex(ReadOnlySpan<byte> rest) => vertices.Add(new Vector3(-Number(ref rest), Number(ref rest), Number(ref rest)));

@@ -34,7 +34,8 @@ namespace Host.Assets
 
             var standIns = source.Documents.Where(d => d.Stripped).ToLookup(d => InstanceOf(d));
             foreach (var document in source.Documents)
-                if (document.ClassId == PrefabInstance && !IsOldPrefabHeader(document)) new Instance(this, document, standIns[document.FileId]).AddTo(result);
+                if (document.ClassId == PrefabInstance && !IsOldPrefabHeader(document))
+                    new Instance(this, document, standIns[document.FileId]).AddTo(result);
             return result;
         }
 
@@ -69,7 +70,8 @@ namespace Host.Assets
                 }
                 foreach (var id in prefab.LeftOut) result.LeftOut.Add(IdHere(id));
 
-                var kept = prefab.Documents.Where(d => !Removed(prefab).Contains(d.FileId)).ToDictionary(d => d.FileId, d => d.Clone(IdHere(d.FileId)));
+                var kept = prefab.Documents.Where(d => !Removed(prefab).Contains(d.FileId)).ToDictionary(d => d.FileId,
+                    d => d.Clone(IdHere(d.FileId)));
                 foreach (var (target, document) in kept) document.Origin = new PrefabOrigin(instance.FileId, target);
                 foreach (var document in kept.Values) Relink(document.Fields, kept);
                 foreach (var document in kept.Values)
@@ -92,7 +94,8 @@ namespace Host.Assets
             HashSet<long> Removed(UnityYaml prefab)
             {
                 if (removed != null) return removed;
-                removed = new HashSet<long>(modification.Items("m_RemovedComponents").Concat(modification.Items("m_RemovedGameObjects")).Select(r => FileReference.Of(r).FileId));
+                removed = new HashSet<long>(modification.Items("m_RemovedComponents").Concat(modification.Items("m_RemovedGameObjects"))
+                    .Select(r => FileReference.Of(r).FileId));
                 removed.Remove(0);
                 // With a GameObject go its components and everything below.
                 for (var before = -1; before != removed.Count;)
@@ -130,7 +133,8 @@ namespace Host.Assets
                 if (!kept.TryGetValue(target.FileId, out var document))
                 {
                     if (!removed.Contains(target.FileId))
-                        owner.warn($"{change.Location}: the override of '{path}' is for object {target.FileId}, which the prefab no longer has: right-click the instance in Unity and remove unused overrides");
+                        owner.warn($"{change.Location}: the override of '{path}' is for object {target.FileId}, which the prefab no " +
+                            $"longer has: right-click the instance in Unity and remove unused overrides");
                     return;
                 }
                 var reference = change["objectReference"];
@@ -140,7 +144,8 @@ namespace Host.Assets
                 PropertyPath.Set(document.Fields, path, value);
             }
 
-            static YamlNode Number(long value, SourceLocation place) => new YamlScalar(place, value.ToString(System.Globalization.CultureInfo.InvariantCulture));
+            static YamlNode Number(long value, SourceLocation place)
+                => new YamlScalar(place, value.ToString(System.Globalization.CultureInfo.InvariantCulture));
 
             static YamlNode Reference(long fileId, SourceLocation place)
             {

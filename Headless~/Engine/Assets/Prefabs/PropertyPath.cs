@@ -28,7 +28,8 @@ namespace Host.Assets
                 if (rest.StartsWith(Data, StringComparison.Ordinal))
                 {
                     var close = rest.IndexOf(']');
-                    if (close < 0 || !int.TryParse(rest.AsSpan(Data.Length, close - Data.Length), NumberStyles.None, CultureInfo.InvariantCulture, out var index))
+                    if (close < 0 || !int.TryParse(rest.AsSpan(Data.Length, close - Data.Length), NumberStyles.None,
+                        CultureInfo.InvariantCulture, out var index))
                         throw value.Location.Error($"the override path '{path}' has no number in its brackets");
                     if (IsPacked(at))
                     {
@@ -84,7 +85,8 @@ namespace Host.Assets
         static YamlSequence List(YamlNode at, Action<YamlNode> replace, string path, SourceLocation place)
         {
             if (at is YamlSequence list) return list;
-            if (!IsVacant(at) && at is not YamlMapping { Entries: { Count: 0 } }) throw place.Error($"the override path '{path}' takes {at.Kind} of {at.Location} for a list");
+            if (!IsVacant(at) && at is not YamlMapping { Entries: { Count: 0 } })
+                throw place.Error($"the override path '{path}' takes {at.Kind} of {at.Location} for a list");
             list = new YamlSequence(place);
             replace(list);
             return list;

@@ -24,14 +24,18 @@ namespace Host.Assets
             {
                 line++;
                 if (text.StartsWith("guid:", StringComparison.Ordinal)) guid = text.Substring(5).Trim();
-                else if (text.Length > 0 && text[0] != ' ' && text.EndsWith("Importer:", StringComparison.Ordinal)) importer = text.Substring(0, text.Length - 1);
+                else if (text.Length > 0 && text[0] != ' ' && text.EndsWith("Importer:", StringComparison.Ordinal))
+                    importer = text.Substring(0, text.Length - 1);
                 else if (text.StartsWith("  executionOrder:", StringComparison.Ordinal)
                     && !int.TryParse(text.AsSpan(17).Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out order))
                     problem = $"{shownAs}({line}): the execution order '{text.Substring(17).Trim()}' is not a whole number";
             }
             meta = new MetaFile(guid, importer, order);
-            if (guid == null) problem = $"{shownAs}: there is no guid in this file: delete it and let Unity or Headless~/Engine/tools/make-meta write a new one";
-            else if (!IsGuid(guid)) problem = $"{shownAs}: the guid '{guid}' is not 32 lower-case hexadecimal digits: delete the file and let Unity or Headless~/Engine/tools/make-meta write a new one";
+            if (guid == null)
+                problem =
+                $"{shownAs}: there is no guid in this file: delete it and let Unity or Headless~/Engine/tools/make-meta write a new one";
+            else if (!IsGuid(guid)) problem = $"{shownAs}: the guid '{guid}' is not 32 lower-case hexadecimal digits: delete the file " +
+                $"and let Unity or Headless~/Engine/tools/make-meta write a new one";
             return problem == null;
         }
 

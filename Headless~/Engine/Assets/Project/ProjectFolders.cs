@@ -16,14 +16,18 @@ namespace Host.Assets
     /// <summary>Which folders make up a project: Assets and packages, or a package alone.</summary>
     internal static class ProjectFolders
     {
-        static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
+        static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true,
+            CommentHandling = JsonCommentHandling.Skip };
 
-        /// <summary>Folders of packages that this program has at hand: taken for projects that ask for them and have no copy, such as for one by a git address.</summary>
+        /// <summary>Folders of packages that this program has at hand: taken for projects that ask for them and have no copy, such as for
+        /// one by a git address.</summary>
         public static IReadOnlyList<string> AtHand { get; set; } = Array.Empty<string>();
 
         public static bool IsAtHand(string folder) => AtHand.Any(known => Path.GetFullPath(known) == Path.GetFullPath(folder));
 
-        public static bool IsProject(string folder) => Directory.Exists(Path.Combine(folder, "Assets")) && (Directory.Exists(Path.Combine(folder, "ProjectSettings")) || File.Exists(Path.Combine(folder, "Packages", "manifest.json")));
+        public static bool IsProject(string folder) => Directory.Exists(Path.Combine(folder, "Assets"))
+            && (Directory.Exists(Path.Combine(folder, "ProjectSettings"))
+            || File.Exists(Path.Combine(folder, "Packages", "manifest.json")));
         public static bool IsPackage(string folder) => File.Exists(Path.Combine(folder, "package.json"));
 
         /// <summary>The nearest folder at or above path that is a project or a package; null when there is none.</summary>
@@ -46,7 +50,8 @@ namespace Host.Assets
             }
             else if (IsPackage(root)) mounts.Add(Package(root));
             else if (Directory.Exists(Path.Combine(root, "Assets"))) mounts.Add(new MountedFolder("Assets", Path.Combine(root, "Assets")));
-            else throw new AssetException($"{root} is no Unity project (a folder with Assets and ProjectSettings) and no package (a folder with package.json): name one");
+            else throw new AssetException($"{root} is no Unity project (a folder with Assets and ProjectSettings) and no package (a " +
+                $"folder with package.json): name one");
             return mounts;
         }
 
@@ -77,7 +82,8 @@ namespace Host.Assets
                         var source = dependency.Value.GetString() ?? "";
                         if (!source.StartsWith("file:", StringComparison.Ordinal) || source.EndsWith(".tgz", StringComparison.Ordinal)) continue;
                         var folder = Path.GetFullPath(Path.Combine(packages, source.Substring(5)));
-                        if (!IsPackage(folder)) throw new AssetException($"{manifest}: {dependency.Name} is at '{source}', but {folder} has no package.json: correct the path (it starts at the Packages folder)");
+                        if (!IsPackage(folder)) throw new AssetException($"{manifest}: {dependency.Name} is at '{source}', but " +
+                            $"{folder} has no package.json: correct the path (it starts at the Packages folder)");
                         Mount(folder);
                     }
             }

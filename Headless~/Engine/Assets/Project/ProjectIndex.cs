@@ -26,7 +26,8 @@ namespace Host.Assets
         /// <summary>Mounting the same folder again changes nothing.</summary>
         public void Mount(MountedFolder mount)
         {
-            if (!Directory.Exists(mount.Folder)) throw new AssetException($"{mount.Folder} does not exist, so nothing can be shown as {mount.AssetPath}");
+            if (!Directory.Exists(mount.Folder))
+                throw new AssetException($"{mount.Folder} does not exist, so nothing can be shown as {mount.AssetPath}");
             if (mounts.Any(m => m.AssetPath == mount.AssetPath && m.Folder == mount.Folder)) return;
             mounts.Add(mount);
             resources = null;
@@ -56,7 +57,8 @@ namespace Host.Assets
 
         /// <summary>Unity imports no such file or folder.</summary>
         public static bool IsHidden(string name) =>
-            name[0] == '.' || name[name.Length - 1] == '~' || name.Equals("cvs", StringComparison.OrdinalIgnoreCase) || name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase);
+            name[0] == '.' || name[name.Length - 1] == '~' || name.Equals("cvs", StringComparison.OrdinalIgnoreCase)
+            || name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase);
 
         void Add(AssetEntry entry, bool hasMeta)
         {
@@ -64,7 +66,8 @@ namespace Host.Assets
             byPath.TryAdd(entry.Path, entry);
             if (!hasMeta)
             {
-                Problems.Add($"{entry.Path} has no .meta file, so nothing can refer to it: open the project in Unity or run Headless~/Engine/tools/make-meta");
+                Problems.Add($"{entry.Path} has no .meta file, so nothing can refer to it: open the project in Unity or run " +
+                    $"Headless~/Engine/tools/make-meta");
                 return;
             }
             if (!MetaFile.TryRead(entry.File + ".meta", entry.Path + ".meta", out var meta, out var problem)) Problems.Add(problem);
@@ -73,7 +76,8 @@ namespace Host.Assets
             entry.Importer = meta.Importer;
             entry.ExecutionOrder = meta.ExecutionOrder;
             if (byGuid.TryAdd(meta.Guid, entry)) return;
-            var message = $"{entry.Path} has the guid {meta.Guid} of {byGuid[meta.Guid].Path}: delete one of the two .meta files and let Unity or Headless~/Engine/tools/make-meta write a new one";
+            var message = $"{entry.Path} has the guid {meta.Guid} of {byGuid[meta.Guid].Path}: delete one of the two .meta files and " +
+                $"let Unity or Headless~/Engine/tools/make-meta write a new one";
             doubled.TryAdd(meta.Guid, message);
             Problems.Add(message);
         }

@@ -8,7 +8,8 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Assets
 {
-    /// <summary>What a project's ProjectSettings folder changes in the player: colour space, names, time step, gravity of bodies, scenes of the build.</summary>
+    /// <summary>What a project's ProjectSettings folder changes in the player: colour space, names, time step, gravity of bodies, scenes of
+    /// the build.</summary>
     internal static class ProjectSettings
     {
         /// <param name="exists">Whether an asset path leads to a file; scenes that do not are not in the build.</param>
@@ -36,7 +37,8 @@ namespace Host.Assets
 
         /// <summary>The paths of the scenes in the build, whether they are there or not.</summary>
         public static IEnumerable<string> BuildScenes(string root) =>
-            Settings(root, "EditorBuildSettings") is YamlNode build ? build.Items("m_Scenes").Where(s => s.Bool("enabled")).Select(s => s.Text("path")) : Enumerable.Empty<string>();
+            Settings(root, "EditorBuildSettings") is YamlNode build ? build.Items("m_Scenes").Where(s => s.Bool("enabled"))
+            .Select(s => s.Text("path")) : Enumerable.Empty<string>();
 
         static YamlNode Settings(string root, string name)
         {

@@ -21,7 +21,8 @@ namespace Host.Assets
         {
             foreach (var assembly in assemblies) this.assemblies[assembly.GetName().Name] = assembly;
             byName = this.assemblies.Values.SelectMany(LoadableTypes)
-                .Where(t => !t.IsAbstract && !t.IsGenericTypeDefinition && !t.IsNested && (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)))
+                .Where(t => !t.IsAbstract && !t.IsGenericTypeDefinition && !t.IsNested
+                    && (typeof(MonoBehaviour).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)))
                 .ToLookup(t => t.Name);
         }
 
@@ -38,7 +39,9 @@ namespace Host.Assets
             }
             if (candidates.Length == 1) return candidates[0];
             problem = candidates.Length == 0
-                ? $"{script.Path} has no MonoBehaviour or ScriptableObject named {script.Name} in the loaded assemblies ({string.Join(", ", assemblies.Keys.OrderBy(n => n))}): class and file must have the same name, and the file must have compiled"
+                ? $"{script.Path} has no MonoBehaviour or ScriptableObject named {script.Name} in the loaded assemblies " +
+                $"({string.Join(", ", assemblies.Keys.OrderBy(n => n))}): class and file must have the same name, and the file must " +
+                $"have compiled"
                 : $"{script.Path} could be any of {string.Join(", ", candidates.Select(t => t.AssemblyQualifiedName))}: rename all but one";
             return null;
         }

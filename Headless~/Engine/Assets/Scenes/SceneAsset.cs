@@ -17,8 +17,10 @@ namespace Host.Assets
             bool Same(string a, string b) => a.Equals(b, StringComparison.OrdinalIgnoreCase);
             var wanted = scene.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) ? scene.Substring(0, scene.Length - 6) : scene;
             // Scenes of the build settings go first, as a name may occur twice in a project.
-            var scenes = project.Index.Entries.Where(e => e.Extension == ".unity").OrderBy(e => SceneManager.BuildScenes.Contains(e.Path) ? 0 : 1).ToList();
-            return scenes.Find(e => Same(WithoutExtension(e), wanted)) ?? scenes.Find(e => Same(WithoutExtension(e), "Assets/" + wanted)) ?? scenes.Find(e => Same(e.Name, wanted));
+            var scenes = project.Index.Entries.Where(e => e.Extension == ".unity").OrderBy(e => SceneManager.BuildScenes.Contains(e.Path)
+                ? 0 : 1).ToList();
+            return scenes.Find(e => Same(WithoutExtension(e), wanted)) ?? scenes.Find(e => Same(WithoutExtension(e), "Assets/" + wanted))
+                ?? scenes.Find(e => Same(e.Name, wanted));
         }
 
         static string WithoutExtension(AssetEntry entry) => entry.Path.Substring(0, entry.Path.Length - 6);

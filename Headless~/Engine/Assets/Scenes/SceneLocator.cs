@@ -28,7 +28,8 @@ namespace Host.Assets
         {
             var path = Path.GetFullPath(Path.Combine(from, what));
             if (File.Exists(path))
-                return path.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) ? Locate(path) : throw new AssetException($"{what} is no scene: a scene's file ends in .unity");
+                return path.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) ? Locate(path)
+                    : throw new AssetException($"{what} is no scene: a scene's file ends in .unity");
 
             var root = ProjectFolders.RootOf(Directory.Exists(path) ? path : from);
             if (Directory.Exists(path)) return Single(ScenesBelow(path), what, root);
@@ -54,17 +55,21 @@ namespace Host.Assets
             var others = root == null ? new List<string>() : ScenesBelow(root);
             throw new AssetException(others.Count > 0
                 ? $"there is no scene '{what}'; {root} has\n{Listed(others, root)}"
-                : $"there is no scene '{what}', and {(root == null ? "this folder belongs to no Unity project or package" : root + " has no other either")}");
+                : $"there is no scene '{what}', and " +
+                $"{(root == null ? "this folder belongs to no Unity project or package" : root + " has no other either")}");
         }
 
-        static string Listed(List<string> scenes, string root) => string.Join("\n", scenes.Select(s => "  " + (root == null ? s : Path.GetRelativePath(root, s))));
+        static string Listed(List<string> scenes, string root)
+            => string.Join("\n", scenes.Select(s => "  " + (root == null ? s : Path.GetRelativePath(root, s))));
 
         /// <summary>Every scene that Unity could show: those of samples too, though their folder is hidden.</summary>
         static List<string> ScenesBelow(string folder)
         {
             var found = Directory.GetFiles(folder, "*.unity").ToList();
             // Of a project, the rest (Library, Temp) is the editor's.
-            var children = ProjectFolders.IsProject(folder) ? new[] { Path.Combine(folder, "Assets"), Path.Combine(folder, "Packages") }.Where(Directory.Exists) : Directory.GetDirectories(folder);
+            var children = ProjectFolders.IsProject(folder)
+                ? new[] { Path.Combine(folder, "Assets"), Path.Combine(folder, "Packages") }.Where(Directory.Exists)
+                : Directory.GetDirectories(folder);
             foreach (var child in children)
             {
                 var name = Path.GetFileName(child);
@@ -76,15 +81,20 @@ namespace Host.Assets
 
         static LocatedScene Locate(string file)
         {
-            var root = ProjectFolders.RootOf(Path.GetDirectoryName(file)) ?? throw new AssetException($"{file} lies in no Unity project (a folder with Assets and ProjectSettings) and no package (a folder with package.json)");
+            var root = ProjectFolders.RootOf(Path.GetDirectoryName(file))
+                ?? throw new AssetException(
+                $"{file} lies in no Unity project (a folder with Assets and ProjectSettings) and no package (a folder with package.json)");
             var mounts = ProjectFolders.Of(root);
             var below = Path.GetRelativePath(root, file).Split(Path.DirectorySeparatorChar);
             var hidden = Array.FindIndex(below, 0, below.Length - 1, ProjectIndex.IsHidden);
             if (hidden >= 0 && hidden + 1 < below.Length - 1)
                 mounts.Add(new MountedFolder("Assets/Samples/" + below[hidden + 1], Path.Combine(root, below[hidden], below[hidden + 1])));
 
-            var within = mounts.Where(m => file.StartsWith(m.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal)).OrderByDescending(m => m.Folder.Length).ToList();
-            if (within.Count == 0) throw new AssetException($"{file} lies outside of what Unity would import of {root}: move it below Assets, or to Samples~/<name>/ of a package");
+            var within = mounts.Where(m => file.StartsWith(m.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal))
+                .OrderByDescending(m => m.Folder.Length).ToList();
+            if (within.Count == 0)
+                throw new AssetException(
+                $"{file} lies outside of what Unity would import of {root}: move it below Assets, or to Samples~/<name>/ of a package");
             return new LocatedScene
             {
                 File = file, Root = root, Mounts = mounts,

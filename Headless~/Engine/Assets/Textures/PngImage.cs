@@ -63,14 +63,16 @@ namespace Host.Assets
         }
 
         static Color32 Indexed(byte[] palette, byte[] transparency, int index) =>
-            new Color32(palette[index * 3], palette[index * 3 + 1], palette[index * 3 + 2], transparency != null && index < transparency.Length ? transparency[index] : (byte)255);
+            new Color32(palette[index * 3], palette[index * 3 + 1], palette[index * 3 + 2], transparency != null
+            && index < transparency.Length ? transparency[index] : (byte)255);
 
         /// <summary>One channel is grey, two grey and alpha, three and four colours.</summary>
         static Color32 Direct(ReadOnlySpan<byte> row, int first, int channels, int depth)
         {
             var red = Sample(row, first, depth, true);
             var alpha = channels % 2 == 0 ? Sample(row, first + channels - 1, depth, true) : (byte)255;
-            return channels < 3 ? new Color32(red, red, red, alpha) : new Color32(red, Sample(row, first + 1, depth, true), Sample(row, first + 2, depth, true), alpha);
+            return channels < 3 ? new Color32(red, red, red, alpha)
+                : new Color32(red, Sample(row, first + 1, depth, true), Sample(row, first + 2, depth, true), alpha);
         }
 
         static byte Sample(ReadOnlySpan<byte> row, int index, int depth, bool scale)
@@ -100,7 +102,8 @@ namespace Host.Assets
                 for (var i = 0; i < stride; i++)
                 {
                     int left = i >= step ? row[i - step] : 0, up = y > 0 ? above[i] : 0, corner = y > 0 && i >= step ? above[i - step] : 0;
-                    row[i] += filter switch { 0 => (byte)0, 1 => (byte)left, 2 => (byte)up, 3 => (byte)((left + up) / 2), 4 => (byte)Paeth(left, up, corner), _ => throw bad($"row filter {filter} does not exist") };
+                    row[i] += filter switch { 0 => (byte)0, 1 => (byte)left, 2 => (byte)up, 3 => (byte)((left + up) / 2),
+                        4 => (byte)Paeth(left, up, corner), _ => throw bad($"row filter {filter} does not exist") };
                 }
             }
             return rows;

@@ -17,7 +17,8 @@ namespace Host.Assets
         const long MainId = 11400000, TextureId = 11700000;
 
         const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
-        const string Origin = "  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n";
+        const string Origin = "  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n  m_PrefabInstance: {fileID: 0}\n  " +
+            "m_PrefabAsset: {fileID: 0}\n";
 
         /// <param name="file">Path of the .asset file; its folder is made if need be.</param>
         /// <param name="scriptGuid">From the .meta file of the script that the asset's class is in.</param>
@@ -31,14 +32,17 @@ namespace Host.Assets
             {
                 if (target == null) return "fileID: 0";
                 if (guidOf?.Invoke(target) is string guid) return $"fileID: {MainId}, guid: {guid}, type: 2";
-                if (target is not Texture3D texture) throw new NotSupportedException($"'{asset.name}' refers to the {target.GetType().Name} '{target.name}', which is in no file.");
+                if (target is not Texture3D texture)
+                    throw new NotSupportedException(
+                    $"'{asset.name}' refers to the {target.GetType().Name} '{target.name}', which is in no file.");
                 if (!parts.Contains(texture)) parts.Add(texture);
                 return $"fileID: {TextureId + parts.IndexOf(texture)}";
             }
 
             var text = new StringBuilder(Header);
             text.Append($"--- !u!114 &{MainId}\nMonoBehaviour:\n{Origin}  m_GameObject: {{fileID: 0}}\n  m_Enabled: 1\n  m_EditorHideFlags: 0\n");
-            text.Append($"  m_Script: {{fileID: 11500000, guid: {scriptGuid}, type: 3}}\n  m_Name: {FieldWriter.Quoted(asset.name)}\n  m_EditorClassIdentifier: \n");
+            text.Append($"  m_Script: {{fileID: 11500000, guid: {scriptGuid}, type: 3}}\n  m_Name: {FieldWriter.Quoted(asset.name)}\n  " +
+                $"m_EditorClassIdentifier: \n");
             new FieldWriter(text, ReferenceTo).Write(asset, "  ");
             for (var i = 0; i < parts.Count; i++) Volume(text, TextureId + i, parts[i]);
 
@@ -51,10 +55,14 @@ namespace Host.Assets
         {
             var data = texture.GetPixelData<byte>(0).ToArray();
             text.Append($"--- !u!117 &{id}\nTexture3D:\n{Origin}  m_Name: {FieldWriter.Quoted(texture.name)}\n");
-            text.Append("  m_ImageContentsHash:\n    serializedVersion: 2\n    Hash: 00000000000000000000000000000000\n  m_IsAlphaChannelOptional: 0\n  serializedVersion: 4\n");
-            text.Append($"  m_ColorSpace: 0\n  m_Format: {(int)texture.graphicsFormat}\n  m_Width: {texture.width}\n  m_Height: {texture.height}\n  m_Depth: {texture.depth}\n  m_MipCount: 1\n  m_DataSize: {data.Length}\n");
-            text.Append($"  m_TextureSettings:\n    serializedVersion: 2\n    m_FilterMode: {(int)texture.filterMode}\n    m_Aniso: {texture.anisoLevel}\n    m_MipBias: 0\n");
-            text.Append($"    m_WrapU: {(int)texture.wrapModeU}\n    m_WrapV: {(int)texture.wrapModeV}\n    m_WrapW: {(int)texture.wrapModeW}\n  m_UsageMode: 0\n  m_IsReadable: 1\n");
+            text.Append("  m_ImageContentsHash:\n    serializedVersion: 2\n    Hash: 00000000000000000000000000000000\n  " +
+                "m_IsAlphaChannelOptional: 0\n  serializedVersion: 4\n");
+            text.Append($"  m_ColorSpace: 0\n  m_Format: {(int)texture.graphicsFormat}\n  m_Width: {texture.width}\n  m_Height: " +
+                $"{texture.height}\n  m_Depth: {texture.depth}\n  m_MipCount: 1\n  m_DataSize: {data.Length}\n");
+            text.Append($"  m_TextureSettings:\n    serializedVersion: 2\n    m_FilterMode: {(int)texture.filterMode}\n    m_Aniso: " +
+                $"{texture.anisoLevel}\n    m_MipBias: 0\n");
+            text.Append($"    m_WrapU: {(int)texture.wrapModeU}\n    m_WrapV: {(int)texture.wrapModeV}\n    m_WrapW: " +
+                $"{(int)texture.wrapModeW}\n  m_UsageMode: 0\n  m_IsReadable: 1\n");
             text.Append($"  image data: {data.Length}\n  _typelessdata: {Convert.ToHexString(data).ToLowerInvariant()}\n");
             text.Append("  m_StreamData:\n    serializedVersion: 2\n    offset: 0\n    size: 0\n    path: \n");
         }
@@ -67,7 +75,8 @@ namespace Host.Assets
                 return kept.Guid;
             }
             var guid = Guid.NewGuid().ToString("N");
-            File.WriteAllText(meta, $"fileFormatVersion: 2\nguid: {guid}\nNativeFormatImporter:\n  externalObjects: {{}}\n  mainObjectFileID: {MainId}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n");
+            File.WriteAllText(meta, $"fileFormatVersion: 2\nguid: {guid}\nNativeFormatImporter:\n  externalObjects: {{}}\n  " +
+                $"mainObjectFileID: {MainId}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n");
             return guid;
         }
     }

@@ -31,7 +31,9 @@ namespace Host.Assets
             if (typeof(Object).IsAssignableFrom(type)) text.Append($"{indent}{name}: {{{referenceTo((Object)value)}}}\n");
             else if (Scalar(type, value) is string scalar) text.Append($"{indent}{name}: {scalar}\n");
             else if (FieldMap.ElementOf(type) is Type element) List(name, element, (IList)value, indent);
-            else if (value is Bounds bounds) text.Append($"{indent}{name}:\n{indent}  m_Center: {Vector(bounds.center)}\n{indent}  m_Extent: {Vector(bounds.extents)}\n");
+            else if (value is Bounds bounds)
+                text.Append(
+                $"{indent}{name}:\n{indent}  m_Center: {Vector(bounds.center)}\n{indent}  m_Extent: {Vector(bounds.extents)}\n");
             else if (type.IsDefined(typeof(SerializableAttribute), false) && !FieldMap.IsEngine(type))
             {
                 text.Append($"{indent}{name}:\n");
@@ -49,7 +51,8 @@ namespace Host.Assets
             }
             text.Append($"{indent}{name}:\n");
             foreach (var item in items)
-                text.Append($"{indent}- {Scalar(element, item) ?? throw new NotSupportedException($"Field '{name}' is a list of {element.Name}, which the host does not write yet.")}\n");
+                text.Append(
+                    $"{indent}- {Scalar(element, item) ?? throw new NotSupportedException($"Field '{name}' is a list of {element.Name}, which the host does not write yet.")}\n");
         }
 
         /// <summary>On one line; null for what takes several.</summary>
@@ -83,7 +86,8 @@ namespace Host.Assets
         {
             var plain = true;
             for (var i = 0; i < value.Length && plain; i++)
-                plain = char.IsLetterOrDigit(value[i]) || value[i] == '_' || value[i] == '/' || i > 0 && (value[i] == '.' || value[i] == '-' || value[i] == ' ' && i < value.Length - 1);
+                plain = char.IsLetterOrDigit(value[i]) || value[i] == '_' || value[i] == '/' || i > 0
+                    && (value[i] == '.' || value[i] == '-' || value[i] == ' ' && i < value.Length - 1);
             return plain ? value : "'" + value.Replace("'", "''") + "'";
         }
     }

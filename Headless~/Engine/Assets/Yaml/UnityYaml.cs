@@ -21,7 +21,8 @@ namespace Host.Assets
         public PrefabOrigin Origin;
 
         public UnityDocument Clone(long fileId) =>
-            new UnityDocument { ClassId = ClassId, FileId = fileId, Stripped = Stripped, TypeName = TypeName, Fields = (YamlMapping)Fields.Clone(), Location = Location };
+            new UnityDocument { ClassId = ClassId, FileId = fileId, Stripped = Stripped, TypeName = TypeName,
+            Fields = (YamlMapping)Fields.Clone(), Location = Location };
 
         public override string ToString() => $"{TypeName} &{FileId}";
     }
@@ -69,7 +70,9 @@ namespace Host.Assets
             if (text.StartsWith("version https://git-lfs", StringComparison.Ordinal))
                 throw new SourceLocation(file, 1).Error("this is a Git LFS pointer, not the file itself: run 'git lfs pull'");
             if (!text.StartsWith("%YAML", StringComparison.Ordinal) && !text.StartsWith("--- !u!", StringComparison.Ordinal))
-                throw new SourceLocation(file, 1).Error("this is no Unity YAML file: set Project Settings > Editor > Asset Serialization to Force Text and save it again");
+                throw new SourceLocation(file, 1)
+                    .Error(
+                    "this is no Unity YAML file: set Project Settings > Editor > Asset Serialization to Force Text and save it again");
 
             UnityDocument current = null;
             int bodyStart = 0, bodyLine = 0, line = 0;

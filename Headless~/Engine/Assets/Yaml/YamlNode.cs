@@ -54,7 +54,8 @@ namespace Host.Assets
                 case "-inf": case "-.inf": case "-infinity": case "-1.#inf": return double.NegativeInfinity;
                 case "nan": case "-nan": case ".nan": case "-nan(ind)": case "-1.#ind": case "1.#qnan": return double.NaN;
             }
-            return double.TryParse(Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) ? value : throw Location.Error($"'{Value}' is not a number");
+            return double.TryParse(Value, NumberStyles.Float, CultureInfo.InvariantCulture, out var value) ? value
+                : throw Location.Error($"'{Value}' is not a number");
         }
 
         public long ToLong()

@@ -9,7 +9,8 @@ namespace Host.Commands
     {
         const string Compatibility = "-compatibility";
 
-        public static readonly string[] Names = { "universal-14", "universal-17", "universal-17" + Compatibility, "high-definition-14", "high-definition-17" };
+        public static readonly string[] Names = { "universal-14", "universal-17", "universal-17" + Compatibility, "high-definition-14",
+            "high-definition-17" };
 
         public PipelineKind Kind { get; private init; }
         public PipelineVersion Version { get; private init; }

@@ -10,7 +10,8 @@ namespace Host.Commands
     {
         public static Option<string> Create() => new Option<string>("--shaders")
         {
-            Description = "Who compiles HLSL: glslang, or fxc (Microsoft's compiler; its bytecode runs through vkd3d).", DefaultValueFactory = _ => ShaderBackend.Glslang.Name,
+            Description = "Who compiles HLSL: glslang, or fxc (Microsoft's compiler; its bytecode runs through vkd3d).",
+                DefaultValueFactory = _ => ShaderBackend.Glslang.Name,
         };
 
         /// <summary>To be called before anything is imported.</summary>

@@ -11,7 +11,8 @@ using UnityEngine.Headless;
 
 namespace Host.Commands
 {
-    /// <summary><c>test</c>: the host's and the package's tests with the validation layer on, in this process on one device, or shared among several.</summary>
+    /// <summary><c>test</c>: the host's and the package's tests with the validation layer on, in this process on one device, or shared
+    /// among several.</summary>
     static class TestCommand
     {
         sealed class Choice
@@ -26,10 +27,14 @@ namespace Host.Commands
 
         public static Command Create()
         {
-            var filter = new Option<string[]>("--filter") { Description = "Only tests whose full name contains this text; may come several times.", DefaultValueFactory = _ => Array.Empty<string>() };
-            var project = new Option<string>("--project") { Description = "A Unity project's folder: its own tests instead, compiled from source with its scripts." };
+            var filter = new Option<string[]>("--filter") {
+                Description = "Only tests whose full name contains this text; may come several times.", DefaultValueFactory = _
+                => Array.Empty<string>() };
+            var project = new Option<string>("--project") {
+                Description = "A Unity project's folder: its own tests instead, compiled from source with its scripts." };
             var strict = new Option<bool>("--strict") { Description = "With --project: fail where Unity logs and goes on or is undefined." };
-            var leaveOut = new Option<string[]>("--leave-out") { Description = "No tests of this category; may come several times.", DefaultValueFactory = _ => Array.Empty<string>() };
+            var leaveOut = new Option<string[]>("--leave-out") { Description = "No tests of this category; may come several times.",
+                DefaultValueFactory = _ => Array.Empty<string>() };
             var list = new Option<bool>("--list") { Description = "Name the tests, run none." };
             var package = new Option<bool>("--package-only") { Description = "Only the package's tests." };
             var host = new Option<bool>("--host-only") { Description = "Only the host's own tests." };
@@ -37,7 +42,8 @@ namespace Host.Commands
             var written = new Option<bool>("--output") { Description = "Also print what tests wrote that passed: their figures." };
             var jobs = new Option<int?>("--jobs")
             {
-                Description = $"Processes that share the fixtures, 1 to {TestJobs.Max}. By default one per core, at most {TestJobs.MaxDefault}, where the device is lavapipe, which leaves cores idle; 1 on a real GPU. "
+                Description = $"Processes that share the fixtures, 1 to {TestJobs.Max}. By default one per core, at most " +
+                    $"{TestJobs.MaxDefault}, where the device is lavapipe, which leaves cores idle; 1 on a real GPU. "
                     + "With 1 they run in this process.",
             };
             // For the runner's own tests, and between its processes.
@@ -46,17 +52,21 @@ namespace Host.Commands
             var alone = new Option<bool>("--alone") { Description = "As a worker: fixtures that run alone.", Hidden = true };
             Option<string> shaders = ShadersOption.Create();
             Option<string> limits = LimitsOption.Create();
-            var command = new Command("test", "Runs the tests.") { project, strict, filter, leaveOut, list, package, host, noValidation, written, jobs, shaders, limits, assembly, worker, alone };
+            var command = new Command("test", "Runs the tests.") { project, strict, filter, leaveOut, list, package, host, noValidation,
+                written, jobs, shaders, limits, assembly, worker, alone };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 LimitsOption.Use(parsed.GetValue(limits));
                 var choice = new Choice
                 {
-                    Texts = parsed.GetValue(filter), LeftOut = parsed.GetValue(leaveOut), PackageOnly = parsed.GetValue(package), HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
-                    ShowsAll = parsed.GetValue(written), Project = parsed.GetValue(project), Strict = parsed.GetValue(strict), Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
+                    Texts = parsed.GetValue(filter), LeftOut = parsed.GetValue(leaveOut), PackageOnly = parsed.GetValue(package),
+                        HostOnly = parsed.GetValue(host), Validation = !parsed.GetValue(noValidation),
+                    ShowsAll = parsed.GetValue(written), Project = parsed.GetValue(project), Strict = parsed.GetValue(strict),
+                        Assembly = parsed.GetValue(assembly), Worker = parsed.GetValue(worker), Alone = parsed.GetValue(alone),
                 };
-                return choice.Project != null ? ExecuteProject(choice, parsed.GetValue(list), parsed.GetValue(jobs)) : Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
+                return choice.Project != null ? ExecuteProject(choice, parsed.GetValue(list), parsed.GetValue(jobs))
+                    : Execute(choice, parsed.GetValue(list), parsed.GetValue(jobs));
             });
             return command;
         }
@@ -127,7 +137,8 @@ namespace Host.Commands
                 return 0;
             }
             var tally = new TestTally(output, new TestDurations());
-            using var session = new Session(project.Root, project.Mounts, project.Scripts.Assemblies, choice.Validation, choice.Strict, foreign: project.Scripts, editor: true);
+            using var session = new Session(project.Root, project.Mounts, project.Scripts.Assemblies, choice.Validation, choice.Strict,
+                foreign: project.Scripts, editor: true);
             var run = new TestRun(tally.Add, choice.ShowsAll);
             foreach (Assembly assembly in project.Tests)
                 run.Run(assembly, choice.Filter);
@@ -138,16 +149,19 @@ namespace Host.Commands
                 Console.Error.WriteLine("warning: " + left);
             foreach (KeyValuePair<string, int> call in project.Scripts.StubCalls)
                 output.WriteLine($"not part of the host: {call.Key}, called {call.Value} times");
-            return Summarize(choice, tally, new List<TestFacts> { facts }, facts.ValidationMessages.Count, facts.ValidationMessages.Select(message => "validation: " + message).ToList(), output);
+            return Summarize(choice, tally, new List<TestFacts> { facts }, facts.ValidationMessages.Count,
+                facts.ValidationMessages.Select(message => "validation: " + message).ToList(), output);
         }
 
-        static int Summarize(Choice choice, TestTally tally, List<TestFacts> facts, int validationMessages, List<string> complaints, TextWriter output)
+        static int Summarize(Choice choice, TestTally tally, List<TestFacts> facts, int validationMessages, List<string> complaints,
+            TextWriter output)
         {
             if (tally.Passed + tally.Failed == 0)
                 complaints.Add("no test ran");
 
             output.WriteLine();
-            output.WriteLine($"device: {string.Join(" and ", facts.Select(process => process.Device).Distinct())}, with the limits of {Player.Limits.Title}");
+            output.WriteLine($"device: {string.Join(" and ", facts.Select(process => process.Device).Distinct())}, with the limits of " +
+                $"{Player.Limits.Title}");
             output.WriteLine(choice.Validation ? $"validation layer: {validationMessages} messages" : "validation layer: off (--no-validation)");
             output.WriteLine($"{tally.Methods} test methods, {tally.DispatchingMethods} of them dispatched on the device");
             ShadersOption.Report(output);
@@ -169,7 +183,8 @@ namespace Host.Commands
 
         static List<TestFacts> RunJobs(Choice choice, List<Assembly> assemblies, int? jobs, TestTally tally, List<string> complaints)
         {
-            ILookup<bool, string> fixtures = assemblies.SelectMany(assembly => TestRun.Fixtures(assembly, choice.Filter)).ToLookup(fixture => fixture.IsAlone, fixture => fixture.Name);
+            ILookup<bool, string> fixtures = assemblies.SelectMany(assembly => TestRun.Fixtures(assembly, choice.Filter))
+                .ToLookup(fixture => fixture.IsAlone, fixture => fixture.Name);
             // A process more costs seconds, and a fixture by itself is fastest with all cores.
             int processes = fixtures[false].Count() < 2 ? 1 : jobs ?? TestJobs.Default();
             if (processes == 1)

@@ -17,12 +17,15 @@ namespace Host.Output
             string target = Path.Combine(folder, frame.ToString());
             Directory.CreateDirectory(target);
             var entries = new List<object>();
-            foreach ((BufferStorage buffer, string file) in BufferStorage.Live.Zip(FileNames(BufferStorage.Live.Select(buffer => buffer.Name)), (a, b) => (a, b)))
+            foreach ((BufferStorage buffer, string file) in BufferStorage.Live.Zip(
+                FileNames(BufferStorage.Live.Select(buffer => buffer.Name)), (a, b) => (a, b)))
             {
                 File.WriteAllBytes(Path.Combine(target, file), buffer.ReadAll());
-                entries.Add(new { name = buffer.Name, count = buffer.Count, stride = buffer.Stride, target = buffer.Target == 0 ? "Structured" : buffer.Target.ToString(), file });
+                entries.Add(new { name = buffer.Name, count = buffer.Count, stride = buffer.Stride, target = buffer.Target == 0
+                    ? "Structured" : buffer.Target.ToString(), file });
             }
-            File.WriteAllText(Path.Combine(target, "buffers.json"), JsonSerializer.Serialize(entries, new JsonSerializerOptions { WriteIndented = true }) + "\n");
+            File.WriteAllText(Path.Combine(target, "buffers.json"),
+                JsonSerializer.Serialize(entries, new JsonSerializerOptions { WriteIndented = true }) + "\n");
         }
 
         /// <summary>A file name for each buffer name: safe, and a number behind those that come again.</summary>
@@ -31,7 +34,8 @@ namespace Host.Output
             var taken = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
             foreach (string name in names)
             {
-                string safe = string.Concat((name.Length == 0 ? "unnamed" : name).Select(c => char.IsLetterOrDigit(c) || "._- ".Contains(c) ? c : '_'));
+                string safe = string.Concat((name.Length == 0 ? "unnamed" : name).Select(c => char.IsLetterOrDigit(c) || "._- ".Contains(c)
+                    ? c : '_'));
                 string unique = safe;
                 for (int i = 2; !taken.Add(unique); i++)
                     unique = $"{safe}-{i}";

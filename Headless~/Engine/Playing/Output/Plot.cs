@@ -37,7 +37,8 @@ namespace Host.Output
                 script.AppendLine("set label 'no values' at graph 0.5,0.5 center\nset xrange [0:1]\nset yrange [0:1]\nplot NaN notitle");
             else
                 script.AppendLine("plot " + string.Join(", ", drawn.Select((column, i) =>
-                    $"{Quote(csv)} using {time}:{statistics.IndexOf(column) + 1} every ::1 with lines lw 1.5 lc rgb '{Colors[i % Colors.Length]}' title {Quote(column)}")));
+                    $"{Quote(csv)} using {time}:{statistics.IndexOf(column) + 1} every ::1 with lines lw 1.5 lc rgb " +
+                    $"'{Colors[i % Colors.Length]}' title {Quote(column)}")));
             Tool.Gnuplot.Run(Array.Empty<string>(), script.ToString());
         }
 

@@ -14,7 +14,8 @@ namespace Host.Output
         public static void Run(TextWriter output, string title, double total, Action<Action<double, string>> work)
         {
             if (!Console.IsOutputRedirected && AnsiConsole.Profile.Capabilities.Interactive)
-                AnsiConsole.Progress().AutoClear(true).Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn()).Start(context =>
+                AnsiConsole.Progress().AutoClear(true).Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(),
+                    new RemainingTimeColumn()).Start(context =>
                 {
                     ProgressTask task = context.AddTask(Markup.Escape(title), maxValue: total);
                     work((done, state) =>

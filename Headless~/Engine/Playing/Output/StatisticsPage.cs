@@ -41,9 +41,11 @@ namespace Host.Output
                 text.Append("<h2>Over time</h2>\n");
             foreach (Plot plot in Plots)
                 text.Append($"<p><img src=\"{Escape(plot.File)}.png\" alt=\"{Escape(plot.Title)}\"></p>\n");
-            text.Append("<h2>Statistics</h2>\n<table>\n<tr><th>column</th>").Append(string.Concat(SummaryHeads.Select(head => $"<th class=\"n\">{head}</th>"))).Append("</tr>\n");
+            text.Append("<h2>Statistics</h2>\n<table>\n<tr><th>column</th>")
+                .Append(string.Concat(SummaryHeads.Select(head => $"<th class=\"n\">{head}</th>"))).Append("</tr>\n");
             foreach (string[] row in Summary())
-                text.Append($"<tr><td>{Escape(row[0])}</td>").Append(string.Concat(row.Skip(1).Select(value => $"<td class=\"n\">{value}</td>"))).Append("</tr>\n");
+                text.Append($"<tr><td>{Escape(row[0])}</td>")
+                    .Append(string.Concat(row.Skip(1).Select(value => $"<td class=\"n\">{value}</td>"))).Append("</tr>\n");
             text.Append("</table>\n<p>Every step: <a href=\"statistics.csv\">statistics.csv</a></p>\n");
             if (Stages.Count > 0)
                 text.Append("<h2>GPU time by stage</h2>\n<table>\n<tr><th>stage</th><th class=\"n\">ms a step</th></tr>\n");
@@ -89,7 +91,8 @@ namespace Host.Output
                 if (values.Length == 0)
                     yield return new[] { column, "", "", "", "", "" };
                 else
-                    yield return new[] { column, Number(values.Average()), Number(values.Min()), Number(values.Max()), Number(Percentile(values, 0.999)), Number(values[^1]) };
+                    yield return new[] { column, Number(values.Average()), Number(values.Min()), Number(values.Max()),
+                    Number(Percentile(values, 0.999)), Number(values[^1]) };
             }
         }
 

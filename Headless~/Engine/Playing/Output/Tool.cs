@@ -7,7 +7,8 @@ using System.Linq;
 
 namespace Host.Output
 {
-    /// <summary>A program on the PATH that makes pictures or films. Without it they are left out: what was computed is written all the same.</summary>
+    /// <summary>A program on the PATH that makes pictures or films. Without it they are left out: what was computed is written all the
+    /// same.</summary>
     sealed class Tool
     {
         public static readonly Tool Gnuplot = new("gnuplot", "gnuplot-nox"), Ffmpeg = new("ffmpeg", "ffmpeg");
@@ -21,7 +22,8 @@ namespace Host.Output
             this.package = package;
         }
 
-        public bool IsInstalled => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Any(folder => folder.Length > 0 && File.Exists(Path.Combine(folder, program)));
+        public bool IsInstalled => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator)
+            .Any(folder => folder.Length > 0 && File.Exists(Path.Combine(folder, program)));
 
         /// <summary>That it is not installed, and the package to install.</summary>
         public string NotInstalled => $"{program} is not installed (Debian package {package})";
@@ -30,7 +32,8 @@ namespace Host.Output
         /// <param name="wanted">A tool with what a command makes by it: "plots"; null for nothing.</param>
         public static void WarnOfMissing(params (Tool Tool, string Products)[] wanted)
         {
-            string[] missing = wanted.Where(want => want.Products != null && !want.Tool.IsInstalled).Select(want => $"{want.Tool.NotInstalled}: no {want.Products}").ToArray();
+            string[] missing = wanted.Where(want => want.Products != null && !want.Tool.IsInstalled)
+                .Select(want => $"{want.Tool.NotInstalled}: no {want.Products}").ToArray();
             if (missing.Length > 0)
                 Console.Error.WriteLine("warning: " + string.Join("; ", missing));
         }
@@ -38,7 +41,8 @@ namespace Host.Output
         /// <exception cref="HostException">It is not installed, or it failed; with what it wrote last.</exception>
         public void Run(IEnumerable<string> arguments, string input = null)
         {
-            var start = new ProcessStartInfo(program, arguments) { RedirectStandardError = true, RedirectStandardOutput = true, RedirectStandardInput = true };
+            var start = new ProcessStartInfo(program, arguments) { RedirectStandardError = true, RedirectStandardOutput = true,
+                RedirectStandardInput = true };
             Process process;
             try
             {
@@ -67,6 +71,7 @@ namespace Host.Output
             }
         }
 
-        static string LastLines(string text) => string.Join(" | ", text.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0).TakeLast(4));
+        static string LastLines(string text) => string.Join(" | ",
+            text.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0).TakeLast(4));
     }
 }

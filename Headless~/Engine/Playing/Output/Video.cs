@@ -17,7 +17,8 @@ namespace Host.Output
         });
 
         /// <summary>About twelve frames, first and last among them, with their times.</summary>
-        public static void ContactSheet(IReadOnlyList<(string File, double Time)> frames, string target, int columns = 4, int rows = 3, int width = 480)
+        public static void ContactSheet(IReadOnlyList<(string File, double Time)> frames, string target, int columns = 4, int rows = 3,
+            int width = 480)
         {
             int[] chosen = Spread(frames.Count, columns * rows);
             rows = (chosen.Length + columns - 1) / columns;
@@ -30,7 +31,8 @@ namespace Host.Output
                 (string file, double time) = frames[chosen[i]];
                 arguments.AddRange(new[] { "-i", file });
                 string label = time.ToString("0.00", CultureInfo.InvariantCulture) + " s";
-                filter.Append($"[{i}:v]scale={width}:-2,setsar=1,drawtext=font=DejaVu Sans:text='{label}':x=8:y=h-26:fontsize=18:fontcolor=white:box=1:boxcolor=black@0.55:boxborderw=5[v{i}];");
+                filter.Append($"[{i}:v]scale={width}:-2,setsar=1,drawtext=font=DejaVu " +
+                    $"Sans:text='{label}':x=8:y=h-26:fontsize=18:fontcolor=white:box=1:boxcolor=black@0.55:boxborderw=5[v{i}];");
             }
             filter.Append(string.Concat(Enumerable.Range(0, chosen.Length).Select(i => $"[v{i}]")));
             filter.Append($"concat=n={chosen.Length}:v=1:a=0,tile={columns}x{rows}:padding=4:color=0x202020");

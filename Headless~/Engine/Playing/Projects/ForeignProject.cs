@@ -52,7 +52,9 @@ namespace Host
             foreach (KeyValuePair<string, int> call in Scripts.StubCalls)
                 output.WriteLine($"not part of the host: {call.Key}, called {call.Value} times");
             int leftOut = Scripts.LeftOut.Count();
-            output.WriteLine($"{Scripts.Compiled.Count()} assemblies, {Scripts.Files - leftOut} scripts compiled, {leftOut} left out, {session.Assets.MissingScripts} components missing, {Scripts.Packages.Missing.Count} packages missing, {session.Assets.Warnings.Count} warnings");
+            output.WriteLine($"{Scripts.Compiled.Count()} assemblies, {Scripts.Files - leftOut} scripts compiled, {leftOut} left out, " +
+                $"{session.Assets.MissingScripts} components missing, {Scripts.Packages.Missing.Count} packages missing, " +
+                $"{session.Assets.Warnings.Count} warnings");
             return session.Assets.MissingScripts > 0 ? 1 : 0;
         }
     }

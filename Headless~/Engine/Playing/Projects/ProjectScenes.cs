@@ -33,12 +33,14 @@ namespace Host
             if (build.Count > 0)
                 return SceneLocator.Find(build[0], project);
             string assets = Path.Combine(project, "Assets");
-            List<string> all = Directory.GetFiles(assets, "*.unity", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(project, file)).OrderBy(path => path, StringComparer.Ordinal).ToList();
+            List<string> all = Directory.GetFiles(assets, "*.unity", SearchOption.AllDirectories)
+                .Select(file => Path.GetRelativePath(project, file)).OrderBy(path => path, StringComparer.Ordinal).ToList();
             return all.Count switch
             {
                 1 => SceneLocator.Find(all[0], project),
                 0 => throw new HostException($"{project} has no scene; name one of a package's samples, if it has such."),
-                _ => throw new HostException($"{project} has {all.Count} scenes and none in its build settings; name one of {string.Join(", ", all)}."),
+                _ => throw new HostException(
+                    $"{project} has {all.Count} scenes and none in its build settings; name one of {string.Join(", ", all)}."),
             };
         }
 
@@ -59,9 +61,11 @@ namespace Host
                 {
                     continue;       // this package has none of that name
                 }
-                List<MountedFolder> samples = found.Mounts.Where(mount => mount.AssetPath.StartsWith("Assets/Samples/", StringComparison.Ordinal)).ToList();
+                List<MountedFolder> samples =
+                    found.Mounts.Where(mount => mount.AssetPath.StartsWith("Assets/Samples/", StringComparison.Ordinal)).ToList();
                 if (samples.Count > 0)
-                    return new LocatedScene { File = found.File, Root = project, Mounts = mounts.Concat(samples).ToList(), AssetPath = found.AssetPath };
+                    return new LocatedScene { File = found.File, Root = project, Mounts = mounts.Concat(samples).ToList(),
+                        AssetPath = found.AssetPath };
             }
             return null;
         }

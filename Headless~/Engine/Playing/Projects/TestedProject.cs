@@ -33,7 +33,9 @@ namespace Host
             foreach (MountedFolder mount in mounts)
                 index.Mount(mount);
 
-            var scripts = new ProjectScripts(root, index, new TestAssemblies(typeof(UnityEditor.Editor).Assembly, typeof(UnityEngine.TestTools.UnityTestAttribute).Assembly, typeof(NUnit.Framework.Assert).Assembly));
+            var scripts = new ProjectScripts(root, index,
+                new TestAssemblies(typeof(UnityEditor.Editor).Assembly, typeof(UnityEngine.TestTools.UnityTestAttribute).Assembly,
+                typeof(NUnit.Framework.Assert).Assembly));
             foreach (string note in scripts.Notes)
                 Console.Error.WriteLine("warning: " + note);
             foreach ((string name, int files, int leftOut) in scripts.Compiled)
@@ -44,7 +46,8 @@ namespace Host
 
             List<Assembly> tests = scripts.Tests.ToList();
             if (tests.Count == 0)
-                throw new HostException($"{root} has no test assembly: make one in Unity by Assets > Create > Testing > Tests Assembly Folder, or name a package with tests in \"testables\" of Packages/manifest.json.");
+                throw new HostException($"{root} has no test assembly: make one in Unity by Assets > Create > Testing > Tests Assembly " +
+                    $"Folder, or name a package with tests in \"testables\" of Packages/manifest.json.");
             return new TestedProject { Root = root, Mounts = mounts, Scripts = scripts, Tests = tests };
         }
 
@@ -59,11 +62,14 @@ namespace Host
                     errors.Add(file.Error);
             if (errors.Count == 0)
                 return;
-            string more = errors.Count > MaxShownErrors ? $"\nand {errors.Count - MaxShownErrors} more" : "", missing = scripts.Packages.Missing.Count > 0 ? "\n" + WhatIsMissing(scripts.Packages.Missing) : "";
+            string more = errors.Count > MaxShownErrors ? $"\nand {errors.Count - MaxShownErrors} more" : "",
+                missing = scripts.Packages.Missing.Count > 0 ? "\n" + WhatIsMissing(scripts.Packages.Missing) : "";
             throw new HostException($"the project's scripts do not compile:\n{string.Join("\n", errors.Take(MaxShownErrors))}{more}{missing}");
         }
 
         static string WhatIsMissing(List<string> packages) =>
-            $"packages that are not here: {string.Join(", ", packages)}. Where scripts need one, put it into the project's Packages folder, refer to it by \"file:<folder>\" in Packages/manifest.json, or open the project in Unity once, which leaves it in Library/PackageCache.";
+            $"packages that are not here: {string.Join(", ", packages)}. Where scripts need one, put it into the project's Packages " +
+            $"folder, refer to it by \"file:<folder>\" in Packages/manifest.json, or open the project in Unity once, which leaves it " +
+            $"in Library/PackageCache.";
     }
 }

@@ -28,7 +28,8 @@ namespace Host.Testing
 
         public bool Claim(ITest fixture) => IsAlone(fixture) == alone && claim(NameOf(fixture));
 
-        /// <summary>Longest first, so that none of the workers is left with a long one at the end. What never ran comes before: it may be long.</summary>
+        /// <summary>Longest first, so that none of the workers is left with a long one at the end. What never ran comes before: it may be
+        /// long.</summary>
         public void Sort(ITest suite)
         {
             foreach (ITest child in suite.Tests)
@@ -67,7 +68,8 @@ namespace Host.Testing
         }
     }
 
-    /// <summary>Another filter's tests, but for those of fixtures that run elsewhere. NUnit asks for a fixture's tests when it comes to the fixture.</summary>
+    /// <summary>Another filter's tests, but for those of fixtures that run elsewhere. NUnit asks for a fixture's tests when it comes to the
+    /// fixture.</summary>
     sealed class FixtureFilter : TestFilter
     {
         readonly TestFilter inner;
@@ -88,7 +90,8 @@ namespace Host.Testing
             return answer;
         }
 
-        public override bool Match(ITest test) => !test.IsSuite && inner.Pass(test) && !(FixtureOrder.FixtureOf(test) is ITest fixture && here.TryGetValue(fixture, out bool answer) && !answer);
+        public override bool Match(ITest test) => !test.IsSuite && inner.Pass(test)
+            && !(FixtureOrder.FixtureOf(test) is ITest fixture && here.TryGetValue(fixture, out bool answer) && !answer);
 
         public override bool IsExplicitMatch(ITest test) => inner.IsExplicitMatch(test);
 

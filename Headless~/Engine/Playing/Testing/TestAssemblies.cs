@@ -15,7 +15,8 @@ namespace Host.Testing
         /// <param name="only">The file of another assembly, instead of all of these; null for none.</param>
         public static List<Assembly> Load(bool host, bool package, string only = null)
         {
-            var names = (host ? EngineTests.Concat(BuiltInPackage.Current.ProgramTests) : Array.Empty<string>()).Concat(package ? BuiltInPackage.Current.Tests : Array.Empty<string>());
+            var names = (host ? EngineTests.Concat(BuiltInPackage.Current.ProgramTests) : Array.Empty<string>())
+                .Concat(package ? BuiltInPackage.Current.Tests : Array.Empty<string>());
             string[] files = only != null ? new[] { Path.GetFullPath(only) } : names.Select(Find).Where(file => file != null).ToArray();
             if (files.Length == 0)
                 throw new HostException($"no test assembly found near {AppContext.BaseDirectory}; build them, or run through Headless~/rill.");

@@ -21,7 +21,8 @@ namespace Host.Testing
         {
             List<string> left = run.NameLeft(session.End()).ToList();
             (Dictionary<string, string> programs, Dictionary<string, string> exempt) = ShaderBackend.Tallies();
-            return new TestFacts { Device = session.DescribeDevice(), Left = left, ValidationMessages = session.ValidationMessages.ToList(), Programs = programs, ExemptTests = exempt };
+            return new TestFacts { Device = session.DescribeDevice(), Left = left, ValidationMessages = session.ValidationMessages.ToList(),
+                Programs = programs, ExemptTests = exempt };
         }
     }
 }

@@ -62,7 +62,8 @@ namespace Host.Testing
         {
             open.UnionWith(fixtures);
             jobs = Math.Min(jobs, fixtures.Count);
-            List<Thread> threads = Enumerable.Range(0, jobs).Select(_ => new Thread(() => Work(Math.Max(1, Environment.ProcessorCount / jobs), alone))).ToList();
+            List<Thread> threads = Enumerable.Range(0, jobs)
+                .Select(_ => new Thread(() => Work(Math.Max(1, Environment.ProcessorCount / jobs), alone))).ToList();
             threads.ForEach(thread => thread.Start());
             threads.ForEach(thread => thread.Join());
             if (open.Count > 0)
@@ -139,9 +140,12 @@ namespace Host.Testing
                     return ended;
                 string ending = Ending(process.ExitCode);
                 if (current != null)
-                    tally.Add(new FixtureReport { Assembly = current.Split(' ')[0], Failed = 1, Text = $"  {Title(current).Split('.').Last(),-44} FAILED: its worker process {ending} while it ran {Title(current)}\n" });
+                    tally.Add(new FixtureReport { Assembly = current.Split(' ')[0], Failed = 1,
+                        Text =
+                        $"  {Title(current).Split('.').Last(),-44} FAILED: its worker process {ending} while it ran {Title(current)}\n" });
                 else
-                    Complaints.Add($"a worker process {ending} {(ended ? "when it was done" : taken > 0 ? "between two fixtures" : "before its first fixture")}");
+                    Complaints.Add($"a worker process {ending} " +
+                    $"{(ended ? "when it was done" : taken > 0 ? "between two fixtures" : "before its first fixture")}");
             }
             return ended;
         }
@@ -190,7 +194,8 @@ namespace Host.Testing
 
         static string Title(string fixture) => fixture.Substring(fixture.IndexOf(' ') + 1);
 
-        static string Ending(int exitCode) => exitCode > 128 ? $"was ended by signal {exitCode - 128}{Name(exitCode - 128)}" : $"ended with exit code {exitCode}";
+        static string Ending(int exitCode) => exitCode > 128 ? $"was ended by signal {exitCode - 128}{Name(exitCode - 128)}"
+            : $"ended with exit code {exitCode}";
 
         static string Name(int signal) => signal switch { 6 => " (SIGABRT)", 9 => " (SIGKILL)", 11 => " (SIGSEGV)", 15 => " (SIGTERM)", _ => "" };
     }

@@ -72,11 +72,13 @@ namespace Host.Testing
         /// <summary>Categories of tests and fixtures, each once.</summary>
         public static IEnumerable<string> Categories(Assembly assembly) => CategoriesOf(Load(assembly)).Distinct();
 
-        static IEnumerable<string> CategoriesOf(ITest test) => test.Properties[NUnit.Framework.Internal.PropertyNames.Category].Cast<string>().Concat(test.Tests.SelectMany(CategoriesOf));
+        static IEnumerable<string> CategoriesOf(ITest test)
+            => test.Properties[NUnit.Framework.Internal.PropertyNames.Category].Cast<string>().Concat(test.Tests.SelectMany(CategoriesOf));
 
         /// <summary>The fixtures of which a test passes the filter.</summary>
         public static IEnumerable<(string Name, bool IsAlone)> Fixtures(Assembly assembly, TestFilter filter) =>
-            Leaves(Load(assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct().Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
+            Leaves(Load(assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct()
+            .Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
 
         static ITest Load(Assembly assembly) => Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly);
 
@@ -115,7 +117,8 @@ namespace Host.Testing
         public void TestOutput(TestOutput text) { }
 
         /// <summary>Adds to objects that were left the test that made them.</summary>
-        public IEnumerable<string> NameLeft(IEnumerable<string> left) => left.Select(thing => madeBy.TryGetValue(thing, out string test) ? $"{thing} was left by {test}" : $"{thing} was left");
+        public IEnumerable<string> NameLeft(IEnumerable<string> left)
+            => left.Select(thing => madeBy.TryGetValue(thing, out string test) ? $"{thing} was left by {test}" : $"{thing} was left");
 
         static void Receive(LogEntry entry) => LogScope.Receive(entry.Message, entry.StackTrace, entry.Type);
 
@@ -160,7 +163,8 @@ namespace Host.Testing
             string failed = fixture.FailCount > 0 ? $", {fixture.FailCount} FAILED" : "";
             string skipped = fixture.SkipCount + fixture.InconclusiveCount > 0 ? $", {fixture.SkipCount + fixture.InconclusiveCount} skipped" : "";
             output.WriteLine($"  {fixture.Test.Name,-44} {fixture.PassCount,4} passed{failed}{skipped}  {fixture.Duration:0.0} s");
-            Send(FixtureOrder.NameOf(fixture.Test), fixture.Duration, fixture.PassCount + fixture.FailCount + fixture.SkipCount + fixture.InconclusiveCount == fixture.Test.TestCaseCount);
+            Send(FixtureOrder.NameOf(fixture.Test), fixture.Duration, fixture.PassCount + fixture.FailCount + fixture.SkipCount
+                + fixture.InconclusiveCount == fixture.Test.TestCaseCount);
         }
 
         void Send(string fixture, double seconds, bool whole)
@@ -191,7 +195,8 @@ namespace Host.Testing
         }
 
         // Frames between a test and this runner say nothing about a failure.
-        static readonly string[] Machinery = { "at System.Reflection.", "at System.RuntimeMethodHandle.", "at InvokeStub_", "at NUnit.", "at UnityEngine.Headless.PlayedMethod.", "at UnityEngine.Headless.FramePlayer." };
+        static readonly string[] Machinery = { "at System.Reflection.", "at System.RuntimeMethodHandle.", "at InvokeStub_", "at NUnit.",
+            "at UnityEngine.Headless.PlayedMethod.", "at UnityEngine.Headless.FramePlayer." };
 
         void Indent(string text)
         {

@@ -10,7 +10,8 @@ using NUnit.Framework.Internal;
 
 namespace Host.Testing
 {
-    /// <summary>A process that runs those fixtures that its parent lets it have, and reports to it through a pipe. It ends when the parent does.</summary>
+    /// <summary>A process that runs those fixtures that its parent lets it have, and reports to it through a pipe. It ends when the parent
+    /// does.</summary>
     sealed class TestWorker
     {
         const int ConnectMilliseconds = 60000;
@@ -32,7 +33,8 @@ namespace Host.Testing
         public void Run(List<Assembly> assemblies, TestFilter filter, bool alone, bool validation, bool showsAll)
         {
             using var session = new Session(Session.Root(), scripts: assemblies, validation: validation);
-            var run = new TestRun(report => Send(new WorkerMessage { Report = report }), showsAll, new FixtureOrder(Claim, new TestDurations(), alone));
+            var run = new TestRun(report => Send(new WorkerMessage { Report = report }), showsAll,
+                new FixtureOrder(Claim, new TestDurations(), alone));
             foreach (Assembly assembly in assemblies)
                 run.Run(assembly, filter);
             TestFacts facts = TestFacts.Of(session, run);

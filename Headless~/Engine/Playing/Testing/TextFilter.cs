@@ -5,7 +5,8 @@ using NUnit.Framework.Internal;
 
 namespace Host.Testing
 {
-    /// <summary>Tests whose full name contains one of the texts, in upper or lower case, and that have none of the categories left out, nor their fixtures.</summary>
+    /// <summary>Tests whose full name contains one of the texts, in upper or lower case, and that have none of the categories left out, nor
+    /// their fixtures.</summary>
     sealed class TextFilter : TestFilter
     {
         readonly string[] texts, leftOut;
@@ -18,9 +19,11 @@ namespace Host.Testing
         }
 
         public override bool Match(ITest test)
-            => !test.IsSuite && (texts.Length == 0 || texts.Any(text => test.FullName.Contains(text, StringComparison.OrdinalIgnoreCase))) && !IsLeftOut(test);
+            => !test.IsSuite && (texts.Length == 0 || texts.Any(text => test.FullName.Contains(text, StringComparison.OrdinalIgnoreCase)))
+                && !IsLeftOut(test);
 
-        bool IsLeftOut(ITest test) => test != null && (leftOut.Any(category => test.Properties[PropertyNames.Category].Contains(category)) || IsLeftOut(test.Parent));
+        bool IsLeftOut(ITest test) => test != null && (leftOut.Any(category => test.Properties[PropertyNames.Category].Contains(category))
+            || IsLeftOut(test.Parent));
 
         public override TNode AddToXml(TNode parent, bool recursive) => parent.AddElement("filter", string.Join("|", texts));
     }

@@ -13,7 +13,8 @@ namespace Host.Scripts.Assemblies
     /// <summary>What an .asmdef file says.</summary>
     internal sealed class AssemblyDefinition
     {
-        static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
+        static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true,
+            CommentHandling = JsonCommentHandling.Skip };
 
         public AssetEntry Entry;
         public string Name;
@@ -31,7 +32,8 @@ namespace Host.Scripts.Assemblies
             return new AssemblyDefinition
             {
                 Entry = entry, Name = name,
-                References = Texts(root, "references"), IncludePlatforms = Texts(root, "includePlatforms"), ExcludePlatforms = Texts(root, "excludePlatforms"),
+                References = Texts(root, "references"), IncludePlatforms = Texts(root, "includePlatforms"),
+                    ExcludePlatforms = Texts(root, "excludePlatforms"),
                 DefineConstraints = Texts(root, "defineConstraints"), PrecompiledReferences = Texts(root, "precompiledReferences"),
                 AllowUnsafe = Flag(root, "allowUnsafeCode", false), OverrideReferences = Flag(root, "overrideReferences", false),
                 AutoReferenced = Flag(root, "autoReferenced", true), NoEngineReferences = Flag(root, "noEngineReferences", false),
@@ -63,9 +65,11 @@ namespace Host.Scripts.Assemblies
             }
         }
 
-        static string Text(JsonElement of, string name) => of.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String ? value.GetString() : "";
+        static string Text(JsonElement of, string name) => of.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.String
+            ? value.GetString() : "";
 
-        static bool Flag(JsonElement of, string name, bool otherwise) => of.TryGetProperty(name, out var value) && value.ValueKind is JsonValueKind.True or JsonValueKind.False ? value.GetBoolean() : otherwise;
+        static bool Flag(JsonElement of, string name, bool otherwise) => of.TryGetProperty(name, out var value)
+            && value.ValueKind is JsonValueKind.True or JsonValueKind.False ? value.GetBoolean() : otherwise;
 
         static List<string> Texts(JsonElement of, string name) => of.TryGetProperty(name, out var value) && value.ValueKind == JsonValueKind.Array
             ? value.EnumerateArray().Where(v => v.ValueKind == JsonValueKind.String && v.GetString().Length > 0).Select(v => v.GetString()).ToList()

@@ -9,7 +9,8 @@ using Host.Assets;
 
 namespace Host.Scripts.Assemblies
 {
-    /// <summary>Which scripts of a project make up which assembly, and in which order they are compiled. Scripts of the editor and of tests are none of it, but where the tests are run.</summary>
+    /// <summary>Which scripts of a project make up which assembly, and in which order they are compiled. Scripts of the editor and of tests
+    /// are none of it, but where the tests are run.</summary>
     internal sealed class AssemblyPlan
     {
         const string Main = "Assembly-CSharp", First = "Assembly-CSharp-firstpass";
@@ -34,7 +35,8 @@ namespace Host.Scripts.Assemblies
         public readonly Dictionary<string, string> NotForPlayers = new Dictionary<string, string>();
 
         /// <param name="hosted">Names of assemblies that the host itself has, whatever the project brings.</param>
-        /// <exception cref="ScriptException">Definitions contradict each other: two of a name, references in a circle, a file that cannot be read.</exception>
+        /// <exception cref="ScriptException">Definitions contradict each other: two of a name, references in a circle, a file that cannot
+        /// be read.</exception>
         /// <param name="tests">As the Editor has it where its tests run, with assemblies of the editor and of tests; else as a player.</param>
         public AssemblyPlan(string project, ProjectIndex index, Packages packages, IEnumerable<string> hosted, bool tests = false)
         {
@@ -60,7 +62,9 @@ namespace Host.Scripts.Assemblies
             foreach (var entry in index.Entries.Where(e => !e.IsFolder && e.Extension == ".asmdef"))
             {
                 var definition = AssemblyDefinition.Read(entry);
-                if (byName.TryGetValue(definition.Name, out var other)) throw new ScriptException($"{entry.Path} and {other.Entry.Path} both define the assembly '{definition.Name}': rename one");
+                if (byName.TryGetValue(definition.Name, out var other))
+                    throw new ScriptException(
+                    $"{entry.Path} and {other.Entry.Path} both define the assembly '{definition.Name}': rename one");
                 byName.Add(definition.Name, definition);
                 if (entry.Guid != null) byGuid.TryAdd(entry.Guid, definition);
                 Claim(folders, entry, definition);
@@ -69,7 +73,8 @@ namespace Host.Scripts.Assemblies
             {
                 var reference = AssemblyDefinition.ReadReference(entry);
                 var definition = Find(reference);
-                if (definition == null) Notes.Add($"{entry.Path} refers to the assembly {Shown(reference)}, which is not in the project: the scripts below it are not compiled");
+                if (definition == null) Notes.Add($"{entry.Path} refers to the assembly {Shown(reference)}, which is not in the " +
+                    $"project: the scripts below it are not compiled");
                 Claim(folders, entry, definition);
             }
             return folders;
@@ -78,17 +83,22 @@ namespace Host.Scripts.Assemblies
         static void Claim(Dictionary<string, AssemblyDefinition> folders, AssetEntry entry, AssemblyDefinition definition)
         {
             var folder = Folder(entry.Path);
-            if (!folders.TryAdd(folder, definition)) throw new ScriptException($"{folder} holds more than one assembly definition or reference, {entry.Path} among them: Unity takes one a folder");
+            if (!folders.TryAdd(folder, definition))
+                throw new ScriptException(
+                $"{folder} holds more than one assembly definition or reference, {entry.Path} among them: Unity takes one a folder");
         }
 
         static string Folder(string path) => path.Substring(0, path.LastIndexOf('/'));
 
         AssemblyDefinition Find(string reference) =>
-            reference.StartsWith("GUID:", StringComparison.OrdinalIgnoreCase) ? byGuid.TryGetValue(reference.Substring(5).ToLowerInvariant(), out var found) ? found : null
+            reference.StartsWith("GUID:", StringComparison.OrdinalIgnoreCase)
+            ? byGuid.TryGetValue(reference.Substring(5).ToLowerInvariant(), out var found) ? found : null
             : byName.TryGetValue(reference, out found) ? found : null;
 
-        static string NameOf(string reference) => reference.StartsWith("GUID:", StringComparison.OrdinalIgnoreCase) ? WellKnownAssemblies.NameOf(reference.Substring(5).ToLowerInvariant()) : reference;
-        static string Shown(string reference) => NameOf(reference) is string name ? $"'{name}'{(name == reference ? "" : $" ({reference})")}" : $"'{reference}'";
+        static string NameOf(string reference) => reference.StartsWith("GUID:", StringComparison.OrdinalIgnoreCase)
+            ? WellKnownAssemblies.NameOf(reference.Substring(5).ToLowerInvariant()) : reference;
+        static string Shown(string reference) => NameOf(reference) is string name
+            ? $"'{name}'{(name == reference ? "" : $" ({reference})")}" : $"'{reference}'";
 
         // ---- which script belongs to which assembly
 
@@ -104,9 +114,11 @@ namespace Host.Scripts.Assemblies
                     continue;
                 }
                 if (!entry.Path.StartsWith("Assets/", StringComparison.Ordinal))
-                    Without(entry, "it lies in a package, but below no assembly definition", "scripts of packages need an assembly definition and are not compiled without one");
+                    Without(entry, "it lies in a package, but below no assembly definition",
+                        "scripts of packages need an assembly definition and are not compiled without one");
                 else if (Within(entry.Path, "Editor")) Without(entry, "it lies in an Editor folder, and what is played is a player", "");
-                else if (Within(entry.Path, "StreamingAssets") || Within(entry.Path, "WebGLTemplates")) Without(entry, "Unity does not compile scripts in StreamingAssets and WebGLTemplates", "");
+                else if (Within(entry.Path, "StreamingAssets") || Within(entry.Path, "WebGLTemplates"))
+                    Without(entry, "Unity does not compile scripts in StreamingAssets and WebGLTemplates", "");
                 else if (IsFirst(entry.Path)) (first ??= Predefined(First)).Files.Add(entry);
                 else (main ??= Predefined(Main)).Files.Add(entry);
             }
@@ -140,7 +152,8 @@ namespace Host.Scripts.Assemblies
         }
 
         static bool Within(string path, string folder) => path.Split('/').SkipLast(1).Contains(folder, StringComparer.OrdinalIgnoreCase);
-        static bool IsFirst(string path) => path.Split('/') is { Length: > 2 } parts && parts[1].ToLowerInvariant() is "plugins" or "standard assets" or "pro standard assets";
+        static bool IsFirst(string path) => path.Split('/') is { Length: > 2 } parts
+            && parts[1].ToLowerInvariant() is "plugins" or "standard assets" or "pro standard assets";
 
         static bool TryOwner(Dictionary<string, AssemblyDefinition> folders, string folder, out AssemblyDefinition definition)
         {
@@ -166,8 +179,10 @@ namespace Host.Scripts.Assemblies
             }
             assembly = new ScriptAssembly
             {
-                Name = definition.Name, Definition = definition.Entry.Path, AllowUnsafe = definition.AllowUnsafe, NoEngineReferences = definition.NoEngineReferences,
-                HoldsTests = definition.IsTest || definition.DefineConstraints.Contains(Defines.IncludeTests), IsEditorOnly = definition.IncludePlatforms.SequenceEqual(new[] { Defines.EditorPlatform }),
+                Name = definition.Name, Definition = definition.Entry.Path, AllowUnsafe = definition.AllowUnsafe,
+                    NoEngineReferences = definition.NoEngineReferences,
+                HoldsTests = definition.IsTest || definition.DefineConstraints.Contains(Defines.IncludeTests),
+                    IsEditorOnly = definition.IncludePlatforms.SequenceEqual(new[] { Defines.EditorPlatform }),
             };
             assembly.Defines.AddRange(defines);
             planned.Add(definition, assembly);
@@ -185,9 +200,11 @@ namespace Host.Scripts.Assemblies
             var platform = tests ? Defines.EditorPlatform : Defines.Platform;
             if (provided.Contains(definition.Name)) return "is one that the host has itself";
             if (definition.IsTest && !defines.Contains(Defines.IncludeTests)) return "holds tests";
-            if (definition.IncludePlatforms.Count > 0 && !definition.IncludePlatforms.Contains(platform)) return $"is for {string.Join(", ", definition.IncludePlatforms)} only";
+            if (definition.IncludePlatforms.Count > 0 && !definition.IncludePlatforms.Contains(platform))
+                return $"is for {string.Join(", ", definition.IncludePlatforms)} only";
             if (definition.ExcludePlatforms.Contains(platform)) return $"is not for {platform}";
-            return Defines.Hold(definition.DefineConstraints, defines) ? null : $"needs the defines {string.Join(", ", definition.DefineConstraints)}";
+            return Defines.Hold(definition.DefineConstraints, defines) ? null
+                : $"needs the defines {string.Join(", ", definition.DefineConstraints)}";
         }
 
         IEnumerable<string> VersionDefines(AssemblyDefinition definition)
@@ -222,16 +239,20 @@ namespace Host.Scripts.Assemblies
                 // Both of the test framework's assemblies are one here.
                 if (tests && name == TestAssemblies.EditorRunner) name = TestAssemblies.Runner;
                 var target = Find(reference);
-                if (name != null && provided.Contains(name) || target != null && provided.Contains(target.Name)) Hosted(assembly, definition, target?.Name ?? name);
-                else if (target == null) Notes.Add($"{definition.Entry.Path} refers to the assembly {Shown(reference)}, which is not in the project: the scripts that use it will not compile");
+                if (name != null && provided.Contains(name) || target != null && provided.Contains(target.Name))
+                    Hosted(assembly, definition, target?.Name ?? name);
+                else if (target == null) Notes.Add($"{definition.Entry.Path} refers to the assembly {Shown(reference)}, which is not " +
+                    $"in the project: the scripts that use it will not compile");
                 else if (planned.TryGetValue(target, out var other)) assembly.References.Add(other);
-                else if (WhyNot(target, DefinesOf(target)) is string reason) Notes.Add($"{definition.Entry.Path} refers to {target.Name}, which {reason}: {(tests ? "it is not compiled here" : "a player has it not")}");
+                else if (WhyNot(target, DefinesOf(target)) is string reason) Notes.Add($"{definition.Entry.Path} refers to " +
+                    $"{target.Name}, which {reason}: {(tests ? "it is not compiled here" : "a player has it not")}");
             }
             if (!definition.OverrideReferences) assembly.Plugins.AddRange(Plugins.Where(p => !IsExplicit(p)));
             else
                 foreach (var name in definition.PrecompiledReferences)
                     if (tests && name == TestAssemblies.NUnit + ".dll") assembly.Hosted.Add(TestAssemblies.NUnit);
-                    else if (Plugins.Find(p => p.Path.EndsWith("/" + name, StringComparison.OrdinalIgnoreCase)) is AssetEntry plugin) assembly.Plugins.Add(plugin);
+                    else if (Plugins.Find(p => p.Path.EndsWith("/" + name, StringComparison.OrdinalIgnoreCase)) is AssetEntry plugin)
+                        assembly.Plugins.Add(plugin);
                     else Notes.Add($"{definition.Entry.Path} refers to {name}, which is not in the project");
         }
 
@@ -239,7 +260,8 @@ namespace Host.Scripts.Assemblies
         {
             var package = packages.OfAssembly(name);
             if (package == null || packages.VersionOf(package) != null) assembly.Hosted.Add(name);
-            else Notes.Add($"{definition.Entry.Path} refers to {name}, but neither Packages/manifest.json nor a package asks for {package}: the scripts that use it will not compile");
+            else Notes.Add($"{definition.Entry.Path} refers to {name}, but neither Packages/manifest.json nor a package asks for " +
+                $"{package}: the scripts that use it will not compile");
         }
 
         void Order()
@@ -252,7 +274,8 @@ namespace Host.Scripts.Assemblies
                 if (path.Contains(assembly))
                 {
                     var circle = path.Skip(path.IndexOf(assembly)).Append(assembly).ToList();
-                    throw new ScriptException($"assembly definitions refer to each other in a circle: {string.Join(" -> ", circle)} ({string.Join(", ", circle.Skip(1).Select(a => a.Definition))}): remove one of these references");
+                    throw new ScriptException($"assembly definitions refer to each other in a circle: {string.Join(" -> ", circle)} " +
+                        $"({string.Join(", ", circle.Skip(1).Select(a => a.Definition))}): remove one of these references");
                 }
                 path.Add(assembly);
                 foreach (var reference in assembly.References) Visit(reference);
@@ -286,7 +309,9 @@ namespace Host.Scripts.Assemblies
         static bool IsEditorOnly(AssetEntry entry)
         {
             var meta = Meta(entry);
-            return Regex.IsMatch(meta, @"Any:[^\n]*\n\s*second:\s*\n\s*enabled: 0") && Regex.IsMatch(meta, @"Editor: Editor\s*\n\s*second:\s*\n\s*enabled: 1") && !Regex.IsMatch(meta, @"Standalone:[^\n]*\n\s*second:\s*\n\s*enabled: 1");
+            return Regex.IsMatch(meta, @"Any:[^\n]*\n\s*second:\s*\n\s*enabled: 0")
+                && Regex.IsMatch(meta, @"Editor: Editor\s*\n\s*second:\s*\n\s*enabled: 1")
+                && !Regex.IsMatch(meta, @"Standalone:[^\n]*\n\s*second:\s*\n\s*enabled: 1");
         }
 
         static bool IsExplicit(AssetEntry entry) => Meta(entry).Contains("isExplicitlyReferenced: 1");

@@ -19,11 +19,14 @@ namespace Host.Scripts.Assemblies
 
         static readonly string[] Always =
         {
-            "UNITY_2022_3_0", "UNITY_2022_3", "UNITY_2022", "UNITY_64", "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "PLATFORM_STANDALONE", "PLATFORM_STANDALONE_WIN",
-            "DEVELOPMENT_BUILD", "UNITY_ASSERTIONS", "ENABLE_PROFILER", "ENABLE_MONO", "NET_STANDARD_2_0", "NET_STANDARD", "NET_STANDARD_2_1", "NETSTANDARD", "NETSTANDARD2_1", "CSHARP_7_OR_LATER", "CSHARP_7_3_OR_NEWER", "TRACE",
+            "UNITY_2022_3_0", "UNITY_2022_3", "UNITY_2022", "UNITY_64", "UNITY_STANDALONE", "UNITY_STANDALONE_WIN", "PLATFORM_STANDALONE",
+                "PLATFORM_STANDALONE_WIN",
+            "DEVELOPMENT_BUILD", "UNITY_ASSERTIONS", "ENABLE_PROFILER", "ENABLE_MONO", "NET_STANDARD_2_0", "NET_STANDARD",
+                "NET_STANDARD_2_1", "NETSTANDARD", "NETSTANDARD2_1", "CSHARP_7_OR_LATER", "CSHARP_7_3_OR_NEWER", "TRACE",
         };
 
-        static readonly Dictionary<int, int> LastMinor = new Dictionary<int, int> { [2017] = 4, [2018] = 4, [2019] = 4, [2020] = 3, [2021] = 3, [2022] = 3 };
+        static readonly Dictionary<int, int> LastMinor = new Dictionary<int,
+            int> { [2017] = 4, [2018] = 4, [2019] = 4, [2020] = 3, [2021] = 3, [2022] = 3 };
 
         // Where tests run: the Editor on Windows. Assemblies with tests have IncludeTests as well.
         public const string IncludeTests = "UNITY_INCLUDE_TESTS";
@@ -57,6 +60,7 @@ namespace Host.Scripts.Assemblies
 
         /// <summary>Each entry must hold: "NAME", "!NAME", or some of them with "||" between.</summary>
         public static bool Hold(IEnumerable<string> constraints, ICollection<string> defined) =>
-            constraints.All(c => c.Split("||", StringSplitOptions.TrimEntries).Any(part => part.StartsWith("!", StringComparison.Ordinal) ? !defined.Contains(part.Substring(1).Trim()) : defined.Contains(part)));
+            constraints.All(c => c.Split("||", StringSplitOptions.TrimEntries).Any(part => part.StartsWith("!", StringComparison.Ordinal)
+            ? !defined.Contains(part.Substring(1).Trim()) : defined.Contains(part)));
     }
 }

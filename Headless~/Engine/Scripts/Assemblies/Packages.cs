@@ -11,9 +11,11 @@ namespace Host.Scripts.Assemblies
     internal sealed class Packages
     {
         /// <summary>Packages whose assemblies the host stands in for, when the project asks for them.</summary>
-        public static readonly IReadOnlyDictionary<string, string> Hosted = new Dictionary<string, string> { ["com.unity.mathematics"] = "Unity.Mathematics", ["com.unity.ugui"] = "UnityEngine.UI" };
+        public static readonly IReadOnlyDictionary<string, string> Hosted = new Dictionary<string,
+            string> { ["com.unity.mathematics"] = "Unity.Mathematics", ["com.unity.ugui"] = "UnityEngine.UI" };
 
-        static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
+        static readonly JsonDocumentOptions Lenient = new JsonDocumentOptions { AllowTrailingCommas = true,
+            CommentHandling = JsonCommentHandling.Skip };
 
         const string TestFramework = "com.unity.test-framework";
 
@@ -42,7 +44,8 @@ namespace Host.Scripts.Assemblies
                 var name = mount.AssetPath.Substring("Packages/".Length);
                 here.Add(name);
                 // Unity takes the tests of a package that lies in the project, and of others where "testables" names them.
-                if (mount.Folder.StartsWith(Path.Combine(Path.GetFullPath(project), "Packages") + Path.DirectorySeparatorChar, StringComparison.Ordinal)) testable.Add(name);
+                if (mount.Folder.StartsWith(Path.Combine(Path.GetFullPath(project), "Packages") + Path.DirectorySeparatorChar,
+                    StringComparison.Ordinal)) testable.Add(name);
                 versions[name] = json.RootElement.TryGetProperty("version", out var version) ? version.GetString() ?? "" : "0.0.0";
                 Dependencies(json.RootElement, wanted);
             }
@@ -50,16 +53,20 @@ namespace Host.Scripts.Assemblies
                 if (manifest != null)
                 {
                     Dependencies(manifest.RootElement, wanted);
-                    if (manifest.RootElement.TryGetProperty("testables", out var names) && names.ValueKind == JsonValueKind.Array) testable.UnionWith(names.EnumerateArray().Select(n => n.GetString()));
+                    if (manifest.RootElement.TryGetProperty("testables", out var names) && names.ValueKind == JsonValueKind.Array)
+                        testable.UnionWith(names.EnumerateArray().Select(n => n.GetString()));
                 }
             foreach (var mount in mounts.Where(m => ProjectFolders.IsAtHand(m.Folder)))
-                if (mount.AssetPath.Substring("Packages/".Length) is var name && wanted.TryGetValue(name, out var asked) && !asked.StartsWith("file:", StringComparison.Ordinal))
-                    Notes.Add($"the package {name} is taken from {mount.Folder}: of {asked}, which Packages/manifest.json asks for, there is no copy here");
+                if (mount.AssetPath.Substring("Packages/".Length) is var name && wanted.TryGetValue(name, out var asked)
+                    && !asked.StartsWith("file:", StringComparison.Ordinal))
+                    Notes.Add($"the package {name} is taken from {mount.Folder}: of {asked}, which Packages/manifest.json asks for, " +
+                        $"there is no copy here");
             foreach (var package in wanted.Where(p => !here.Contains(p.Key)))
             {
                 if (!package.Value.StartsWith("file:", StringComparison.Ordinal)) versions.TryAdd(package.Key, package.Value);
                 // The engine's own modules are what the host and its stubs are.
-                if (!hosted.ContainsKey(package.Key) && !package.Key.StartsWith("com.unity.modules.", StringComparison.Ordinal)) Missing.Add(package.Key + " " + package.Value);
+                if (!hosted.ContainsKey(package.Key) && !package.Key.StartsWith("com.unity.modules.", StringComparison.Ordinal))
+                    Missing.Add(package.Key + " " + package.Value);
             }
             Missing.Sort(StringComparer.Ordinal);
         }
@@ -84,7 +91,8 @@ namespace Host.Scripts.Assemblies
         }
 
         /// <summary>Null for a package that no one asks for; a git address or the like counts as version 0.</summary>
-        public string VersionOf(string package) => !versions.TryGetValue(package, out var version) ? null : version.Length > 0 && char.IsDigit(version[0]) ? version : "0.0.0";
+        public string VersionOf(string package) => !versions.TryGetValue(package, out var version) ? null : version.Length > 0
+            && char.IsDigit(version[0]) ? version : "0.0.0";
 
         /// <summary>The host's assemblies that the project may use.</summary>
         public IEnumerable<string> HostedAssemblies => hosted.Where(h => versions.ContainsKey(h.Key)).Select(h => h.Value);
@@ -92,7 +100,9 @@ namespace Host.Scripts.Assemblies
         /// <summary>The package that an assembly of the host stands in for; null when it is none's.</summary>
         public string OfAssembly(string name) => hosted.FirstOrDefault(h => h.Value == name).Key;
 
-        /// <summary>Whether tests below a path of the project are the project's: in Assets, in a package that lies in Packages, or in one that the manifest lists as testable.</summary>
-        public bool HasTests(string assetPath) => assetPath.StartsWith("Assets/", StringComparison.Ordinal) || assetPath.Split('/') is { Length: > 1 } parts && testable.Contains(parts[1]);
+        /// <summary>Whether tests below a path of the project are the project's: in Assets, in a package that lies in Packages, or in one
+        /// that the manifest lists as testable.</summary>
+        public bool HasTests(string assetPath) => assetPath.StartsWith("Assets/", StringComparison.Ordinal)
+            || assetPath.Split('/') is { Length: > 1 } parts && testable.Contains(parts[1]);
     }
 }

@@ -6,7 +6,8 @@ using Host.Assets;
 
 namespace Host.Scripts.Assemblies
 {
-    /// <summary>A csc.rsp, Unity's way to give the compiler options: at Assets/ for all predefined assemblies, beside an .asmdef for that one.</summary>
+    /// <summary>A csc.rsp, Unity's way to give the compiler options: at Assets/ for all predefined assemblies, beside an .asmdef for that
+    /// one.</summary>
     internal sealed class ResponseFile
     {
         public readonly List<string> Defines = new List<string>(), References = new List<string>(), Unknown = new List<string>();

@@ -4,10 +4,12 @@ using System.Reflection;
 
 namespace Host.Scripts.Assemblies
 {
-    /// <summary>What scripts are compiled against beside the player's assemblies where a project's tests run, as in the Editor's Test Runner.</summary>
+    /// <summary>What scripts are compiled against beside the player's assemblies where a project's tests run, as in the Editor's Test
+    /// Runner.</summary>
     internal sealed class TestAssemblies
     {
-        public const string Runner = "UnityEngine.TestRunner", EditorRunner = "UnityEditor.TestRunner", Editor = "UnityEditor", NUnit = "nunit.framework";
+        public const string Runner = "UnityEngine.TestRunner", EditorRunner = "UnityEditor.TestRunner", Editor = "UnityEditor",
+            NUnit = "nunit.framework";
 
         public readonly IReadOnlyList<Assembly> All;
 

@@ -8,7 +8,8 @@ namespace Host.Scripts.Compiling
     internal sealed record LeftOutFile(string Path, string Error)
     {
         /// <summary>For want of something in the host that Unity has, or because of such a file.</summary>
-        public bool IsGap => Error.EndsWith(Hints.HostLacksIt, System.StringComparison.Ordinal) || Error.EndsWith(BecauseOfAnother, System.StringComparison.Ordinal);
+        public bool IsGap => Error.EndsWith(Hints.HostLacksIt, System.StringComparison.Ordinal)
+            || Error.EndsWith(BecauseOfAnother, System.StringComparison.Ordinal);
 
         public const string BecauseOfAnother = ", which is left out)";
 
@@ -30,12 +31,14 @@ namespace Host.Scripts.Compiling
             Key = key;
             Scripts = scripts;
             File = Path.Combine(folder, name + ".dll");
-            LeftOut = System.IO.File.ReadAllLines(Path.Combine(folder, List)).Select(line => line.Split('\t')).Select(parts => new LeftOutFile(parts[0], parts[1])).ToList();
+            LeftOut = System.IO.File.ReadAllLines(Path.Combine(folder, List)).Select(line => line.Split('\t'))
+                .Select(parts => new LeftOutFile(parts[0], parts[1])).ToList();
         }
 
         public static CompiledAssembly In(string folder, string name, string key, int scripts) => new CompiledAssembly(name, folder, key, scripts);
 
         public static void WriteLeftOut(string folder, IEnumerable<LeftOutFile> files) =>
-            System.IO.File.WriteAllLines(Path.Combine(folder, List), files.Select(f => f.Path + "\t" + f.Error.Replace('\t', ' ').Replace('\n', ' ')));
+            System.IO.File.WriteAllLines(Path.Combine(folder, List),
+            files.Select(f => f.Path + "\t" + f.Error.Replace('\t', ' ').Replace('\n', ' ')));
     }
 }

@@ -14,9 +14,12 @@ namespace Host.Scripts.Compiling
         static readonly Assembly Here = typeof(References).Assembly;
         static List<MetadataReference> standard;
 
-        /// <summary>The reference assemblies of .NET Standard 2.1 with the façades through which plugins built for .NET Framework find their types.</summary>
-        public static IReadOnlyList<MetadataReference> Standard => standard ??= Here.GetManifestResourceNames().Where(n => n.StartsWith(Prefix, System.StringComparison.Ordinal))
-            .Select(name => (MetadataReference)MetadataReference.CreateFromStream(Here.GetManifestResourceStream(name), filePath: name.Substring(Prefix.Length))).ToList();
+        /// <summary>The reference assemblies of .NET Standard 2.1 with the façades through which plugins built for .NET Framework find
+        /// their types.</summary>
+        public static IReadOnlyList<MetadataReference> Standard
+            => standard ??= Here.GetManifestResourceNames().Where(n => n.StartsWith(Prefix, System.StringComparison.Ordinal))
+            .Select(name => (MetadataReference)MetadataReference.CreateFromStream(Here.GetManifestResourceStream(name),
+                filePath: name.Substring(Prefix.Length))).ToList();
 
         /// <summary>A source file carried inside of this assembly.</summary>
         public static string Source(string name)

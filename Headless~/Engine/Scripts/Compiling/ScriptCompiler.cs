@@ -36,20 +36,25 @@ namespace Host.Scripts.Compiling
             this.index = index;
             this.stubs = stubs;
             this.hosted = hosted;
-            hostKey = ScriptCache.Key(hosted.Values.Select(a => a.ManifestModule.ModuleVersionId.ToString()).Append(typeof(ScriptCompiler).Module.ModuleVersionId.ToString()).Append(stubs.File).ToArray());
+            hostKey = ScriptCache.Key(hosted.Values.Select(a => a.ManifestModule.ModuleVersionId.ToString())
+                .Append(typeof(ScriptCompiler).Module.ModuleVersionId.ToString()).Append(stubs.File).ToArray());
         }
 
         public CompiledAssembly Compile(ScriptAssembly assembly)
         {
             var response = ResponseOf(assembly);
-            foreach (var unknown in response?.Unknown ?? new List<string>()) Notes.Add($"{assembly.Name}: the option {unknown} of csc.rsp is not taken over");
+            foreach (var unknown in response?.Unknown ?? new List<string>())
+                Notes.Add($"{assembly.Name}: the option {unknown} of csc.rsp is not taken over");
             var sources = assembly.Files.Select(f => (file: f, text: File.ReadAllText(f.File))).ToList();
-            var defines = assembly.Defines.Concat(response?.Defines ?? new List<string>()).Distinct().OrderBy(d => d, StringComparer.Ordinal).ToList();
+            var defines = assembly.Defines.Concat(response?.Defines ?? new List<string>()).Distinct()
+                .OrderBy(d => d, StringComparer.Ordinal).ToList();
 
-            var parts = new List<string> { assembly.Name, hostKey, string.Join(";", defines), assembly.AllowUnsafe.ToString(), assembly.NoEngineReferences.ToString(), response?.Language + response?.Unsafe + response?.Nullable };
+            var parts = new List<string> { assembly.Name, hostKey, string.Join(";", defines), assembly.AllowUnsafe.ToString(),
+                assembly.NoEngineReferences.ToString(), response?.Language + response?.Unsafe + response?.Nullable };
             parts.AddRange(assembly.Hosted);
             parts.AddRange(assembly.References.Select(r => done[r].Key));
-            parts.AddRange(assembly.Plugins.Select(p => p.Path + Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(File.ReadAllBytes(p.File)))));
+            parts.AddRange(assembly.Plugins.Select(p => p.Path
+                + Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(File.ReadAllBytes(p.File)))));
             foreach (var (file, text) in sources)
             {
                 parts.Add(file.Path);
@@ -62,7 +67,8 @@ namespace Host.Scripts.Compiling
 
         ResponseFile ResponseOf(ScriptAssembly assembly)
         {
-            var beside = assembly.Definition == null ? "Assets/csc.rsp" : assembly.Definition.Substring(0, assembly.Definition.LastIndexOf('/')) + "/csc.rsp";
+            var beside = assembly.Definition == null ? "Assets/csc.rsp"
+                : assembly.Definition.Substring(0, assembly.Definition.LastIndexOf('/')) + "/csc.rsp";
             return index.ByPath(beside) is AssetEntry entry ? ResponseFile.Read(entry) : null;
         }
 
@@ -74,8 +80,10 @@ namespace Host.Scripts.Compiling
             var trees = sources.Select(s => CSharpSyntaxTree.ParseText(SourceText.From(s.text, Encoding.UTF8), parsing, s.file.Path)).ToList();
             RefuseBadSyntax(assembly, trees.SelectMany(t => t.GetDiagnostics()));
 
-            var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: assembly.AllowUnsafe || response?.Unsafe == true, optimizationLevel: OptimizationLevel.Release,
-                warningLevel: 0, deterministic: true, nullableContextOptions: response?.Nullable == true ? NullableContextOptions.Enable : NullableContextOptions.Disable);
+            var options = new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary, allowUnsafe: assembly.AllowUnsafe
+                || response?.Unsafe == true, optimizationLevel: OptimizationLevel.Release,
+                warningLevel: 0, deterministic: true, nullableContextOptions: response?.Nullable == true ? NullableContextOptions.Enable
+                    : NullableContextOptions.Disable);
             var compilation = CSharpCompilation.Create(assembly.Name, trees, ReferencesOf(assembly), options);
             RefuseBadSyntax(assembly, compilation.GetDeclarationDiagnostics().Where(d => d.Id == NewerLanguage));
             var leftOut = LeaveOut(ref compilation);
@@ -83,7 +91,8 @@ namespace Host.Scripts.Compiling
             using (var file = File.Create(Path.Combine(folder, assembly.Name + ".dll")))
             {
                 var result = compilation.Emit(file, options: new EmitOptions(debugInformationFormat: DebugInformationFormat.Embedded));
-                if (!result.Success) throw new ScriptException($"the assembly {assembly.Name} cannot be compiled: {result.Diagnostics.First(d => d.Severity == DiagnosticSeverity.Error)}");
+                if (!result.Success) throw new ScriptException($"the assembly {assembly.Name} cannot be compiled: " +
+                    $"{result.Diagnostics.First(d => d.Severity == DiagnosticSeverity.Error)}");
             }
             CompiledAssembly.WriteLeftOut(folder, leftOut);
         }
@@ -96,7 +105,8 @@ namespace Host.Scripts.Compiling
             const int shown = 10;
             var errors = said.Where(d => d.Severity == DiagnosticSeverity.Error).ToList();
             if (errors.Count == 0) return;
-            throw new ScriptException($"{assembly.Name} has errors of syntax, which stop Unity too:\n{string.Join("\n", errors.Take(shown).Select(Said))}{(errors.Count > shown ? $"\nand {errors.Count - shown} more" : "")}");
+            throw new ScriptException($"{assembly.Name} has errors of syntax, which stop Unity " +
+                $"too:\n{string.Join("\n", errors.Take(shown).Select(Said))}{(errors.Count > shown ? $"\nand {errors.Count - shown} more" : "")}");
         }
 
         static List<LeftOutFile> LeaveOut(ref CSharpCompilation compilation)
@@ -114,10 +124,12 @@ namespace Host.Scripts.Compiling
                 {
                     var first = file.OrderBy(e => e.Location.SourceSpan.Start).First();
                     var because = gone.FirstOrDefault(g => first.GetMessage().Contains("'" + g.Key + "'", StringComparison.Ordinal)).Value;
-                    leftOut.Add(new LeftOutFile(file.Key.FilePath, Said(first) + (because != null ? $" (it was in {because}{LeftOutFile.BecauseOfAnother}" : Hints.Of(first))));
+                    leftOut.Add(new LeftOutFile(file.Key.FilePath,
+                        Said(first) + (because != null ? $" (it was in {because}{LeftOutFile.BecauseOfAnother}" : Hints.Of(first))));
                 }
                 foreach (var file in bad)
-                    foreach (var declared in file.Key.GetRoot().DescendantNodes().OfType<BaseTypeDeclarationSyntax>()) gone.TryAdd(declared.Identifier.Text, file.Key.FilePath);
+                    foreach (var declared in file.Key.GetRoot().DescendantNodes().OfType<BaseTypeDeclarationSyntax>())
+                        gone.TryAdd(declared.Identifier.Text, file.Key.FilePath);
                 compilation = compilation.RemoveSyntaxTrees(bad.Select(b => b.Key));
             }
         }

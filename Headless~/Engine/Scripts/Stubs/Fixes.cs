@@ -16,7 +16,8 @@ namespace Host.Scripts.Stubs
                 if (type.Dropped) yield return $"{type.FullName}\tleave out";
                 if (type.ForcedAbstract) yield return $"{type.FullName}\tabstract";
                 foreach (var parent in type.BasesLeftOut) yield return $"{type.FullName}\twithout\t{parent}";
-                foreach (var member in type.Members.Where(m => m.Dropped || m.ValueTypesOnly)) yield return $"{type.FullName}\t{(member.Dropped ? "leave out" : "values")}\t{member.Signature}";
+                foreach (var member in type.Members.Where(m => m.Dropped || m.ValueTypesOnly))
+                    yield return $"{type.FullName}\t{(member.Dropped ? "leave out" : "values")}\t{member.Signature}";
             }
         }
 

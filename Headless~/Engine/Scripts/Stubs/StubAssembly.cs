@@ -42,7 +42,8 @@ namespace Host.Scripts.Stubs
         /// <param name="host">The assemblies whose types need no stubs.</param>
         public static StubAssembly Get(IReadOnlyList<Assembly> host)
         {
-            var key = ScriptCache.Key(host.Select(a => a.ManifestModule.ModuleVersionId.ToString()).Append(typeof(UnityApiLists).Module.ModuleVersionId.ToString())
+            var key = ScriptCache.Key(host.Select(a => a.ManifestModule.ModuleVersionId.ToString())
+                .Append(typeof(UnityApiLists).Module.ModuleVersionId.ToString())
                 .Append(typeof(StubAssembly).Module.ModuleVersionId.ToString()).Append(Revision).ToArray());
             return new StubAssembly(ScriptCache.Folder("stubs", key, folder => Make(folder, host)));
         }
@@ -60,11 +61,14 @@ namespace Host.Scripts.Stubs
                 Emit(maker.Compilation, file);
             }
 
-            var ui = CSharpCompilation.Create(UserInterface, new[] { CSharpSyntaxTree.ParseText(References.Source("UnityEngine.UI.cs"), StubCompilation.Language, "UnityEngine.UI.cs") },
+            var ui = CSharpCompilation.Create(UserInterface,
+                new[] { CSharpSyntaxTree.ParseText(References.Source("UnityEngine.UI.cs"), StubCompilation.Language, "UnityEngine.UI.cs") },
                 maker.Compilation.References.Append(MetadataReference.CreateFromFile(file)), StubCompilation.Options);
             Emit(ui, Path.Combine(folder, UserInterface + ".dll"));
             var all = sources.Types.SelectMany(t => t.WithNested()).ToList();
-            System.IO.File.WriteAllLines(Path.Combine(folder, "counts.txt"), new[] { $"{all.Count(t => !t.Dropped)} {all.Sum(t => t.Members.Count(m => !m.Dropped))} {all.Sum(t => t.Members.Count(m => m.Dropped))}" }.Concat(maker.Refused));
+            System.IO.File.WriteAllLines(Path.Combine(folder, "counts.txt"), new[] { $"{all.Count(t => !t.Dropped)} " +
+                $"{all.Sum(t => t.Members.Count(m => !m.Dropped))} {all.Sum(t => t.Members.Count(m => m.Dropped))}" }.Concat(
+                maker.Refused));
             System.IO.File.WriteAllLines(Path.Combine(folder, "fixes.txt"), Fixes.Of(sources));
         }
 
@@ -78,7 +82,8 @@ namespace Host.Scripts.Stubs
 
         static void Emit(CSharpCompilation compilation, string file)
         {
-            if (!TryEmit(compilation, file, out var errors)) throw new ScriptException($"the host's own stubs do not compile: {string.Join("; ", errors.Take(5))}");
+            if (!TryEmit(compilation, file, out var errors))
+                throw new ScriptException($"the host's own stubs do not compile: {string.Join("; ", errors.Take(5))}");
         }
     }
 
@@ -97,11 +102,20 @@ namespace Host.Scripts.Stubs
         public StubCompilation(StubSources sources, IReadOnlyList<Assembly> host)
         {
             // The lists write names as their files did, which had usings of their own: here all namespaces are open.
-            var spaces = sources.Types.Select(StubSources.NamespaceOf).Concat(host.SelectMany(a => a.GetExportedTypes()).Select(t => t.Namespace ?? "")).Distinct().Where(s => s.StartsWith("UnityEngine", StringComparison.Ordinal) || s.StartsWith("Unity.", StringComparison.Ordinal));
-            usings = string.Concat(new[] { "System", "System.Collections", "System.Collections.Generic", "System.Reflection", "System.Threading", "System.Threading.Tasks", "System.Text", "UnityEngine", "UnityEngine.Rendering", "UnityEngine.Events", "UnityEngine.SceneManagement", "UnityEngine.Experimental.Rendering", "Unity.Collections" }
-                .Concat(spaces).Distinct().Select(s => $"using {s};")) + "using Object = UnityEngine.Object; using Random = UnityEngine.Random; using MinMaxCurve = UnityEngine.ParticleSystem.MinMaxCurve; using MinMaxGradient = UnityEngine.ParticleSystem.MinMaxGradient; using ThreadPriority = UnityEngine.ThreadPriority; using DebugScreenCapture = Unity.Profiling.DebugScreenCapture;";
+            var spaces = sources.Types.Select(StubSources.NamespaceOf)
+                .Concat(host.SelectMany(a => a.GetExportedTypes()).Select(t => t.Namespace ?? "")).Distinct()
+                .Where(s => s.StartsWith("UnityEngine", StringComparison.Ordinal) || s.StartsWith("Unity.", StringComparison.Ordinal));
+            usings = string.Concat(new[] { "System", "System.Collections", "System.Collections.Generic", "System.Reflection",
+                "System.Threading", "System.Threading.Tasks", "System.Text", "UnityEngine", "UnityEngine.Rendering", "UnityEngine.Events",
+                "UnityEngine.SceneManagement", "UnityEngine.Experimental.Rendering", "Unity.Collections" }
+                .Concat(spaces).Distinct().Select(s => $"using {s};")) + "using Object = UnityEngine.Object; using Random = " +
+                    "UnityEngine.Random; using MinMaxCurve = UnityEngine.ParticleSystem.MinMaxCurve; using MinMaxGradient = " +
+                    "UnityEngine.ParticleSystem.MinMaxGradient; using ThreadPriority = UnityEngine.ThreadPriority; using " +
+                    "DebugScreenCapture = Unity.Profiling.DebugScreenCapture;";
             foreach (var type in sources.Types) Write(type);
-            Compilation = CSharpCompilation.Create(StubAssembly.Name, trees.Keys.Append(CSharpSyntaxTree.ParseText(References.Source("StubCalls.cs"), Language)), References.Standard.Concat(host.Select(a => MetadataReference.CreateFromFile(a.Location))), Options);
+            Compilation = CSharpCompilation.Create(StubAssembly.Name,
+                trees.Keys.Append(CSharpSyntaxTree.ParseText(References.Source("StubCalls.cs"), Language)),
+                References.Standard.Concat(host.Select(a => MetadataReference.CreateFromFile(a.Location))), Options);
         }
 
         SyntaxTree Write(StubType type)
@@ -120,11 +134,13 @@ namespace Host.Scripts.Stubs
         {
             for (var round = 0; round < rounds; round++)
             {
-                var errors = Compilation.GetParseDiagnostics().Concat(Compilation.GetDeclarationDiagnostics()).Where(d => d.Severity == DiagnosticSeverity.Error && d.Location.SourceTree != null).ToList();
+                var errors = Compilation.GetParseDiagnostics().Concat(Compilation.GetDeclarationDiagnostics())
+                    .Where(d => d.Severity == DiagnosticSeverity.Error && d.Location.SourceTree != null).ToList();
                 if (errors.Count == 0)
                 {
                     // Bodies are looked at last: what they say is about members whose declarations are already good.
-                    errors = Compilation.GetDiagnostics().Where(d => d.Severity == DiagnosticSeverity.Error && d.Location.SourceTree != null).ToList();
+                    errors = Compilation.GetDiagnostics().Where(d => d.Severity == DiagnosticSeverity.Error
+                        && d.Location.SourceTree != null).ToList();
                     if (errors.Count == 0) return;
                 }
                 var touched = new HashSet<SyntaxTree>();
@@ -157,7 +173,8 @@ namespace Host.Scripts.Stubs
             var type = (StubType)what;
             var text = error.Location.SourceTree.GetText();
             var span = text.ToString(error.Location.SourceSpan);
-            var culprit = type.Bases.FirstOrDefault(b => b == span || b.EndsWith("." + span, StringComparison.Ordinal) || b.StartsWith(span + "<", StringComparison.Ordinal) || Regex.IsMatch(b, $@"\b{Regex.Escape(span)}\b"));
+            var culprit = type.Bases.FirstOrDefault(b => b == span || b.EndsWith("." + span, StringComparison.Ordinal)
+                || b.StartsWith(span + "<", StringComparison.Ordinal) || Regex.IsMatch(b, $@"\b{Regex.Escape(span)}\b"));
             if (error.Id == "CS0534" && !type.ForcedAbstract) type.ForcedAbstract = true;
             else if (culprit != null && type.ShortName != span) Refuse(error, () => type.Without(culprit));
             else if (type.Bases.Count > 0) Refuse(error, () => type.Without(type.Bases[type.Bases.Count - 1]));
@@ -167,7 +184,8 @@ namespace Host.Scripts.Stubs
         void Refuse(Diagnostic error, Action leaveOut)
         {
             leaveOut();
-            Refused.Add($"{error.Location.SourceTree.FilePath}: {error.Id} {error.GetMessage()}: {error.Location.SourceTree.GetText().Lines[error.Location.GetLineSpan().StartLinePosition.Line]}");
+            Refused.Add($"{error.Location.SourceTree.FilePath}: {error.Id} {error.GetMessage()}: " +
+                $"{error.Location.SourceTree.GetText().Lines[error.Location.GetLineSpan().StartLinePosition.Line]}");
         }
     }
 }

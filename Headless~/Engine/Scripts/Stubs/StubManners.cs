@@ -7,7 +7,8 @@ namespace Host.Scripts.Stubs
     {
         /// <summary>Every member throws its own name: scripts compute with what it would answer.</summary>
         Throws,
-        /// <summary>Properties hold what is put into them, methods do nothing and are counted: output for eyes and ears that no one has here.</summary>
+        /// <summary>Properties hold what is put into them, methods do nothing and are counted: output for eyes and ears that no one has
+        /// here.</summary>
         Quiet,
         /// <summary>Properties hold what is put into them, methods throw: data that others act on.</summary>
         Holds,
@@ -22,16 +23,19 @@ namespace Host.Scripts.Stubs
             "AudioSource", "AudioClip", "AudioReverbZone", "AudioReverbFilter", "AudioLowPassFilter", "AudioHighPassFilter", "AudioEchoFilter",
             "AudioDistortionFilter", "AudioChorusFilter", "Audio.AudioMixer", "Audio.AudioMixerGroup", "Audio.AudioMixerSnapshot",
             // What is drawn by parts of Unity that the host does not have
-            "ParticleSystem", "ParticleSystemRenderer", "ParticleSystemForceField", "TrailRenderer", "LineRenderer", "BillboardRenderer", "SpriteRenderer",
+            "ParticleSystem", "ParticleSystemRenderer", "ParticleSystemForceField", "TrailRenderer", "LineRenderer", "BillboardRenderer",
+                "SpriteRenderer",
             "SpriteMask", "TextMesh", "Font", "LensFlare", "FlareLayer", "Flare", "Projector", "Halo", "Skybox", "ReflectionProbe", "LightProbeGroup",
-            "LightProbeProxyVolume", "LODGroup", "OcclusionArea", "OcclusionPortal", "WindZone", "Video.VideoPlayer", "Video.VideoClip", "Rendering.SortingGroup",
+            "LightProbeProxyVolume", "LODGroup", "OcclusionArea", "OcclusionPortal", "WindZone", "Video.VideoPlayer", "Video.VideoClip",
+                "Rendering.SortingGroup",
             // The screen's surface, and the keyboard and mouse that no one touches
             "Input", "Canvas", "CanvasGroup", "CanvasRenderer", "RectTransform", "RectOffset", "Cursor", "Handheld", "DrivenRectTransformTracker",
         };
 
         static readonly HashSet<string> Holds = new HashSet<string>
         {
-            "Collider", "BoxCollider", "SphereCollider", "CapsuleCollider", "MeshCollider", "Collider2D", "BoxCollider2D", "CircleCollider2D", "PhysicMaterial",
+            "Collider", "BoxCollider", "SphereCollider", "CapsuleCollider", "MeshCollider", "Collider2D", "BoxCollider2D",
+                "CircleCollider2D", "PhysicMaterial",
         };
 
         /// <param name="type">The outermost type's full name, without type parameters.</param>

@@ -5,7 +5,8 @@ using System.Text.RegularExpressions;
 
 namespace Host.Scripts.Stubs
 {
-    /// <summary>One line of the API list as C# whose body does nothing or throws. Always a single line, so that a compiler's message finds it.</summary>
+    /// <summary>One line of the API list as C# whose body does nothing or throws. Always a single line, so that a compiler's message finds
+    /// it.</summary>
     internal sealed class StubMember
     {
         static readonly Regex Property = new Regex(@"^(?<head>.*?)\s*\{(?<access>[^}]*)\}$", RegexOptions.Compiled);
@@ -53,7 +54,8 @@ namespace Host.Scripts.Stubs
                 return $"{Access}{signature} {{ add => {Counted}; remove {{ }} }}";
 
             var match = Operator.Match(signature);
-            if (match.Success) return $"public static {match.Groups["type"]} operator {match.Groups["op"]}({match.Groups["parameters"]}) => {Thrown};";
+            if (match.Success)
+                return $"public static {match.Groups["type"]} operator {match.Groups["op"]}({match.Groups["parameters"]}) => {Thrown};";
             match = Conversion.Match(signature);
             if (match.Success) return $"public static implicit operator {match.Groups["type"]}({match.Groups["parameters"]}) => {Thrown};";
             match = Property.Match(signature);
@@ -81,15 +83,18 @@ namespace Host.Scripts.Stubs
             if (IsAbstract) return $"{Access}{head} {{ {Accessors(access, ";")} }}";
             // A struct holds what is put into it; there is nothing else that it could do.
             var holds = !indexer && (manner != Manner.Throws || owner.HoldsData) && !head.Contains("ref ");
-            if (holds) return $"{Access}{head} {{ {(access.Contains("get") ? Accessors(access, ";") : "get; set;")} }}{(owner.Kind == "struct" ? "" : Initial(Regex.Replace(head, @"^((static|virtual|override|abstract) )+|\s*@?\w+$", "")))}";
+            if (holds) return $"{Access}{head} {{ {(access.Contains("get") ? Accessors(access, ";") : "get; set;")} " +
+                $"}}{(owner.Kind == "struct" ? "" : Initial(Regex.Replace(head, @"^((static|virtual|override|abstract) )+|\s*@?\w+$", "")))}";
             return $"{Access}{head} {{ {Accessors(access, $" => {Thrown};")} }}";
         }
 
         /// <summary>Nothing pressed, nothing found: scripts go through lists and texts without asking for null.</summary>
-        static string Nothing(string type) => type == "string" ? "\"\"" : type.EndsWith("[]", StringComparison.Ordinal) && !type.EndsWith("[][]", StringComparison.Ordinal) ? $"System.Array.Empty<{type.Substring(0, type.Length - 2)}>()" : "default";
+        static string Nothing(string type) => type == "string" ? "\"\"" : type.EndsWith("[]", StringComparison.Ordinal)
+            && !type.EndsWith("[][]", StringComparison.Ordinal) ? $"System.Array.Empty<{type.Substring(0, type.Length - 2)}>()" : "default";
         static string Initial(string type) => Nothing(type) is var value && value != "default" ? $" = {value};" : "";
 
-        static string Accessors(string access, string body) => string.Join(" ", access.Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(a => a + body));
+        static string Accessors(string access, string body)
+            => string.Join(" ", access.Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(a => a + body));
 
         string Method(Manner manner)
         {
@@ -100,7 +105,8 @@ namespace Host.Scripts.Stubs
             if (IsAbstract) return $"{Access}{signature}{constraint};";
             if (manner != Manner.Quiet || signature.Contains("ref ") && signature.IndexOf("ref ", StringComparison.Ordinal) < signature.IndexOf('('))
                 return $"{Access}{signature}{constraint} => {Thrown};";
-            var returns = Regex.IsMatch(signature, @"(^|\s)void\s+\w+(<[^(]*>)?\(") ? "" : $" return {Nothing(Regex.Replace(signature.Substring(0, signature.IndexOf('(')), @"^((static|virtual|override|abstract) )+|\s*@?\w+(<[^(]*>)?\s*$", ""))};";
+            var returns = Regex.IsMatch(signature, @"(^|\s)void\s+\w+(<[^(]*>)?\(") ? ""
+                : $" return {Nothing(Regex.Replace(signature.Substring(0, signature.IndexOf('(')), @"^((static|virtual|override|abstract) )+|\s*@?\w+(<[^(]*>)?\s*$", ""))};";
             return $"{Access}{signature}{constraint} {{ {Counted}; {OutValues}{returns} }}";
         }
 
@@ -117,7 +123,8 @@ namespace Host.Scripts.Stubs
         }
 
         // Rigidbodies of the host fall by it.
-        const string Gravity = "public static Vector3 gravity { get => global::UnityEngine.Headless.PhysicsWorld.Gravity; set => global::UnityEngine.Headless.PhysicsWorld.Gravity = value; }";
+        const string Gravity = "public static Vector3 gravity { get => global::UnityEngine.Headless.PhysicsWorld.Gravity; set => " +
+            "global::UnityEngine.Headless.PhysicsWorld.Gravity = value; }";
 
         string Thrown => $"throw global::UnityEngine.Headless.StubCalls.Missing({Named})";
         string Counted => $"global::UnityEngine.Headless.StubCalls.Count({Named})";

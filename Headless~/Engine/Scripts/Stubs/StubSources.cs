@@ -22,7 +22,8 @@ namespace Host.Scripts.Stubs
             var all = new Dictionary<string, StubType>();
             foreach (var line in lines)
             {
-                if (!line.Type.StartsWith("Unity", StringComparison.Ordinal) || Left.Any(start => line.Type.StartsWith(start, StringComparison.Ordinal))) continue;
+                if (!line.Type.StartsWith("Unity", StringComparison.Ordinal)
+                    || Left.Any(start => line.Type.StartsWith(start, StringComparison.Ordinal))) continue;
                 if (!all.TryGetValue(line.Type, out var type)) all.Add(line.Type, type = new StubType(line.Type));
                 type.Add(line.Signature);
             }
@@ -72,7 +73,8 @@ namespace Host.Scripts.Stubs
 
         // Base classes of the host whose descendants the engine makes by itself.
         static readonly HashSet<string> HostMakes = typeof(Component).Assembly.GetExportedTypes()
-            .Where(t => typeof(Component).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t) || typeof(Attribute).IsAssignableFrom(t)).Select(t => t.Name)
+            .Where(t => typeof(Component).IsAssignableFrom(t) || typeof(ScriptableObject).IsAssignableFrom(t)
+                || typeof(Attribute).IsAssignableFrom(t)).Select(t => t.Name)
             .Concat(new[] { "Exception", "EventArgs", "SystemException" }).ToHashSet();
 
         public static string NamespaceOf(StubType type) => type.FullName.Substring(0, StubType.OuterLength(type.FullName));

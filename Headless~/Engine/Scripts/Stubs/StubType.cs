@@ -48,7 +48,8 @@ namespace Host.Scripts.Stubs
             return -1;
         }
 
-        static readonly Regex Head = new Regex(@"^(?<protected>protected )?(?<kind>class|struct|interface|enum|delegate)\b\s*(: )?(?<rest>.*)$", RegexOptions.Compiled);
+        static readonly Regex Head = new Regex(
+            @"^(?<protected>protected )?(?<kind>class|struct|interface|enum|delegate)\b\s*(: )?(?<rest>.*)$", RegexOptions.Compiled);
 
         public void Add(string signature)
         {
@@ -105,7 +106,8 @@ namespace Host.Scripts.Stubs
             if (Kind == "delegate")
             {
                 var open = delegateSignature.IndexOf('(');
-                Line(open < 0 ? "" : $"{access} unsafe delegate {delegateSignature.Substring(0, open).Trim()} {ShortName}{typeParameters}{delegateSignature.Substring(open)};", this);
+                Line(open < 0 ? "" : $"{access} unsafe delegate {delegateSignature.Substring(0, open).Trim()} " +
+                    $"{ShortName}{typeParameters}{delegateSignature.Substring(open)};", this);
                 return;
             }
             if (Kind == "enum")
@@ -117,14 +119,17 @@ namespace Host.Scripts.Stubs
             var members = Members.Where(m => !m.Dropped).ToList();
             var isStatic = Kind == "class" && members.Any(m => m.IsExtension);
             var isAbstract = Kind == "class" && !isStatic && (ForcedAbstract || members.Any(m => m.IsAbstract));
-            if (MakesOf && ShortName.EndsWith("Attribute", StringComparison.Ordinal)) Line("[global::System.AttributeUsage(global::System.AttributeTargets.All, AllowMultiple = true)]", this);
+            if (MakesOf && ShortName.EndsWith("Attribute", StringComparison.Ordinal))
+                Line("[global::System.AttributeUsage(global::System.AttributeTargets.All, AllowMultiple = true)]", this);
             // Nothing must keep a user's class from holding one of these in a serialized field.
             if (Kind == "struct") Line("[global::System.Serializable]", this);
-            Line($"{access} {(isStatic ? "static " : isAbstract ? "abstract " : "")}unsafe {(Kind == "class" ? "partial " : "")}{Kind} {ShortName}{typeParameters}{(Bases.Count > 0 && !isStatic ? " : " + string.Join(", ", Bases) : "")} {{", this);
+            Line($"{access} {(isStatic ? "static " : isAbstract ? "abstract " : "")}unsafe {(Kind == "class" ? "partial " : "")}{Kind} " +
+                $"{ShortName}{typeParameters}{(Bases.Count > 0 && !isStatic ? " : " + string.Join(", ", Bases) : "")} {{", this);
             if (Kind == "class" && !isStatic)
             {
                 Line($"internal {ShortName}(global::UnityEngine.Headless.StubCalls stub){(BaseIsStub ? " : base(stub)" : "")} {{ }}", this);
-                if (!members.Any(m => m.IsConstructor)) Line($"{(isAbstract ? "protected" : "public")} {ShortName}(){(BaseIsStub ? " : base((global::UnityEngine.Headless.StubCalls)null)" : "")} {{ }}", this);
+                if (!members.Any(m => m.IsConstructor)) Line($"{(isAbstract ? "protected" : "public")} " +
+                    $"{ShortName}(){(BaseIsStub ? " : base((global::UnityEngine.Headless.StubCalls)null)" : "")} {{ }}", this);
             }
             foreach (var member in members)
                 if (!isStatic || member.IsStatic) Line(member.Text(manner), member);

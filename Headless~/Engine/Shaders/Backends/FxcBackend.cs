@@ -29,7 +29,8 @@ namespace Host.Shaders
         public CompiledProgram Build(PreprocessedSource source, CompileRequest request, SourceDeclarations declarations)
         {
             if (FxcDialect.NeedsDxc(source, out PragmaLine asking))
-                throw new ShaderCompileException(asking.Where.File, asking.Where.Line, $"#pragma {asking.Text} asks for DXC, whose programs this backend does not run");
+                throw new ShaderCompileException(asking.Where.File, asking.Where.Line,
+                    $"#pragma {asking.Text} asks for DXC, whose programs this backend does not run");
             FxcResult result = Compile(FxcRequest.Of(request, source));
             Untranslatable listed = Listed(request);
             CompiledProgram compiled;
@@ -48,7 +49,8 @@ namespace Host.Shaders
                 throw request.Fault(e);
             }
             if (listed != null)
-                throw request.Fault(new ProgramException($"listed as untranslatable ({listed.Reason}), but it translates now: strike it from the list"));
+                throw request.Fault(new ProgramException(
+                    $"listed as untranslatable ({listed.Reason}), but it translates now: strike it from the list"));
             return compiled;
         }
 
@@ -57,7 +59,8 @@ namespace Host.Shaders
             FxcResult result = fxc.Value.Compile(request);
             FxcMessage error = result.Errors.FirstOrDefault();
             if (error != null)
-                throw new ShaderCompileException(error.Where.File, error.Where.Line, error.Number.Length > 0 ? $"{error.Number}: {error.Text}" : error.Text);
+                throw new ShaderCompileException(error.Where.File, error.Where.Line, error.Number.Length > 0
+                    ? $"{error.Number}: {error.Text}" : error.Text);
             return result;
         }
 
@@ -69,6 +72,7 @@ namespace Host.Shaders
             return compiled;
         }
 
-        Untranslatable Listed(CompileRequest request) => untranslatable.FirstOrDefault(u => u.File == request.EntryLine.File && u.EntryPoint == request.EntryPoint);
+        Untranslatable Listed(CompileRequest request)
+            => untranslatable.FirstOrDefault(u => u.File == request.EntryLine.File && u.EntryPoint == request.EntryPoint);
     }
 }

@@ -16,7 +16,8 @@ namespace Host.Shaders
 
         public string Name => "glslang";
 
-        public PreprocessedSource Preprocess(CompileRequest request, IncludeResolver resolver) => Preprocessor.Run(request.Segments.Prepend(Dialect), request.Defines, resolver);
+        public PreprocessedSource Preprocess(CompileRequest request, IncludeResolver resolver)
+            => Preprocessor.Run(request.Segments.Prepend(Dialect), request.Defines, resolver);
 
         public string KeyOf(PreprocessedSource source, CompileRequest request) => Glslang.Identity;
 

@@ -10,7 +10,8 @@ namespace Host.Shaders
         public static readonly IShaderBackend Fxc = new FxcBackend(Untranslatable.All);
         public static readonly IReadOnlyList<IShaderBackend> All = new[] { Glslang, Fxc };
 
-        static readonly SortedDictionary<string, string> asBytecode = new SortedDictionary<string, string>();   // name to why glslang made it; null = it did not
+        // name to why glslang made it; null = it did not
+        static readonly SortedDictionary<string, string> asBytecode = new SortedDictionary<string, string>();
 
         static readonly SortedDictionary<string, string> exempt = new SortedDictionary<string, string>();     // test to why
 

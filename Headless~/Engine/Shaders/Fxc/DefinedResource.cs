@@ -139,7 +139,8 @@ namespace Host.Shaders
                 case ShaderVariableType.Min16Int: return ConstantType.Int;
                 case ShaderVariableType.UInt:
                 case ShaderVariableType.Min16UInt: return ConstantType.UInt;
-                case ShaderVariableType.Double: throw new ProgramException($"'{variable.Name}' is a double in a constant buffer, which Unity cannot set.");
+                case ShaderVariableType.Double: throw new ProgramException(
+                    $"'{variable.Name}' is a double in a constant buffer, which Unity cannot set.");
                 default: return ConstantType.Float;
             }
         }

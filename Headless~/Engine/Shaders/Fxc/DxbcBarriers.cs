@@ -20,7 +20,8 @@ namespace Host.Shaders
 
         /// <summary>The sync instructions in their order.</summary>
         public readonly List<SyncFlags> Barriers = new List<SyncFlags>();
-        /// <summary>Whether threads look at what others wrote to buffers or textures: behind such a barrier, or where one is declared globallycoherent.</summary>
+        /// <summary>Whether threads look at what others wrote to buffers or textures: behind such a barrier, or where one is declared
+        /// globallycoherent.</summary>
         public readonly bool ShareUavs;
 
         /// <exception cref="FormatException">The program is cut off.</exception>

@@ -6,7 +6,8 @@ using System.Text;
 
 namespace Host.Shaders
 {
-    /// <summary>What FXC emits: named chunks behind a header of "DXBC", a checksum of 16 bytes, version 1, the total size and the chunks' offsets. Little-endian.</summary>
+    /// <summary>What FXC emits: named chunks behind a header of "DXBC", a checksum of 16 bytes, version 1, the total size and the chunks'
+    /// offsets. Little-endian.</summary>
     sealed class DxbcContainer
     {
         const int HeaderBytes = 32, ChunkHeaderBytes = 8;
@@ -20,7 +21,8 @@ namespace Host.Shaders
                 throw new FormatException("This is no DXBC container.");
             uint size = UInt(container, 24), count = UInt(container, 28);
             if (size != container.Length || count > (container.Length - HeaderBytes) / 4)
-                throw new FormatException($"The DXBC container says that it has {size} bytes and {count} chunks, but {container.Length} bytes are here.");
+                throw new FormatException(
+                    $"The DXBC container says that it has {size} bytes and {count} chunks, but {container.Length} bytes are here.");
             for (int i = 0; i < count; i++)
             {
                 long at = UInt(container, HeaderBytes + 4 * i);
@@ -38,7 +40,8 @@ namespace Host.Shaders
         public byte[] Find(string name) => chunks.FirstOrDefault(chunk => chunk.name == name).bytes;
 
         /// <exception cref="FormatException">It is not there.</exception>
-        public byte[] Chunk(string name) => Find(name) ?? throw new FormatException($"The DXBC container has no {name} chunk; it has {string.Join(", ", Names)}.");
+        public byte[] Chunk(string name) => Find(name)
+            ?? throw new FormatException($"The DXBC container has no {name} chunk; it has {string.Join(", ", Names)}.");
 
         /// <summary>SHEX (shader model 5) or SHDR (4).</summary>
         /// <exception cref="FormatException">There is none.</exception>

@@ -2,13 +2,15 @@ using System;
 
 namespace Host.Shaders
 {
-    /// <summary>What a shader model 4 or 5 program declares before its first instruction (d3d11TokenizedProgramFormat.hpp names the tokens).</summary>
+    /// <summary>What a shader model 4 or 5 program declares before its first instruction (d3d11TokenizedProgramFormat.hpp names the
+    /// tokens).</summary>
     sealed class DxbcDeclarations
     {
         enum Opcode
         {
             CustomData = 53, Resource = 88, ConstantBuffer = 89, Sampler = 90,
-            ThreadGroup = 155, TypedUav = 156, RawUav = 157, StructuredUav = 158, RawGroupshared = 159, StructuredGroupshared = 160, RawResource = 161, StructuredResource = 162,
+            ThreadGroup = 155, TypedUav = 156, RawUav = 157, StructuredUav = 158, RawGroupshared = 159, StructuredGroupshared = 160,
+                RawResource = 161, StructuredResource = 162,
         }
 
         public readonly (int x, int y, int z) GroupSize;

@@ -10,7 +10,9 @@ namespace Host.Shaders
 
         public FxcCache(string cacheFolder) => folder = Directory.CreateDirectory(Path.Combine(cacheFolder, "fxc", "answers")).FullName;
 
-        public static string Key(FxcRequest request) => ShaderCache.Key(FxcDownload.Sha256, request.Profile, request.EntryPoint, ((uint)request.Flags).ToString(), request.Source.Text);
+        public static string Key(FxcRequest request)
+            => ShaderCache.Key(FxcDownload.Sha256, request.Profile, request.EntryPoint, ((uint)request.Flags).ToString(),
+            request.Source.Text);
 
         /// <summary>Null when it is not there.</summary>
         public FxcWorker.Answer Find(string key)

@@ -77,7 +77,9 @@ namespace Host.Shaders
                 }
                 // The request that it died on is answered by that; the rest gets a new process. Not kept: the next time it may be well.
                 if (done.Count < wanted.Count)
-                    done.Add((wanted[done.Count].Key, new FxcWorker.Answer { Outcome = -1, Log = $"error: FXC {ending} while it compiled this", Dxbc = Array.Empty<byte>() }));
+                    done.Add((wanted[done.Count].Key,
+                        new FxcWorker.Answer { Outcome = -1, Log = $"error: FXC {ending} while it compiled this",
+                        Dxbc = Array.Empty<byte>() }));
             }
             return done;
         }
@@ -87,7 +89,8 @@ namespace Host.Shaders
             List<FxcMessage> messages = FxcLog.Read(answer.Log, request);
             bool success = answer.Outcome >= 0 && answer.Dxbc.Length > 0;
             if (!success && !messages.Any(m => m.IsError))
-                messages.Add(new FxcMessage { IsError = true, Where = request.EntryLine, Text = $"FXC failed with 0x{answer.Outcome:X8} and said no reason" });
+                messages.Add(new FxcMessage { IsError = true, Where = request.EntryLine,
+                    Text = $"FXC failed with 0x{answer.Outcome:X8} and said no reason" });
             return new FxcResult { Dxbc = success ? answer.Dxbc : null, Messages = messages };
         }
     }

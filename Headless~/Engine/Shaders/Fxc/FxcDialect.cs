@@ -26,7 +26,8 @@ namespace Host.Shaders
         /// </summary>
         public static FxcFlags Flags(PreprocessedSource source, ShaderStage stage)
         {
-            bool Has(string pragma) => source.Pragmas.Any(p => Words(p.Text) is string[] words && words[0] == pragma && (words.Length == 1 || words.Contains("d3d11")));
+            bool Has(string pragma) => source.Pragmas.Any(p => Words(p.Text) is string[] words && words[0] == pragma
+                && (words.Length == 1 || words.Contains("d3d11")));
             FxcFlags optimization = Has("enable_d3d11_debug_symbols") ? FxcFlags.Debug | FxcFlags.SkipOptimization
                 : Has("skip_optimizations") ? FxcFlags.SkipOptimization : FxcFlags.OptimizationLevel3;
             return stage == ShaderStage.Compute ? optimization : optimization | FxcFlags.BackwardsCompatibility;
@@ -37,7 +38,8 @@ namespace Host.Shaders
         {
             asking = source.Pragmas.FirstOrDefault(p => Words(p.Text) is string[] words
                 && (words[0] == "use_dxc" && (words.Length == 1 || words.Contains("d3d11") || words.Contains("d3d12"))
-                    || words[0] == "require" && words.Any(word => word.StartsWith("Wave", StringComparison.OrdinalIgnoreCase) || word == "Native16Bit" || word == "Int64")));
+                    || words[0] == "require" && words.Any(word => word.StartsWith("Wave", StringComparison.OrdinalIgnoreCase)
+                        || word == "Native16Bit" || word == "Int64")));
             return asking.Text != null;
         }
 

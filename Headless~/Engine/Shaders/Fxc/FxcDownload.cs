@@ -18,7 +18,8 @@ namespace Host.Shaders
             if (File.IsAt(dll))
                 return;
             if (npm == null)
-                throw new FxcException($"npm is not there; it fetches Microsoft's shader compiler, {Name} of the package {File.Package} (Debian: apt-get install npm). "
+                throw new FxcException($"npm is not there; it fetches Microsoft's shader compiler, {Name} of the package " +
+                    $"{File.Package} (Debian: apt-get install npm). "
                     + $"Without it, put that file, of SHA-256 {Sha256}, into {folder}.");
             File.Fetch(dll, npm);
         }

@@ -22,7 +22,9 @@ namespace Host.Shaders
         static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
 
         /// <summary>Where programs are looked for when no folders are named.</summary>
-        public static IReadOnlyList<string> ToolFolders => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Append(WineFolder).ToList();
+        public static IReadOnlyList<string> ToolFolders
+            => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Where(f => f.Length > 0).Append(WineFolder)
+            .ToList();
 
         /// <summary>Wine's drive Z: what the compiler reads and writes must lie in it.</summary>
         public readonly string Folder;
@@ -49,9 +51,11 @@ namespace Host.Shaders
         /// <summary>Starts fxc-worker.exe on the files "jobs" and "results" of a folder within <see cref="Folder"/>.</summary>
         public Process Start(string workingFolder)
         {
-            var start = new ProcessStartInfo(wine, new[] { worker, "jobs", "results" }) { WorkingDirectory = workingFolder, RedirectStandardError = true };
+            var start = new ProcessStartInfo(wine, new[] { worker, "jobs", "results" }) { WorkingDirectory = workingFolder,
+                RedirectStandardError = true };
             start.Environment["WINEPREFIX"] = prefix;
-            start.Environment["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=;winemenubuilder.exe=";   // Microsoft's, not wine's own; no offers to install .NET
+            // Microsoft's, not wine's own; no offers to install .NET
+            start.Environment["WINEDLLOVERRIDES"] = "d3dcompiler_47=n;mscoree=;mshtml=;winemenubuilder.exe=";
             start.Environment["WINEDEBUG"] = "-all";
             start.Environment.Remove("DISPLAY");
             start.Environment.Remove("WAYLAND_DISPLAY");
@@ -70,7 +74,8 @@ namespace Host.Shaders
             if (File.Exists(program))
                 return program;
 
-            string gcc = Find(Gcc) ?? throw new FxcException($"{Gcc} is not there; it builds the program that calls Microsoft's shader compiler (Debian: apt-get install gcc-mingw-w64-x86-64).");
+            string gcc = Find(Gcc) ?? throw new FxcException($"{Gcc} is not there; it builds the program that calls Microsoft's shader " +
+                $"compiler (Debian: apt-get install gcc-mingw-w64-x86-64).");
             InNewFolder(Folder, temporary =>
             {
                 File.WriteAllText(Path.Combine(temporary, "fxc-worker.c"), source);
@@ -89,7 +94,8 @@ namespace Host.Shaders
             if (!process.WaitForExit(60000))
                 process.Kill(entireProcessTree: true);
             if (!process.HasExited || process.ExitCode != 0)
-                throw new FxcException($"{wine} cannot run Microsoft's shader compiler here: {(errors.Wait(1000) ? errors.Result.Trim() : "it does not end")}");
+                throw new FxcException(
+                    $"{wine} cannot run Microsoft's shader compiler here: {(errors.Wait(1000) ? errors.Result.Trim() : "it does not end")}");
         });
 
         static FileStream Lock(string path)
@@ -121,13 +127,15 @@ namespace Host.Shaders
 
         public static void Run(string program, string folder, params string[] arguments)
         {
-            var start = new ProcessStartInfo(program, arguments) { WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true };
+            var start = new ProcessStartInfo(program, arguments) { WorkingDirectory = folder, RedirectStandardOutput = true,
+                RedirectStandardError = true };
             using Process process = Process.Start(start);
             Task<string> errors = process.StandardError.ReadToEndAsync();
             string log = process.StandardOutput.ReadToEnd() + errors.Result;
             process.WaitForExit();
             if (process.ExitCode != 0)
-                throw new FxcException($"{Path.GetFileName(program)} {string.Join(" ", arguments)} failed with code {process.ExitCode}: {log.Trim()}");
+                throw new FxcException(
+                    $"{Path.GetFileName(program)} {string.Join(" ", arguments)} failed with code {process.ExitCode}: {log.Trim()}");
         }
     }
 }

@@ -8,7 +8,8 @@ namespace Host.Shaders
     static class FxcLog
     {
         // "Z:\folder\name(12,3-9): warning X3206: implicit truncation of vector type"; in older forms and for whole programs parts are missing.
-        static readonly Regex Message = new Regex(@"^(?:.*?\((?<line>\d+)(?:,[\d-]+)?\): )?(?<kind>error|warning)(?: (?<number>X\d+))?: (?<text>.*)$");
+        static readonly Regex Message = new Regex(
+            @"^(?:.*?\((?<line>\d+)(?:,[\d-]+)?\): )?(?<kind>error|warning)(?: (?<number>X\d+))?: (?<text>.*)$");
 
         /// <summary>Each message once, on the line that was written.</summary>
         public static List<FxcMessage> Read(string log, FxcRequest request)

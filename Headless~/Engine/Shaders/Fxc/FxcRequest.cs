@@ -31,7 +31,8 @@ namespace Host.Shaders
 
         /// <summary>As Unity would ask. Fast: only preprocesses.</summary>
         /// <exception cref="ShaderCompileException"/>
-        public static FxcRequest Of(CompileRequest request, IncludeResolver resolver) => Of(request, Preprocessor.Run(request.Segments, request.Defines, resolver, SourceReader.Fxc));
+        public static FxcRequest Of(CompileRequest request, IncludeResolver resolver)
+            => Of(request, Preprocessor.Run(request.Segments, request.Defines, resolver, SourceReader.Fxc));
 
         public static FxcRequest Of(CompileRequest request, PreprocessedSource source) => new FxcRequest
         {

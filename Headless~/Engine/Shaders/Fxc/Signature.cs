@@ -44,7 +44,8 @@ namespace Host.Shaders
                     throw new FormatException($"The name of element {i} of a signature has no end.");
                 elements.Add(new SignatureElement
                 {
-                    Semantic = new Semantic(Encoding.ASCII.GetString(chunk, name, end - name).ToUpperInvariant(), (int)DxbcContainer.UInt(chunk, at + 4)),
+                    Semantic = new Semantic(Encoding.ASCII.GetString(chunk, name, end - name).ToUpperInvariant(),
+                        (int)DxbcContainer.UInt(chunk, at + 4)),
                     SystemValue = (int)DxbcContainer.UInt(chunk, at + 8),
                     Register = (int)DxbcContainer.UInt(chunk, at + 16),
                     Mask = chunk[at + 20],

@@ -15,13 +15,15 @@ namespace Host.Shaders
 
         static readonly string[] LibraryFolders =
         {
-            "/usr/lib/x86_64-linux-gnu/wine/x86_64-windows", "/usr/lib/wine/x86_64-windows", "/usr/lib64/wine/x86_64-windows", "/opt/wine-stable/lib64/wine/x86_64-windows",
+            "/usr/lib/x86_64-linux-gnu/wine/x86_64-windows", "/usr/lib/wine/x86_64-windows", "/usr/lib64/wine/x86_64-windows",
+                "/opt/wine-stable/lib64/wine/x86_64-windows",
         };
 
         /// <param name="tryOut">Runs a program in it; it stays only when that goes well.</param>
         public static void Make(string prefix, Action tryOut)
         {
-            string ready = Path.Combine(prefix, "ready"), system = Path.Combine(prefix, "drive_c", "windows", "system32"), drives = Path.Combine(prefix, "dosdevices");
+            string ready = Path.Combine(prefix, "ready"), system = Path.Combine(prefix, "drive_c", "windows", "system32"),
+                drives = Path.Combine(prefix, "dosdevices");
             if (File.Exists(ready) && File.Exists(Path.Combine(system, Kernel)))    // wine may have moved since
                 return;
             string libraries = LibraryFolders.FirstOrDefault(f => File.Exists(Path.Combine(f, Kernel)))

@@ -17,10 +17,13 @@ namespace Host.Shaders
         // Method, and how the coordinate becomes its arguments; {0} is the coordinate.
         static readonly Dictionary<string, (string method, string coordinate)> Calls = new Dictionary<string, (string, string)>
         {
-            ["tex2D"] = ("Sample", "rill_uv2({0})"), ["tex2Dlod"] = ("SampleLevel", "({0}).xy,({0}).w"), ["tex2Dbias"] = ("SampleBias", "({0}).xy,({0}).w"),
+            ["tex2D"] = ("Sample", "rill_uv2({0})"), ["tex2Dlod"] = ("SampleLevel", "({0}).xy,({0}).w"),
+                ["tex2Dbias"] = ("SampleBias", "({0}).xy,({0}).w"),
             ["tex2Dproj"] = ("Sample", "rill_proj2({0})"), ["tex2Dgrad"] = ("SampleGrad", "rill_uv2({0})"),
-            ["tex3D"] = ("Sample", "rill_uv3({0})"), ["tex3Dlod"] = ("SampleLevel", "({0}).xyz,({0}).w"), ["tex3Dbias"] = ("SampleBias", "({0}).xyz,({0}).w"), ["tex3Dgrad"] = ("SampleGrad", "rill_uv3({0})"),
-            ["texCUBE"] = ("Sample", "rill_uv3({0})"), ["texCUBElod"] = ("SampleLevel", "({0}).xyz,({0}).w"), ["texCUBEbias"] = ("SampleBias", "({0}).xyz,({0}).w"), ["texCUBEgrad"] = ("SampleGrad", "rill_uv3({0})"),
+            ["tex3D"] = ("Sample", "rill_uv3({0})"), ["tex3Dlod"] = ("SampleLevel", "({0}).xyz,({0}).w"),
+                ["tex3Dbias"] = ("SampleBias", "({0}).xyz,({0}).w"), ["tex3Dgrad"] = ("SampleGrad", "rill_uv3({0})"),
+            ["texCUBE"] = ("Sample", "rill_uv3({0})"), ["texCUBElod"] = ("SampleLevel", "({0}).xyz,({0}).w"),
+                ["texCUBEbias"] = ("SampleBias", "({0}).xyz,({0}).w"), ["texCUBEgrad"] = ("SampleGrad", "rill_uv3({0})"),
         };
 
         readonly List<Token> tokens;
@@ -60,7 +63,8 @@ namespace Host.Shaders
             for (bool expectName = true; end < tokens.Count && !tokens[end].Is(";"); end++)
             {
                 if (tokens[end].Is("[") || tokens[end].Is("{") || tokens[end].Is("="))
-                    throw new LegacySyntaxException(tokens, end, $"{tokens[at].Text} {string.Join(", ", names)}: arrays and initial states of samplers are not supported by this host; declare them one by one");
+                    throw new LegacySyntaxException(tokens, end, $"{tokens[at].Text} {string.Join(", ", names)}: arrays and initial " +
+                        $"states of samplers are not supported by this host; declare them one by one");
                 if (expectName && tokens[end].Kind == TokenKind.Identifier)
                 {
                     names.Add(tokens[end].Text);
@@ -89,7 +93,8 @@ namespace Host.Shaders
             return name;
         }
 
-        string TypeAt(int at) => TextureTypes[tokens[at].Text] ?? throw new LegacySyntaxException(tokens, at, $"{tokens[at].Text} is not supported by this host; use a sampler2D of height 1");
+        string TypeAt(int at) => TextureTypes[tokens[at].Text]
+            ?? throw new LegacySyntaxException(tokens, at, $"{tokens[at].Text} is not supported by this host; use a sampler2D of height 1");
 
         int Expression(int at, List<Token> output)
         {
@@ -179,7 +184,8 @@ namespace Host.Shaders
                     arguments.Add((begin, i));
                     begin = i + 1;
                 }
-                depth += tokens[i].Is("(") || tokens[i].Is("[") || tokens[i].Is("{") ? 1 : tokens[i].Is(")") || tokens[i].Is("]") || tokens[i].Is("}") ? -1 : 0;
+                depth += tokens[i].Is("(") || tokens[i].Is("[") || tokens[i].Is("{") ? 1 : tokens[i].Is(")") || tokens[i].Is("]")
+                    || tokens[i].Is("}") ? -1 : 0;
             }
             return arguments;
         }

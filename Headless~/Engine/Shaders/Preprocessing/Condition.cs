@@ -45,7 +45,8 @@ namespace Host.Shaders
                 }
                 bool parenthesis = i + 1 < tokens.Count && tokens[i + 1].Is("(");
                 int name = i + (parenthesis ? 2 : 1);
-                if (name >= tokens.Count || tokens[name].Kind != TokenKind.Identifier || parenthesis && (name + 1 >= tokens.Count || !tokens[name + 1].Is(")")))
+                if (name >= tokens.Count || tokens[name].Kind != TokenKind.Identifier || parenthesis
+                    && (name + 1 >= tokens.Count || !tokens[name + 1].Is(")")))
                     throw new PreprocessorException("'defined' needs a name");
                 result.Add(new Token(TokenKind.Number, macros.Contains(tokens[name].Text) ? "1" : "0"));
                 i = parenthesis ? name + 1 : name;

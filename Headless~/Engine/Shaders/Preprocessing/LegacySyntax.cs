@@ -33,6 +33,7 @@ namespace Host.Shaders
     sealed class LegacySyntaxException : System.Exception
     {
         public readonly int Line;
-        public LegacySyntaxException(List<Token> tokens, int at, string message) : base(message) => Line = tokens.Take(at).Sum(t => t.Text.Count(c => c == '\n'));
+        public LegacySyntaxException(List<Token> tokens, int at, string message) : base(message)
+            => Line = tokens.Take(at).Sum(t => t.Text.Count(c => c == '\n'));
     }
 }

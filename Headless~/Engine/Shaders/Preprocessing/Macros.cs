@@ -182,7 +182,8 @@ namespace Host.Shaders
             return result;
         }
 
-        static int IndexOf(Macro macro, Token token) => macro.Parameters != null && token.Kind == TokenKind.Identifier ? macro.Parameters.IndexOf(token.Text) : -1;
+        static int IndexOf(Macro macro, Token token) => macro.Parameters != null && token.Kind == TokenKind.Identifier
+            ? macro.Parameters.IndexOf(token.Text) : -1;
 
         static void Paste(List<Token> left, List<Token> right)
         {

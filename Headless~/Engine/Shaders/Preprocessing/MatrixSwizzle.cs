@@ -20,7 +20,8 @@ namespace Host.Shaders
         {
             for (int i = 0; i < tokens.Count; i++)
             {
-                if (tokens[i].Kind != TokenKind.Identifier || tokens[i].Text.Length < 6 || i < 2 || !tokens[i - 1].Is(".") || !Several.IsMatch(tokens[i].Text))
+                if (tokens[i].Kind != TokenKind.Identifier || tokens[i].Text.Length < 6 || i < 2 || !tokens[i - 1].Is(".")
+                    || !Several.IsMatch(tokens[i].Text))
                     continue;
                 int next = i + 1;
                 while (next < tokens.Count && tokens[next].Kind == TokenKind.Space)
@@ -67,14 +68,17 @@ namespace Host.Shaders
                     before--;
                 for (int depth = 0; end < tokens.Count && (depth > 0 || !tokens[end].Is(";")); end++)
                     depth += tokens[end].Is("(") || tokens[end].Is("{") ? 1 : tokens[end].Is(")") || tokens[end].Is("}") ? -1 : 0;
-                if (end == tokens.Count || before >= 0 && !tokens[before].Is(";") && !tokens[before].Is("{") && !tokens[before].Is("}") && !tokens[before].Is(")") && tokens[before].Text != "else")
-                    throw new LegacySyntaxException(tokens, i, $"'{tokens[i].Text}' is assigned to inside of an expression; make that a statement of its own");
+                if (end == tokens.Count || before >= 0 && !tokens[before].Is(";") && !tokens[before].Is("{") && !tokens[before].Is("}")
+                    && !tokens[before].Is(")") && tokens[before].Text != "else")
+                    throw new LegacySyntaxException(tokens, i,
+                        $"'{tokens[i].Text}' is assigned to inside of an expression; make that a statement of its own");
 
                 string matrix = Preprocessor.Print(tokens.GetRange(begin, i - 1 - begin)), operation = tokens[assign].Text;
                 string[] elements = Element.Matches(tokens[i].Text).Select(m => m.Value).ToArray();
                 var block = Token.Split($"{{ float{elements.Length} rill_v = ");
                 block.AddRange(tokens.GetRange(assign + 1, end - assign - 1));
-                block.AddRange(Token.Split("; " + string.Join(" ", elements.Select((e, k) => $"{matrix}.{e} {operation} rill_v.{"xyzw"[k]};")) + " }"));
+                block.AddRange(Token.Split("; "
+                    + string.Join(" ", elements.Select((e, k) => $"{matrix}.{e} {operation} rill_v.{"xyzw"[k]};")) + " }"));
                 tokens.RemoveRange(begin, end + 1 - begin);
                 tokens.InsertRange(begin, block);
                 any = true;

@@ -7,7 +7,8 @@ using UnityEngine.Headless;
 
 namespace Host.Shaders
 {
-    /// <summary>The file on disk behind an include path such as "Packages/com.x/A.hlsl", "Assets/B.hlsl" or "UnityCG.cginc"; null when there is none.</summary>
+    /// <summary>The file on disk behind an include path such as "Packages/com.x/A.hlsl", "Assets/B.hlsl" or "UnityCG.cginc"; null when
+    /// there is none.</summary>
     internal delegate string IncludeResolver(string path);
 
     /// <summary>A piece of source to preprocess: a whole file or a block of a .shader file.</summary>
@@ -77,15 +78,18 @@ namespace Host.Shaders
         /// The pragmas alone, before it is known which keywords are on: what #error says then, or an include that no
         /// variant may need, does not count.
         /// </summary>
-        public static List<PragmaLine> ReadPragmas(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver)
+        public static List<PragmaLine> ReadPragmas(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines,
+            IncludeResolver resolver)
             => Run(new Preprocessor(resolver, SourceReader.Survey), segments, defines).Pragmas;
 
         /// <param name="defines">Name and value; the value may be empty.</param>
         /// <exception cref="ShaderCompileException"/>
-        public static PreprocessedSource Run(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines, IncludeResolver resolver, SourceReader reader = SourceReader.Glslang)
+        public static PreprocessedSource Run(IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines,
+            IncludeResolver resolver, SourceReader reader = SourceReader.Glslang)
             => Run(new Preprocessor(resolver, reader), segments, defines);
 
-        static PreprocessedSource Run(Preprocessor preprocessor, IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string, string>> defines)
+        static PreprocessedSource Run(Preprocessor preprocessor, IEnumerable<SourceSegment> segments, IEnumerable<KeyValuePair<string,
+            string>> defines)
         {
             foreach (KeyValuePair<string, string> define in defines)
                 preprocessor.macros.Add(define.Key, define.Value);
@@ -171,7 +175,8 @@ namespace Host.Shaders
                 case "ifdef":
                 case "ifndef":
                 {
-                    bool taken = active && (name == "if" ? Condition.IsTrue(rest, macros) : macros.Contains(FirstWord(rest, name)) == (name == "ifdef"));
+                    bool taken = active && (name == "if" ? Condition.IsTrue(rest, macros)
+                        : macros.Contains(FirstWord(rest, name)) == (name == "ifdef"));
                     branches.Push(new Branch { ParentActive = active, Active = taken, Taken = taken, Line = line });
                     active = taken;
                     return;
@@ -273,7 +278,8 @@ namespace Host.Shaders
             if (onceOnly.Contains(disk))
                 return;
             if (++depth > MaxIncludeDepth)
-                throw new PreprocessorException($"'{path}' is included more than {MaxIncludeDepth} files deep: does it include itself? Give it an include guard");
+                throw new PreprocessorException(
+                    $"'{path}' is included more than {MaxIncludeDepth} files deep: does it include itself? Give it an include guard");
             Process(new SourceSegment { Text = SourceText.Read(disk), DiskPath = disk, DisplayPath = display }, pragmasCount);
             depth--;
         }
@@ -318,7 +324,8 @@ namespace Host.Shaders
             string name = text.Split(new[] { ' ', '\t', '(' }, 2)[0];
             if (name == "once")
                 onceOnly.Add(segment.DiskPath);
-            // Unity leaves pragmas of regular includes to the compiler (manual, "pragma directives in HLSL"). Its own do nothing there, of which FXC warns.
+            // Unity leaves pragmas of regular includes to the compiler (manual, "pragma directives in HLSL"). Its own do nothing there, of
+            // which FXC warns.
             else if (name == "pack_matrix" || reader == SourceReader.Fxc && !pragmasCount)
                 Emit("#pragma " + text, segment, line - segment.FirstLine);
             else if (pragmasCount)

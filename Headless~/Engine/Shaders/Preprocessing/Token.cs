@@ -21,7 +21,8 @@ namespace Host.Shaders
         public static readonly Token Blank = new Token(TokenKind.Space, " ");
 
         public bool Is(string symbol) => Kind == TokenKind.Symbol && Text == symbol;
-        public Token Hide(HiddenMacros more) => more == null || Kind != TokenKind.Identifier ? this : new Token(Kind, Text, HiddenMacros.Union(Hidden, more));
+        public Token Hide(HiddenMacros more) => more == null || Kind != TokenKind.Identifier ? this
+            : new Token(Kind, Text, HiddenMacros.Union(Hidden, more));
 
         public static List<Token> Split(string line)
         {
@@ -74,7 +75,8 @@ namespace Host.Shaders
         {
             if (left.Text.Length == 0 || right.Text.Length == 0 || left.Kind == TokenKind.Space || right.Kind == TokenKind.Space)
                 return false;
-            bool wordLeft = left.Kind == TokenKind.Identifier || left.Kind == TokenKind.Number, wordRight = right.Kind == TokenKind.Identifier || right.Kind == TokenKind.Number;
+            bool wordLeft = left.Kind == TokenKind.Identifier || left.Kind == TokenKind.Number,
+                wordRight = right.Kind == TokenKind.Identifier || right.Kind == TokenKind.Number;
             if (wordLeft && wordRight)
                 return true;
             return left.Kind == TokenKind.Symbol && right.Kind == TokenKind.Symbol && IsPair(left.Text[left.Text.Length - 1], right.Text[0]);

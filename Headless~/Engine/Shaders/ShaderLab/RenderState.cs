@@ -28,14 +28,16 @@ namespace Host.Shaders
     {
         static readonly string[] CullModes = { "Off", "Front", "Back" };
         internal static readonly string[] Compares = { "Disabled", "Never", "Less", "Equal", "LEqual", "Greater", "NotEqual", "GEqual", "Always" };
-        static readonly string[] Factors = { "Zero", "One", "DstColor", "SrcColor", "OneMinusDstColor", "SrcAlpha", "OneMinusSrcColor", "DstAlpha", "OneMinusDstAlpha", "SrcAlphaSaturate", "OneMinusSrcAlpha" };
+        static readonly string[] Factors = { "Zero", "One", "DstColor", "SrcColor", "OneMinusDstColor", "SrcAlpha", "OneMinusSrcColor",
+            "DstAlpha", "OneMinusDstAlpha", "SrcAlphaSaturate", "OneMinusSrcAlpha" };
         static readonly string[] Operations = { "Add", "Sub", "RevSub", "Min", "Max" };
         static readonly string[] Switch = { "Off", "On" };
 
         static readonly DeviceBlend[] DeviceFactors =
         {
             DeviceBlend.Zero, DeviceBlend.One, DeviceBlend.DstColor, DeviceBlend.SrcColor, DeviceBlend.OneMinusDstColor, DeviceBlend.SrcAlpha,
-            DeviceBlend.OneMinusSrcColor, DeviceBlend.DstAlpha, DeviceBlend.OneMinusDstAlpha, DeviceBlend.SrcAlphaSaturate, DeviceBlend.OneMinusSrcAlpha,
+            DeviceBlend.OneMinusSrcColor, DeviceBlend.DstAlpha, DeviceBlend.OneMinusDstAlpha, DeviceBlend.SrcAlphaSaturate,
+                DeviceBlend.OneMinusSrcAlpha,
         };
 
         // By CompareFunction. ShaderLab thinks of depth as growing with distance; the depth buffer is reversed, so "less" is greater there.
@@ -107,7 +109,9 @@ namespace Host.Shaders
             {
                 string command = reader.ExpectWord("a command");
                 string value = reader.IsSymbol('[') ? reader.TakeBrackets() : reader.ExpectWord("On or Off");
-                bool usual = command.Equals("ZClip", StringComparison.OrdinalIgnoreCase) ? value.Equals("True", StringComparison.OrdinalIgnoreCase) : value.Equals("Off", StringComparison.OrdinalIgnoreCase) || value.Equals("False", StringComparison.OrdinalIgnoreCase);
+                bool usual = command.Equals("ZClip", StringComparison.OrdinalIgnoreCase)
+                    ? value.Equals("True", StringComparison.OrdinalIgnoreCase) : value.Equals("Off", StringComparison.OrdinalIgnoreCase)
+                    || value.Equals("False", StringComparison.OrdinalIgnoreCase);
                 if (!usual)
                     notes.Add($"line {reader.Line}: {command} {value} is left out");
             }
@@ -129,7 +133,8 @@ namespace Host.Shaders
             return new StateValue(index);
         }
 
-        static StateValue Number(ShaderLabReader reader) => reader.IsSymbol('[') ? new StateValue(0, reader.TakeBrackets()) : new StateValue(reader.ExpectNumber());
+        static StateValue Number(ShaderLabReader reader) => reader.IsSymbol('[') ? new StateValue(0, reader.TakeBrackets())
+            : new StateValue(reader.ExpectNumber());
 
         // A leading number names one render target; only all of them share state here.
         static bool TakesOtherTarget(ShaderLabReader reader, List<string> notes)
@@ -217,6 +222,7 @@ namespace Host.Shaders
             };
         }
 
-        static DeviceBlend Factor(StateValue value, Func<string, float> properties) => DeviceFactors[Math.Clamp(value.ResolveInt(properties), 0, DeviceFactors.Length - 1)];
+        static DeviceBlend Factor(StateValue value, Func<string, float> properties)
+            => DeviceFactors[Math.Clamp(value.ResolveInt(properties), 0, DeviceFactors.Length - 1)];
     }
 }

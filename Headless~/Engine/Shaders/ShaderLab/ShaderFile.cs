@@ -25,8 +25,10 @@ namespace Host.Shaders
             Path = displayPath;
             parsed = ShaderLabParser.Parse(SourceText.Read(filePath), displayPath, (package, versions) => HasPackage(resolver, package, versions));
             // A SubShader of a scriptable render pipeline is passed over where that pipeline does not run.
-            ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Available && s.Passes.Any(p => p.Available) && (!s.Tags.TryGetValue("RenderPipeline", out string wanted) || wanted.Length == 0 || wanted == pipeline));
-            read = (pass, subShader, caster) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath), displayPath, compiler, caster);
+            ParsedSubShader usable = parsed.SubShaders.FirstOrDefault(s => s.Available && s.Passes.Any(p => p.Available)
+                && (!s.Tags.TryGetValue("RenderPipeline", out string wanted) || wanted.Length == 0 || wanted == pipeline));
+            read = (pass, subShader, caster) => new PassFile(pass, subShader, parsed.Name, System.IO.Path.GetFullPath(filePath),
+                displayPath, compiler, caster);
             passes = usable == null ? Array.Empty<PassFile>() : usable.Passes.Where(p => p.Available).SelectMany(p => PassesOf(p, usable)).ToArray();
             RenderQueue = usable != null && usable.Tags.TryGetValue("Queue", out string queue) ? ParseQueue(queue) : Queues["Geometry"];
             if (usable == null)
@@ -34,7 +36,8 @@ namespace Host.Shaders
         }
 
         // Of the pipeline that is stood in for the version is known; that of other packages is not asked for.
-        static bool HasPackage(IncludeResolver resolver, string package, string versions) => resolver?.Invoke($"Packages/{package}/package.json") != null
+        static bool HasPackage(IncludeResolver resolver, string package, string versions)
+            => resolver?.Invoke($"Packages/{package}/package.json") != null
             && (package != Player.PipelinePackage || VersionRange.Contains(versions, Player.PipelineVersion));
 
         public override string Path { get; }
@@ -51,7 +54,9 @@ namespace Host.Shaders
         /// every SubShader, those of other pipelines and absent packages too, since Unity compiles them where those are.
         /// </summary>
         /// <exception cref="ShaderCompileException">A pragma is wrong, or the keywords make too many.</exception>
-        public IReadOnlyList<ShaderVariant> AllVariants() => parsed.SubShaders.SelectMany(subShader => subShader.Passes.SelectMany(pass => PassesOf(pass, subShader))).SelectMany(pass => pass.AllVariants()).ToList();
+        public IReadOnlyList<ShaderVariant> AllVariants()
+            => parsed.SubShaders.SelectMany(subShader => subShader.Passes.SelectMany(pass => PassesOf(pass, subShader)))
+            .SelectMany(pass => pass.AllVariants()).ToList();
 
         // A surface shader with addshadow has a second pass.
         IEnumerable<PassFile> PassesOf(ParsedPass pass, ParsedSubShader subShader)
@@ -67,7 +72,8 @@ namespace Host.Shaders
             int sign = compact.IndexOfAny(new[] { '+', '-' });
             string name = sign < 0 ? compact : compact.Substring(0, sign);
             int offset = 0;
-            if (!Queues.TryGetValue(name, out int queue) || sign >= 0 && !int.TryParse(compact.Substring(sign), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out offset))
+            if (!Queues.TryGetValue(name, out int queue) || sign >= 0
+                && !int.TryParse(compact.Substring(sign), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out offset))
                 throw new ShaderCompileException(Path, 1, $"'{text}' is no render queue");
             return queue + offset;
         }
@@ -91,7 +97,8 @@ namespace Host.Shaders
         readonly ConcurrentDictionary<string, Lazy<CompiledProgram>> programs = new ConcurrentDictionary<string, Lazy<CompiledProgram>>();
 
         /// <param name="caster">The pass of a surface shader that draws its shadow, rather than the one that draws it lit.</param>
-        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath, ShaderCompiler compiler, bool caster = false)
+        public PassFile(ParsedPass pass, ParsedSubShader subShader, string shaderName, string diskPath, string displayPath,
+            ShaderCompiler compiler, bool caster = false)
         {
             this.pass = pass;
             this.caster = caster;
@@ -105,11 +112,13 @@ namespace Host.Shaders
             if (caster)
                 Tags["LightMode"] = "ShadowCaster";
 
-            segments = pass.Code.Select(c => new SourceSegment { Text = c.Text, FirstLine = c.FirstLine, DiskPath = diskPath, DisplayPath = displayPath }).ToList();
+            segments = pass.Code.Select(c => new SourceSegment { Text = c.Text, FirstLine = c.FirstLine, DiskPath = diskPath,
+                DisplayPath = displayPath }).ToList();
             if (pass.Code[pass.Code.Count - 1].Cg)
                 segments.InsertRange(0, ImplicitIncludes(diskPath));
             if (pass.Surface)
-                segments.Insert(pass.Code[pass.Code.Count - 1].Cg ? 2 : 0, new SourceSegment { Text = SurfaceShader.Prologue(caster), DiskPath = diskPath, DisplayPath = "(surface shader)" });
+                segments.Insert(pass.Code[pass.Code.Count - 1].Cg ? 2 : 0,
+                    new SourceSegment { Text = SurfaceShader.Prologue(caster), DiskPath = diskPath, DisplayPath = "(surface shader)" });
             List<PragmaLine> pragmas = compiler.ReadPragmas(segments, ShaderStage.Vertex, DefaultTarget);
             foreach (PragmaLine pragma in pragmas)
             {
@@ -126,7 +135,8 @@ namespace Host.Shaders
                         break;
                     case "surface":
                         if (!pass.Surface)
-                            throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line, "a surface shader must not stand inside of a Pass");
+                            throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line,
+                                "a surface shader must not stand inside of a Pass");
                         surface = new SurfaceOptions(pragma);
                         entries[ShaderStage.Vertex] = (SurfaceShader.VertexEntry, pragma.Where);
                         entries[ShaderStage.Fragment] = (SurfaceShader.FragmentEntry, pragma.Where);
@@ -134,7 +144,8 @@ namespace Host.Shaders
                     case "geometry":
                     case "hull":
                     case "domain":
-                        throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line, $"#pragma {words[0]} is not supported by this host; vertex and fragment programs are");
+                        throw new ShaderCompileException(pragma.Where.File, pragma.Where.Line,
+                            $"#pragma {words[0]} is not supported by this host; vertex and fragment programs are");
                     case "target":
                         if (float.TryParse(argument, NumberStyles.Float, CultureInfo.InvariantCulture, out float version))
                             target = (int)Math.Round(version * 10);
@@ -143,7 +154,8 @@ namespace Host.Shaders
             }
             if (pass.Surface && surface == null)
                 throw new ShaderCompileException(displayPath, pass.Line, "a program outside of a Pass needs #pragma surface");
-            if (surface != null && !surface.NoInstancing && !pragmas.Any(p => p.Text.StartsWith("multi_compile_instancing", StringComparison.Ordinal)))
+            if (surface != null && !surface.NoInstancing
+                && !pragmas.Any(p => p.Text.StartsWith("multi_compile_instancing", StringComparison.Ordinal)))
                 pragmas.Add(new PragmaLine("multi_compile_instancing", entries[ShaderStage.Vertex].where));
             if (surface != null && surface.ReceivesShadows && !caster)
                 pragmas.Add(new PragmaLine("multi_compile _ SHADOWS_SCREEN", entries[ShaderStage.Vertex].where));
@@ -158,11 +170,13 @@ namespace Host.Shaders
 
         // Unity puts these before every CGPROGRAM.
         static IEnumerable<SourceSegment> ImplicitIncludes(string diskPath)
-            => new[] { "HLSLSupport.cginc", "UnityShaderVariables.cginc" }.Select(f => new SourceSegment { Text = $"#include \"{f}\"", DiskPath = diskPath, DisplayPath = f });
+            => new[] { "HLSLSupport.cginc", "UnityShaderVariables.cginc" }.Select(f => new SourceSegment { Text = $"#include \"{f}\"",
+                DiskPath = diskPath, DisplayPath = f });
 
         public override DeviceRasterState ResolveState(Func<string, float> property) => state.Resolve(property);
 
-        public override ShaderProgram Compile(ShaderStage stage, ICollection<string> enabledKeywords) => CompileLinked(stage, enabledKeywords).Program;
+        public override ShaderProgram Compile(ShaderStage stage, ICollection<string> enabledKeywords)
+            => CompileLinked(stage, enabledKeywords).Program;
 
         public IReadOnlyList<ShaderVariant> AllVariants()
         {
@@ -178,13 +192,15 @@ namespace Host.Shaders
         }
 
         (string name, SourceLine where) Entry(ShaderStage stage) => entries.TryGetValue(stage, out (string, SourceLine) entry) ? entry
-            : throw new ShaderCompileException(displayPath, pass.Line, $"this pass has no #pragma {(stage == ShaderStage.Vertex ? "vertex" : "fragment")}");
+            : throw new ShaderCompileException(displayPath, pass.Line,
+            $"this pass has no #pragma {(stage == ShaderStage.Vertex ? "vertex" : "fragment")}");
 
         CompiledProgram CompileLinked(ShaderStage stage, ICollection<string> enabledKeywords)
         {
             // The fragment program's inputs are numbered as the vertex program's outputs, which have a variant of their own.
             Varying[] outputs = stage == ShaderStage.Fragment ? CompileLinked(ShaderStage.Vertex, enabledKeywords).Outputs : Array.Empty<Varying>();
-            string key = stage + " " + string.Join(" ", Defines(stage, enabledKeywords).Select(d => d.Key + "=" + d.Value)) + " " + string.Join(" ", outputs.Select(o => o.Semantic));
+            string key = stage + " " + string.Join(" ", Defines(stage, enabledKeywords).Select(d => d.Key + "=" + d.Value)) + " "
+                + string.Join(" ", outputs.Select(o => o.Semantic));
             return programs.GetOrAdd(key, _ => new Lazy<CompiledProgram>(() =>
             {
                 CompileRequest request = Request(stage, enabledKeywords);
@@ -195,7 +211,8 @@ namespace Host.Shaders
 
         List<KeyValuePair<string, string>> Defines(ShaderStage stage, ICollection<string> enabledKeywords)
         {
-            List<KeyValuePair<string, string>> defines = ShaderCompiler.PlatformDefines(stage, target).Concat(keywords.Select(stage, enabledKeywords)).ToList();
+            List<KeyValuePair<string, string>> defines = ShaderCompiler.PlatformDefines(stage, target)
+                .Concat(keywords.Select(stage, enabledKeywords)).ToList();
             // Direct3D 11 has no multiview: that variant is for Vulkan, which Unity compiles by FXC too.
             if (enabledKeywords != null && enabledKeywords.Contains(Shaders.Keywords.StereoMultiview))
                 defines[defines.FindIndex(d => d.Key == "SHADER_API_D3D11")] = KeyValuePair.Create("SHADER_API_VULKAN", "1");
@@ -228,7 +245,8 @@ namespace Host.Shaders
             string own = compiler.Preprocess(segments, defines);
             try
             {
-                return new SourceSegment { Text = SurfaceShader.Generate(surface, own, caster), DiskPath = segments[segments.Count - 1].DiskPath, DisplayPath = displayPath + " (code around the surface function)" };
+                return new SourceSegment { Text = SurfaceShader.Generate(surface, own, caster),
+                    DiskPath = segments[segments.Count - 1].DiskPath, DisplayPath = displayPath + " (code around the surface function)" };
             }
             catch (ProgramException e)
             {

@@ -50,7 +50,8 @@ namespace Host.Shaders
             this.hasPackage = hasPackage;
         }
 
-        /// <param name="hasPackage">Whether the project has a package of that name in that range of versions; SubShaders and passes that require others are marked.</param>
+        /// <param name="hasPackage">Whether the project has a package of that name in that range of versions; SubShaders and passes that
+        /// require others are marked.</param>
         /// <exception cref="ShaderCompileException"/>
         public static ParsedShader Parse(string text, string path, Func<string, string, bool> hasPackage)
         {

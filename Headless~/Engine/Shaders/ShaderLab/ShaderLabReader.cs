@@ -35,7 +35,8 @@ namespace Host.Shaders
         public string Path => path;
 
         public ShaderCompileException Error(string what) => new ShaderCompileException(path, Line, what);
-        public ShaderCompileException Unexpected(string wanted) => Error($"expected {wanted}, found {(Kind == LabTokenKind.End ? "the end of the file" : $"'{Value}'")}");
+        public ShaderCompileException Unexpected(string wanted)
+            => Error($"expected {wanted}, found {(Kind == LabTokenKind.End ? "the end of the file" : $"'{Value}'")}");
 
         public bool IsWord(string word) => Kind == LabTokenKind.Word && string.Equals(Value, word, StringComparison.OrdinalIgnoreCase);
         public bool IsSymbol(char symbol) => Kind == LabTokenKind.Symbol && Value[0] == symbol;
@@ -109,7 +110,8 @@ namespace Host.Shaders
             {
                 at++;
                 // "2D", "3D" and "2DArray" are words that begin with a digit.
-                while (at < text.Length && (char.IsLetterOrDigit(text[at]) || text[at] == '.' || (text[at] == '-' || text[at] == '+') && (text[at - 1] | 32) == 'e'))
+                while (at < text.Length && (char.IsLetterOrDigit(text[at]) || text[at] == '.' || (text[at] == '-' || text[at] == '+')
+                    && (text[at - 1] | 32) == 'e'))
                     at++;
                 Value = text.Substring(start, at - start);
                 Kind = Value.Length > 1 && (Value[1] == 'D' || Value[1] == 'd') ? LabTokenKind.Word : LabTokenKind.Number;

@@ -20,7 +20,8 @@ namespace Host.Shaders
 
         /// <param name="choice">Reads one of some words, or a property in brackets.</param>
         /// <param name="number">The same for numbers.</param>
-        public static StencilState Read(ShaderLabReader reader, Func<ShaderLabReader, string[], StateValue> choice, Func<ShaderLabReader, StateValue> number, List<string> notes)
+        public static StencilState Read(ShaderLabReader reader, Func<ShaderLabReader, string[], StateValue> choice, Func<ShaderLabReader,
+            StateValue> number, List<string> notes)
         {
             var state = new StencilState();
             reader.Expect('{');
@@ -54,11 +55,13 @@ namespace Host.Shaders
         public DeviceStencil Resolve(Func<string, float> properties) => new DeviceStencil
         {
             Enabled = true,
-            Reference = (byte)reference.ResolveInt(properties), ReadMask = (byte)readMask.ResolveInt(properties), WriteMask = (byte)writeMask.ResolveInt(properties),
+            Reference = (byte)reference.ResolveInt(properties), ReadMask = (byte)readMask.ResolveInt(properties),
+                WriteMask = (byte)writeMask.ResolveInt(properties),
             Compare = DeviceCompares[Math.Clamp(compare.ResolveInt(properties), 0, DeviceCompares.Length - 1)],
             Pass = Operation(pass, properties), Fail = Operation(fail, properties), DepthFail = Operation(depthFail, properties),
         };
 
-        static DeviceStencilOp Operation(StateValue value, Func<string, float> properties) => (DeviceStencilOp)Math.Clamp(value.ResolveInt(properties), 0, 7);
+        static DeviceStencilOp Operation(StateValue value, Func<string, float> properties)
+            => (DeviceStencilOp)Math.Clamp(value.ResolveInt(properties), 0, 7);
     }
 }

@@ -15,7 +15,8 @@ namespace Host.Shaders
             if (expression.Length == 0) return true;
             if (char.IsDigit(expression[0])) return Compare(version, expression) >= 0;
             char first = expression[0], last = expression[expression.Length - 1];
-            if (first != '[' && first != '(' || last != ']' && last != ')' || expression.Length < 3) throw new FormatException($"'{expression}' is no range of versions, as 1.2.0 or [1.2.0,2.0.0) are");
+            if (first != '[' && first != '(' || last != ']' && last != ')' || expression.Length < 3)
+                throw new FormatException($"'{expression}' is no range of versions, as 1.2.0 or [1.2.0,2.0.0) are");
             var ends = expression.Substring(1, expression.Length - 2).Split(',');
             if (ends.Length == 1) return Compare(version, ends[0]) == 0;
             if (ends[0].Length > 0 && Compare(version, ends[0]) is var low && (low < 0 || low == 0 && first == '(')) return false;
@@ -29,7 +30,8 @@ namespace Host.Shaders
                 if (left[i] != right[i]) return left[i].CompareTo(right[i]);
             // "1.0.0-preview.3" comes before "1.0.0".
             var leftPreview = a.Contains('-');
-            return leftPreview == b.Contains('-') ? leftPreview ? string.CompareOrdinal(a.Substring(a.IndexOf('-')), b.Substring(b.IndexOf('-'))) : 0 : leftPreview ? -1 : 1;
+            return leftPreview == b.Contains('-') ? leftPreview
+                ? string.CompareOrdinal(a.Substring(a.IndexOf('-')), b.Substring(b.IndexOf('-'))) : 0 : leftPreview ? -1 : 1;
         }
 
         static int[] Numbers(string version)
@@ -40,7 +42,8 @@ namespace Host.Shaders
             {
                 // "0f1" of a Unity version counts by its leading number.
                 var digits = new string(parts[i].TakeWhile(char.IsDigit).ToArray());
-                if (!int.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out numbers[i])) throw new FormatException($"'{version}' is no version");
+                if (!int.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out numbers[i]))
+                    throw new FormatException($"'{version}' is no version");
             }
             return numbers;
         }

@@ -106,7 +106,8 @@ namespace Host.Shaders
         void DivideSigned(Instruction division)
         {
             Instruction type = editor.Definition(division[0]);
-            uint condition = editor.BoolFor(type), zero = editor.Constant(type, 0), one = editor.Constant(type, 1), minusOne = editor.Constant(type, Ones);
+            uint condition = editor.BoolFor(type), zero = editor.Constant(type, 0), one = editor.Constant(type, 1),
+                minusOne = editor.Constant(type, Ones);
             uint isZero = Emit(Op.IEqual, condition, division[3], zero), isMinusOne = Emit(Op.IEqual, condition, division[3], minusOne);
             uint divisor = Emit(Op.Select, type[0], Emit(Op.LogicalOr, condition, isZero, isMinusOne), one, division[3]);
             uint result = Emit(division.Op, type[0], division[2], divisor);

@@ -77,7 +77,8 @@ namespace Host.Shaders
         void Claim(Instruction type, Packing packing)
         {
             if (assigned.TryGetValue(type[0], out Packing other) && other != packing)
-                throw new ProgramException($"Type '{types.Name(type[0])}' is laid out as a cbuffer and as a structured buffer at once; declare it twice under two names.");
+                throw new ProgramException($"Type '{types.Name(type[0])}' is laid out as a cbuffer and as a structured buffer at once; " +
+                    $"declare it twice under two names.");
             assigned[type[0]] = packing;
         }
 

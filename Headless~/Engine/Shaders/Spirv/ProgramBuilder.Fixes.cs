@@ -50,7 +50,8 @@ namespace Host.Shaders
         {
             foreach (Instruction store in code.Where(i => i.Op == Op.Store))
                 if (types[TypeOf(store[0])][2] != TypeOf(store[1]))
-                    throw new ProgramException("glslang translated an assignment wrongly: simplify what is assigned in this program (a swizzle of several matrix elements?)");
+                    throw new ProgramException("glslang translated an assignment wrongly: simplify what is assigned in this program (a " +
+                        "swizzle of several matrix elements?)");
         }
 
         // glslang gives atomics the signedness of their arguments (1 is an int, and so is a hidden counter's step), where
@@ -137,7 +138,8 @@ namespace Host.Shaders
             const uint fragDepth = 22, depthReplacing = 12, depthGreater = 14, depthUnchanged = 16;
             if (module.Instructions.Any(i => i.Op == Op.Decorate && (Decoration)i[1] == Decoration.BuiltIn && i[2] == fragDepth))
                 return;
-            module.Instructions.RemoveAll(i => i.Op == Op.ExecutionMode && (i[1] == depthReplacing || i[1] >= depthGreater && i[1] <= depthUnchanged));
+            module.Instructions.RemoveAll(i => i.Op == Op.ExecutionMode
+                && (i[1] == depthReplacing || i[1] >= depthGreater && i[1] <= depthUnchanged));
         }
 
         // Direct3D converts what is written to the bound texture's own format, while Vulkan takes the format that the
@@ -176,7 +178,8 @@ namespace Host.Shaders
             uint[] words = (uint[])image.Words.Clone();
             words[7] = 0;
             // Types other than aggregates may be declared once only.
-            Instruction same = module.Instructions.Concat(addedGlobals).FirstOrDefault(i => i.Op == Op.TypeImage && i.Words.Skip(1).SequenceEqual(words.Skip(1)));
+            Instruction same = module.Instructions.Concat(addedGlobals).FirstOrDefault(i => i.Op == Op.TypeImage
+                && i.Words.Skip(1).SequenceEqual(words.Skip(1)));
             if (same != null)
                 id = same[0];
             else

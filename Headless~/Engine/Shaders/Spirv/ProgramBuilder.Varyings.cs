@@ -12,7 +12,8 @@ namespace Host.Shaders
             var outputs = new List<Varying>();
             var inputs = new List<ShaderInput>();
             int nextInput = 0, nextOutput = 0;
-            foreach (Instruction variable in module.Instructions.Where(i => i.Op == Op.Variable && (ClassOf(i) == StorageClass.Input || ClassOf(i) == StorageClass.Output)))
+            foreach (Instruction variable in module.Instructions.Where(i => i.Op == Op.Variable
+                && (ClassOf(i) == StorageClass.Input || ClassOf(i) == StorageClass.Output)))
             {
                 Instruction location = types.Decorated(variable[1], Decoration.Location);
                 if (location == null)
@@ -32,7 +33,8 @@ namespace Host.Shaders
                 {
                     location.Words[2] = (uint)nextOutput;
                     for (int s = 0; s < slots; s++)
-                        outputs.Add(new Varying { Semantic = new Semantic(name.Name, name.Index + s).Full, Location = nextOutput + s, Components = components });
+                        outputs.Add(new Varying { Semantic = new Semantic(name.Name, name.Index + s).Full, Location = nextOutput + s,
+                            Components = components });
                     nextOutput += slots;
                 }
                 else if (ClassOf(variable) == StorageClass.Output)
@@ -67,7 +69,8 @@ namespace Host.Shaders
             if (output == null)
                 throw new ProgramException($"the fragment program reads {name.Short}, which the vertex program does not write");
             if (output.Components < components)
-                throw new ProgramException($"the fragment program reads {components} components of {name.Short}, the vertex program writes {output.Components}");
+                throw new ProgramException(
+                    $"the fragment program reads {components} components of {name.Short}, the vertex program writes {output.Components}");
             return output.Location;
         }
 

@@ -143,7 +143,8 @@ namespace Host.Shaders
         }
 
         static StorageClass ClassOf(Instruction variable) => (StorageClass)variable[2];
-        static bool IsResource(Instruction variable) => ClassOf(variable) == StorageClass.UniformConstant || ClassOf(variable) == StorageClass.Uniform || ClassOf(variable) == StorageClass.StorageBuffer;
+        static bool IsResource(Instruction variable) => ClassOf(variable) == StorageClass.UniformConstant
+            || ClassOf(variable) == StorageClass.Uniform || ClassOf(variable) == StorageClass.StorageBuffer;
 
         // ---- resources
 
@@ -191,7 +192,8 @@ namespace Host.Shaders
             uint glslangStride = StrideOf(block);
             layout.Apply(block, Packing.Structured);
             if (name.EndsWith(counterSuffix))
-                return new ShaderResource { Name = name.Substring(0, name.Length - counterSuffix.Length), Kind = ShaderResourceKind.Counter, Stride = 4 };
+                return new ShaderResource { Name = name.Substring(0, name.Length - counterSuffix.Length), Kind = ShaderResourceKind.Counter,
+                    Stride = 4 };
 
             string declared = declarations.TypeOf(name);
             bool readOnly = types.Decorated(block[0], 0, Decoration.NonWritable) != null;
@@ -200,7 +202,8 @@ namespace Host.Shaders
             if (element.Op != Op.TypeRuntimeArray)
                 throw new ProgramException($"'{name}' is a {declared ?? "buffer"} of a kind that this host does not bind (a tbuffer?).");
             if (!raw && StrideOf(block) != glslangStride && declarations.AsksDimensions(name))
-                throw new ProgramException($"{name}.GetDimensions would give a stride of {glslangStride} here, Direct3D's is {StrideOf(block)}; pass the count in as a parameter, or pad the element to 16 bytes.");
+                throw new ProgramException($"{name}.GetDimensions would give a stride of {glslangStride} here, Direct3D's is " +
+                    $"{StrideOf(block)}; pass the count in as a parameter, or pad the element to 16 bytes.");
             return new ShaderResource
             {
                 Name = name,
@@ -217,7 +220,9 @@ namespace Host.Shaders
         ShaderResource DescribeConstants(string name, Instruction block)
         {
             layout.Apply(block, Packing.Constant, m => declarations.PackOffset(types.MemberName(block[0], m)));
-            int end = Enumerable.Range(0, block.Words.Length - 1).Max(m => (int)types.Decorated(block[0], m, Decoration.Offset)[3] + layout.Size(types[block[m + 1]], layout.IsRowMajor(block, m), Packing.Constant));
+            int end = Enumerable.Range(0, block.Words.Length - 1)
+                .Max(m => (int)types.Decorated(block[0], m, Decoration.Offset)[3] + layout.Size(types[block[m + 1]],
+                layout.IsRowMajor(block, m), Packing.Constant));
             bool globals = name == "$Global";
             return new ShaderResource
             {
@@ -227,7 +232,8 @@ namespace Host.Shaders
                 {
                     Bytes = (end + 15) / 16 * 16,
                     IsGlobals = globals,
-                    Fields = Enumerable.Range(0, block.Words.Length - 1).Where(m => IsSettable(types[block[m + 1]])).Select(m => DescribeField(block, m)).ToArray(),
+                    Fields = Enumerable.Range(0, block.Words.Length - 1).Where(m => IsSettable(types[block[m + 1]]))
+                        .Select(m => DescribeField(block, m)).ToArray(),
                 },
             };
         }
@@ -288,7 +294,8 @@ namespace Host.Shaders
                 Name = name,
                 Kind = dim == dimBuffer ? (storage ? ShaderResourceKind.RWTypedBuffer : ShaderResourceKind.TypedBuffer)
                                         : storage ? ShaderResourceKind.RWTexture : ShaderResourceKind.Texture,
-                Dimension = dim == dim3D ? DeviceTextureDimension.Tex3D : dim == dimCube ? arrayed ? DeviceTextureDimension.CubeArray : DeviceTextureDimension.Cube
+                Dimension = dim == dim3D ? DeviceTextureDimension.Tex3D : dim == dimCube ? arrayed ? DeviceTextureDimension.CubeArray
+                    : DeviceTextureDimension.Cube
                           : arrayed ? DeviceTextureDimension.Tex2DArray : DeviceTextureDimension.Tex2D,
                 ElementFormat = FormatOf(image[7]),
             };
@@ -322,14 +329,16 @@ namespace Host.Shaders
             program.GroupX = (int)size[2];
             program.GroupY = (int)size[3];
             program.GroupZ = (int)size[4];
-            program.GroupsharedBytes = variables.Where(v => ClassOf(v) == StorageClass.Workgroup).Sum(v => layout.Size(types.Pointee(v), false, Packing.Structured));
+            program.GroupsharedBytes = variables.Where(v => ClassOf(v) == StorageClass.Workgroup)
+                .Sum(v => layout.Size(types.Pointee(v), false, Packing.Structured));
         }
 
         // ---- putting it together
 
         void Rebuild()
         {
-            var dropped = new HashSet<uint>(module.Instructions.Where(i => i.Op == Op.Variable && IsResource(i) && !used.Contains(i[1])).Select(i => i[1]));
+            var dropped = new HashSet<uint>(module.Instructions.Where(i => i.Op == Op.Variable && IsResource(i) && !used.Contains(i[1]))
+                .Select(i => i[1]));
             var kept = new List<Instruction>();
             bool decorated = false, defined = false;
             foreach (Instruction i in module.Instructions)

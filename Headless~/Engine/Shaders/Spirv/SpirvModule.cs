@@ -10,18 +10,25 @@ namespace Host.Shaders
         Undef = 1, Name = 5, MemberName = 6, Extension = 10, ExtInstImport = 11, ExtInst = 12, EntryPoint = 15, ExecutionMode = 16, Capability = 17,
         TypeVoid = 19, TypeBool = 20, TypeInt = 21, TypeFloat = 22, TypeVector = 23, TypeMatrix = 24, TypeImage = 25, TypeSampler = 26,
         TypeSampledImage = 27, TypeArray = 28, TypeRuntimeArray = 29, TypeStruct = 30, TypePointer = 32, TypeFunction = 33,
-        ConstantTrue = 41, Constant = 43, ConstantComposite = 44, ConstantNull = 46, SpecConstantOp = 52, Function = 54, FunctionEnd = 56, FunctionCall = 57, Variable = 59, ImageTexelPointer = 60, Load = 61, Store = 62,
-        CopyMemory = 63, AccessChain = 65, InBoundsAccessChain = 66, ArrayLength = 68, Decorate = 71, MemberDecorate = 72, CompositeConstruct = 80, CompositeExtract = 81, CopyObject = 83,
-        ImageFetch = 95, ImageRead = 98, ImageWrite = 99, ImageQuerySize = 104, ConvertFToU = 109, ConvertFToS = 110, Bitcast = 124, SNegate = 126, FAdd = 129, ISub = 130, FSub = 131, IMul = 132, FMul = 133,
-        UDiv = 134, SDiv = 135, UMod = 137, SRem = 138, SMod = 139, FRem = 140, FMod = 141, LogicalOr = 166, Select = 169, IEqual = 170, SLessThan = 177,
-        FUnordNotEqual = 183, FOrdLessThan = 184, FOrdGreaterThanEqual = 190, ShiftRightLogical = 194, ShiftRightArithmetic = 195, ShiftLeftLogical = 196, BitwiseAnd = 199,
-        ControlBarrier = 224, MemoryBarrier = 225, AtomicLoad = 227, AtomicStore = 228, AtomicExchange = 229, AtomicCompareExchange = 230, AtomicXor = 242, Label = 248, Branch = 249, Unreachable = 255, DecorateId = 332,
+        ConstantTrue = 41, Constant = 43, ConstantComposite = 44, ConstantNull = 46, SpecConstantOp = 52, Function = 54, FunctionEnd = 56,
+            FunctionCall = 57, Variable = 59, ImageTexelPointer = 60, Load = 61, Store = 62,
+        CopyMemory = 63, AccessChain = 65, InBoundsAccessChain = 66, ArrayLength = 68, Decorate = 71, MemberDecorate = 72,
+            CompositeConstruct = 80, CompositeExtract = 81, CopyObject = 83,
+        ImageFetch = 95, ImageRead = 98, ImageWrite = 99, ImageQuerySize = 104, ConvertFToU = 109, ConvertFToS = 110, Bitcast = 124,
+            SNegate = 126, FAdd = 129, ISub = 130, FSub = 131, IMul = 132, FMul = 133,
+        UDiv = 134, SDiv = 135, UMod = 137, SRem = 138, SMod = 139, FRem = 140, FMod = 141, LogicalOr = 166, Select = 169, IEqual = 170,
+            SLessThan = 177,
+        FUnordNotEqual = 183, FOrdLessThan = 184, FOrdGreaterThanEqual = 190, ShiftRightLogical = 194, ShiftRightArithmetic = 195,
+            ShiftLeftLogical = 196, BitwiseAnd = 199,
+        ControlBarrier = 224, MemoryBarrier = 225, AtomicLoad = 227, AtomicStore = 228, AtomicExchange = 229, AtomicCompareExchange = 230,
+            AtomicXor = 242, Label = 248, Branch = 249, Unreachable = 255, DecorateId = 332,
         DecorateString = 5632, MemberDecorateString = 5633,
     }
 
     enum Decoration : uint
     {
-        Block = 2, BufferBlock = 3, RowMajor = 4, ColMajor = 5, ArrayStride = 6, MatrixStride = 7, BuiltIn = 11, Flat = 14, Coherent = 23, NonWritable = 24, NonReadable = 25,
+        Block = 2, BufferBlock = 3, RowMajor = 4, ColMajor = 5, ArrayStride = 6, MatrixStride = 7, BuiltIn = 11, Flat = 14, Coherent = 23,
+            NonWritable = 24, NonReadable = 25,
         Location = 30, Component = 31, Binding = 33, DescriptorSet = 34, Offset = 35, NoContraction = 42, CounterBuffer = 5634, UserSemantic = 5635,
     }
 

@@ -42,7 +42,8 @@ namespace Host.Shaders
         /// <summary>Null when the id is not decorated so. The decoration's own operands start at word 2.</summary>
         public Instruction Decorated(uint id, Decoration decoration) => decorations.TryGetValue((id, decoration), out Instruction i) ? i : null;
         /// <summary>Null when the member is not decorated so. The decoration's own operands start at word 3.</summary>
-        public Instruction Decorated(uint type, int member, Decoration decoration) => memberDecorations.TryGetValue((type, (uint)member, decoration), out Instruction i) ? i : null;
+        public Instruction Decorated(uint type, int member, Decoration decoration)
+            => memberDecorations.TryGetValue((type, (uint)member, decoration), out Instruction i) ? i : null;
 
         public int Constant(uint id) => (int)definitions[id][2];
         /// <summary>The type that a variable's pointer points to.</summary>

@@ -15,7 +15,8 @@ namespace Host.Shaders
         static readonly HashSet<string> WithoutMeaning = new HashSet<string>
         {
             "fullforwardshadows", "nolightmap", "nodynlightmap", "nodirlightmap", "nofog", "nometa", "noforwardadd", "nolppv", "noshadowmask",
-            "approxview", "halfasview", "interpolateview", "exclude_path:deferred", "exclude_path:forward", "exclude_path:prepass", "softvegetation", "dualforward", "novertexlights",
+            "approxview", "halfasview", "interpolateview", "exclude_path:deferred", "exclude_path:forward", "exclude_path:prepass",
+                "softvegetation", "dualforward", "novertexlights",
         };
 
         public readonly string Function, Model;
@@ -51,7 +52,8 @@ namespace Host.Shaders
                         bool auto = value == "" || value == "auto";
                         if (!auto && value != "blend" && value != "fade" && value != "premul")
                             throw Fault(pragma, $"'{option}' is no option of a surface shader");
-                        Blend = value == "premul" || auto && Model.StartsWith("Standard", StringComparison.Ordinal) ? SurfaceBlend.Premultiplied : SurfaceBlend.Fade;
+                        Blend = value == "premul" || auto && Model.StartsWith("Standard", StringComparison.Ordinal)
+                            ? SurfaceBlend.Premultiplied : SurfaceBlend.Fade;
                         break;
                     case "decal": Blend = value == "add" ? SurfaceBlend.DecalAdd : SurfaceBlend.DecalBlend; break;
                     default:

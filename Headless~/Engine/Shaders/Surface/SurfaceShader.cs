@@ -19,7 +19,8 @@ namespace Host.Shaders
             "#define UNITY_SHOULD_SAMPLE_SH 1\n" +
             "#include \"UnityCG.cginc\"\n#include \"Lighting.cginc\"\n#include \"UnityPBSLighting.cginc\"\n#include \"AutoLight.cginc\"\n" +
             "#define INTERNAL_DATA half3 rill_toWorld0; half3 rill_toWorld1; half3 rill_toWorld2;\n" +
-            "#define WorldNormalVector(data, normal) fixed3(dot(data.rill_toWorld0, normal), dot(data.rill_toWorld1, normal), dot(data.rill_toWorld2, normal))\n" +
+            "#define WorldNormalVector(data, normal) fixed3(dot(data.rill_toWorld0, normal), dot(data.rill_toWorld1, normal), " +
+            "dot(data.rill_toWorld2, normal))\n" +
             "#define WorldReflectionVector(data, normal) reflect(data.worldRefl, WorldNormalVector(data, normal))\n";
 
         static readonly string[] BuiltInModels = { "Lambert", "BlinnPhong", "Standard", "StandardSpecular" };
@@ -30,7 +31,8 @@ namespace Host.Shaders
         readonly List<SourceField> input, surface;
         readonly bool caster;
         readonly bool tangents;         // the normal, or a vector to it, is in tangent space
-        readonly StringBuilder code = new StringBuilder(), varyings = new StringBuilder(), toFragment = new StringBuilder(), toSurface = new StringBuilder();
+        readonly StringBuilder code = new StringBuilder(), varyings = new StringBuilder(), toFragment = new StringBuilder(),
+        toSurface = new StringBuilder();
         readonly HashSet<string> declared = new HashSet<string>();
         int nextTexCoord;
 
@@ -39,17 +41,22 @@ namespace Host.Shaders
             this.caster = caster;
             this.options = options;
             source = new SurfaceSource(preprocessed);
-            surface = source.Function(options.Function) ?? throw new ProgramException($"there is no function '{options.Function}', which #pragma surface names");
+            surface = source.Function(options.Function)
+                ?? throw new ProgramException($"there is no function '{options.Function}', which #pragma surface names");
             if (surface.Count != 2)
-                throw new ProgramException($"the surface function '{options.Function}' takes {surface.Count} parameters; it takes an Input and an inout SurfaceOutput");
-            input = source.Struct(surface[0].Type) ?? throw new ProgramException($"there is no struct '{surface[0].Type}', which the surface function '{options.Function}' takes");
+                throw new ProgramException($"the surface function '{options.Function}' takes {surface.Count} parameters; it takes an " +
+                    $"Input and an inout SurfaceOutput");
+            input = source.Struct(surface[0].Type)
+                ?? throw new ProgramException(
+                $"there is no struct '{surface[0].Type}', which the surface function '{options.Function}' takes");
             tangents = source.Writes(options.Function, "Normal") || input.Any(f => f.Name == "rill_toWorld0");
         }
 
         /// <summary>The code that follows the shader's own.</summary>
         /// <param name="preprocessed">The prologue and the shader's code, for one variant.</param>
         /// <exception cref="ProgramException"/>
-        public static string Generate(SurfaceOptions options, string preprocessed, bool caster = false) => new SurfaceShader(options, preprocessed, caster).Write();
+        public static string Generate(SurfaceOptions options, string preprocessed, bool caster = false)
+            => new SurfaceShader(options, preprocessed, caster).Write();
 
         string Write()
         {
@@ -57,12 +64,16 @@ namespace Host.Shaders
             List<SourceField> vertex = null;
             if (options.Vertex != null)
             {
-                vertex = source.Function(options.Vertex) ?? throw new ProgramException($"there is no function '{options.Vertex}', which the option vertex: names");
+                vertex = source.Function(options.Vertex)
+                    ?? throw new ProgramException($"there is no function '{options.Vertex}', which the option vertex: names");
                 if (vertex.Count < 1 || vertex.Count > 2)
-                    throw new ProgramException($"the vertex function '{options.Vertex}' takes {vertex.Count} parameters; it takes an inout of vertex data and, if wanted, an out {surface[0].Type}");
+                    throw new ProgramException($"the vertex function '{options.Vertex}' takes {vertex.Count} parameters; it takes an " +
+                        $"inout of vertex data and, if wanted, an out {surface[0].Type}");
                 data = vertex[0].Type;
             }
-            bool instances = (source.Struct(data) ?? throw new ProgramException($"there is no struct '{data}', which '{options.Vertex}' takes")).Any(f => f.Name == "instanceID");
+            bool instances = (source.Struct(data)
+                ?? throw new ProgramException($"there is no struct '{data}', which '{options.Vertex}' takes")).Any(f
+                => f.Name == "instanceID");
 
             foreach (SourceField field in input)
                 Pass(field);
@@ -85,7 +96,8 @@ namespace Host.Shaders
             code.AppendLine($"{surface[0].Type} own; UNITY_INITIALIZE_OUTPUT({surface[0].Type}, own);");
             if (vertex != null)
                 code.AppendLine(vertex.Count == 2 ? $"{options.Vertex}(v, own);" : $"{options.Vertex}(v);");
-            code.AppendLine(caster ? "o.pos = UnityApplyLinearShadowBias(UnityClipSpaceShadowCasterPos(v.vertex, v.normal));" : "o.pos = UnityObjectToClipPos(v.vertex);");
+            code.AppendLine(caster ? "o.pos = UnityApplyLinearShadowBias(UnityClipSpaceShadowCasterPos(v.vertex, v.normal));"
+                : "o.pos = UnityObjectToClipPos(v.vertex);");
             code.AppendLine("o.worldPos = mul(unity_ObjectToWorld, float4(v.vertex.xyz, 1.0)).xyz;");
             code.AppendLine("o.worldNormal = UnityObjectToWorldNormal(v.normal);");
             if (tangents)
@@ -119,7 +131,8 @@ namespace Host.Shaders
                 toSurface.AppendLine($"IN.{name} = front ? 1 : -1;");
                 return;
             }
-            if (name.StartsWith("uv", StringComparison.Ordinal) && name.IndexOf('_') is int underline && (underline == 2 || underline == 3 && name[2] >= '2' && name[2] <= '4'))
+            if (name.StartsWith("uv", StringComparison.Ordinal) && name.IndexOf('_') is int underline
+                && (underline == 2 || underline == 3 && name[2] >= '2' && name[2] <= '4'))
             {
                 string texture = name.Substring(underline);
                 string coordinate = TexCoords[underline == 2 ? 0 : name[2] - '1'];
@@ -136,7 +149,8 @@ namespace Host.Shaders
                 case "worldPos": toSurface.AppendLine("IN.worldPos = i.worldPos;"); break;
                 case "worldNormal": toSurface.AppendLine("IN.worldNormal = normal;"); break;
                 case "viewDir": toSurface.AppendLine(tangents ? "IN.viewDir = normalize(mul(toWorld, toViewer));" : "IN.viewDir = toViewer;"); break;
-                case "worldRefl": toSurface.AppendLine(input.Any(f => f.Name == "rill_toWorld0") ? "IN.worldRefl = -toViewer;" : "IN.worldRefl = reflect(-toViewer, normal);"); break;
+                case "worldRefl": toSurface.AppendLine(input.Any(f => f.Name == "rill_toWorld0") ? "IN.worldRefl = -toViewer;"
+                    : "IN.worldRefl = reflect(-toViewer, normal);"); break;
                 case "screenPos":
                     varyings.AppendLine($"float4 screenPos : {Next()};");
                     toFragment.AppendLine("o.screenPos = ComputeScreenPos(o.pos);");
@@ -199,9 +213,12 @@ namespace Host.Shaders
         {
             string function = "Lighting" + options.Model;
             List<SourceField> parameters = source.Function(function)
-                ?? throw new ProgramException($"there is no function '{function}' for the lighting model '{options.Model}'{(BuiltInModels.Contains(options.Model) ? "" : "; built in are " + string.Join(", ", BuiltInModels))}");
+                ?? throw new ProgramException($"there is no function '{function}' for the lighting model " +
+                    $"'{options.Model}'{(BuiltInModels.Contains(options.Model) ? "" : "; built in are " + string.Join(", ", BuiltInModels))}");
             if (parameters.Count < 2 || parameters.Count > 4 || parameters[0].Type != surface[1].Type)
-                throw new ProgramException($"'{function}' takes ({string.Join(", ", parameters.Select(p => p.Type))}); a forward lighting function takes ({surface[1].Type}, half3 lightDir, half atten), (..., half3 lightDir, half3 viewDir, half atten), (..., UnityGI) or (..., half3 viewDir, UnityGI)");
+                throw new ProgramException($"'{function}' takes ({string.Join(", ", parameters.Select(p => p.Type))}); a forward " +
+                    $"lighting function takes ({surface[1].Type}, half3 lightDir, half atten), (..., half3 lightDir, half3 viewDir, " +
+                    $"half atten), (..., UnityGI) or (..., half3 viewDir, UnityGI)");
 
             if (parameters[parameters.Count - 1].Type != "UnityGI")
             {

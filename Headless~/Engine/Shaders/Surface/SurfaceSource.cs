@@ -12,7 +12,8 @@ namespace Host.Shaders
     /// <summary>Structs and functions of a preprocessed source, as far as code is to be written around them.</summary>
     sealed class SurfaceSource
     {
-        static readonly HashSet<string> Qualifiers = new HashSet<string> { "in", "out", "inout", "const", "uniform", "nointerpolation", "linear", "centroid", "noperspective", "sample", "precise" };
+        static readonly HashSet<string> Qualifiers = new HashSet<string> { "in", "out", "inout", "const", "uniform", "nointerpolation",
+            "linear", "centroid", "noperspective", "sample", "precise" };
 
         readonly List<Token> tokens;
 
@@ -60,7 +61,8 @@ namespace Host.Shaders
             for (int i = 1; i + 1 < tokens.Count; i++)
             {
                 depth += tokens[i].Is("{") || tokens[i].Is("(") ? 1 : tokens[i].Is("}") || tokens[i].Is(")") ? -1 : 0;
-                if (depth != 0 || tokens[i].Text != name || tokens[i].Kind != TokenKind.Identifier || !tokens[i + 1].Is("(") || tokens[i - 1].Kind != TokenKind.Identifier)
+                if (depth != 0 || tokens[i].Text != name || tokens[i].Kind != TokenKind.Identifier || !tokens[i + 1].Is("(")
+                    || tokens[i - 1].Kind != TokenKind.Identifier)
                     continue;
                 int close = i + 1;
                 for (int inner = 0; close < tokens.Count; close++)

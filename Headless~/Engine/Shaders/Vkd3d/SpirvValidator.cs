@@ -19,7 +19,8 @@ namespace Host.Shaders
                 File.WriteAllBytes(file, spirv);
                 string log = Tool.Run(new[] { "--target-env", "vulkan1.1", "--scalar-block-layout", file }, out int exitCode);
                 if (exitCode != 0)
-                    throw new ProgramException($"vkd3d's module is not valid: {string.Join(" ", log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0))}");
+                    throw new ProgramException($"vkd3d's module is not valid: " +
+                        $"{string.Join(" ", log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0))}");
             }
             finally
             {

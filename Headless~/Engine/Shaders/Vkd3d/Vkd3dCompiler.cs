@@ -23,7 +23,8 @@ namespace Host.Shaders
                 File.WriteAllBytes(input, dxbc);
                 string log = Tool.Run(new[] { "-x", "dxbc-tpf", "-b", "spirv-binary", "-o", output, input }, out int exitCode);
                 bool made = exitCode == 0 && File.Exists(output);
-                List<string> remarks = log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0 && !Harmless.Any(known => known.IsMatch(line))).Distinct().ToList();
+                List<string> remarks = log.Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0
+                    && !Harmless.Any(known => known.IsMatch(line))).Distinct().ToList();
                 // It leaves out what it does not know, reports it, and calls that a success.
                 if (!made || remarks.Count > 0)
                     throw new ProgramException($"vkd3d-compiler cannot translate it: {string.Join("; ", remarks)}");

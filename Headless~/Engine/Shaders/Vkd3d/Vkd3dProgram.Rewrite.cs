@@ -100,7 +100,8 @@ namespace Host.Shaders
             if (!module.Instructions.Any(i => i.Op == Op.Decorate && (Decoration)i[1] == Decoration.BuiltIn && i[2] == layer))
                 return;
             byte[] text = Encoding.ASCII.GetBytes("SPV_EXT_shader_viewport_index_layer\0");
-            module.Instructions.Insert(module.Instructions.FindLastIndex(i => i.Op == Op.Capability) + 1, new Instruction(Op.Extension, MemoryMarshal.Cast<byte, uint>(text).ToArray()));
+            module.Instructions.Insert(module.Instructions.FindLastIndex(i => i.Op == Op.Capability) + 1,
+                new Instruction(Op.Extension, MemoryMarshal.Cast<byte, uint>(text).ToArray()));
             module.Instructions.Insert(0, new Instruction(Op.Capability, shaderViewportIndexLayer));
         }
 
@@ -133,7 +134,8 @@ namespace Host.Shaders
         {
             Instruction vector = editor.Definition(fetch[0]);
             uint word = Emit(Op.Load, vector[1], WordAt(buffer, fetch[3]));
-            output.Add(new Instruction(Op.CompositeConstruct, Enumerable.Repeat(word, (int)vector[2]).Prepend(fetch[1]).Prepend(vector[0]).ToArray()));
+            output.Add(new Instruction(Op.CompositeConstruct, Enumerable.Repeat(word, (int)vector[2]).Prepend(fetch[1]).Prepend(vector[0])
+                .ToArray()));
         }
 
         void WriteWord(Instruction write, uint buffer)
@@ -151,7 +153,8 @@ namespace Host.Shaders
             Instruction word = editor.Definition(editor.Type(Op.TypeInt, 32, 0));
             bool uavs = (sync & (SyncFlags.UavOfGroup | SyncFlags.UavGlobal)) != 0;
             uint memory = AcquireRelease | ((sync & SyncFlags.Groupshared) != 0 ? WorkgroupMemory : 0) | (uavs ? UniformMemory | ImageMemory : 0);
-            uint scope = editor.Constant(word, (sync & SyncFlags.UavGlobal) != 0 ? DeviceScope : WorkgroupScope), semantics = editor.Constant(word, memory);
+            uint scope = editor.Constant(word, (sync & SyncFlags.UavGlobal) != 0 ? DeviceScope : WorkgroupScope),
+                semantics = editor.Constant(word, memory);
             return (sync & SyncFlags.ThreadsInGroup) != 0
                 ? new Instruction(Op.ControlBarrier, editor.Constant(word, WorkgroupScope), scope, semantics)
                 : new Instruction(Op.MemoryBarrier, scope, semantics);
@@ -161,7 +164,8 @@ namespace Host.Shaders
         void MakeCoherent()
         {
             foreach (BoundResource bound in definitions.Resources.Where(r => RegisterOf(r).StartsWith('u')))
-                foreach (Instruction variable in module.Instructions.Where(i => i.Op == Op.Variable && IsResource(i) && RegisterOf(types.Name(i[1])) == RegisterOf(bound)))
+                foreach (Instruction variable in module.Instructions.Where(i => i.Op == Op.Variable && IsResource(i)
+                    && RegisterOf(types.Name(i[1])) == RegisterOf(bound)))
                     editor.Decorate(variable[1], Decoration.Coherent);
         }
 

@@ -38,10 +38,12 @@ namespace Host.Shaders
         /// <param name="spirv">What vkd3d made of it, with buffers as texel buffers.</param>
         /// <param name="vertexOutputs">Fragment programs: what the vertex program of the same pass writes.</param>
         /// <exception cref="ProgramException"/>
-        public static CompiledProgram Build(byte[] dxbc, byte[] spirv, string name, ShaderStage stage, SourceDeclarations declarations, Varying[] vertexOutputs)
+        public static CompiledProgram Build(byte[] dxbc, byte[] spirv, string name, ShaderStage stage, SourceDeclarations declarations,
+            Varying[] vertexOutputs)
         {
             var builder = new Vkd3dProgram(dxbc, spirv, stage);
-            var program = new ShaderProgram { Name = name, Stage = stage, EntryPoint = builder.module.Instructions.First(i => i.Op == Op.EntryPoint).Text(2) };
+            var program = new ShaderProgram { Name = name, Stage = stage,
+                EntryPoint = builder.module.Instructions.First(i => i.Op == Op.EntryPoint).Text(2) };
             var result = new CompiledProgram { Program = program };
             program.Resources = builder.BindResources(declarations);
             program.UavCount = program.Resources.Count(r => r.IsUnorderedAccess());
@@ -89,11 +91,13 @@ namespace Host.Shaders
                     Bind(new ShaderResource { Name = bound.Name, Kind = ShaderResourceKind.Counter, Stride = 4 }, register + "_counter");
             }
             if (variables.Count > 0)
-                throw new ProgramException($"vkd3d binds {string.Join(", ", variables.Keys)}, which the bytecode's resource definitions do not name.");
+                throw new ProgramException(
+                    $"vkd3d binds {string.Join(", ", variables.Keys)}, which the bytecode's resource definitions do not name.");
             return resources.ToArray();
         }
 
-        static bool IsResource(Instruction variable) => (StorageClass)variable[2] is StorageClass.UniformConstant or StorageClass.Uniform or StorageClass.StorageBuffer;
+        static bool IsResource(Instruction variable)
+            => (StorageClass)variable[2] is StorageClass.UniformConstant or StorageClass.Uniform or StorageClass.StorageBuffer;
 
         static string RegisterOf(string variable)
         {
@@ -132,7 +136,8 @@ namespace Host.Shaders
             if (stage == ShaderStage.Vertex)
             {
                 var locations = new HashSet<int>(module.Instructions.Where(i => i.Op == Op.Variable && (StorageClass)i[2] == StorageClass.Input)
-                    .Select(i => types.Decorated(i[1], Decoration.Location)).Where(location => location != null).Select(location => (int)location[2]));
+                    .Select(i => types.Decorated(i[1], Decoration.Location)).Where(location => location != null)
+                        .Select(location => (int)location[2]));
                 result.Program.Inputs = Signature.Inputs(container).Where(e => e.SystemValue == 0 && locations.Contains(e.Register))
                     .Select(e => new ShaderInput { Semantic = e.Semantic.Short, Location = e.Register }).ToArray();
                 result.Outputs = Signature.Outputs(container).Where(e => e.SystemValue == 0).Select(e => new Varying
@@ -151,9 +156,11 @@ namespace Host.Shaders
                     throw new ProgramException($"the fragment program reads {input.Semantic.Short}, which the vertex program does not write");
                 int components = BitOperations.Log2((uint)input.ReadMask) + 1 - BitOperations.TrailingZeroCount(input.Mask);
                 if (written.Components < components)
-                    throw new ProgramException($"the fragment program reads {components} components of {input.Semantic.Short}, the vertex program writes {written.Components}");
+                    throw new ProgramException($"the fragment program reads {components} components of {input.Semantic.Short}, the " +
+                        $"vertex program writes {written.Components}");
                 if (written.Location != input.Register || written.First != BitOperations.TrailingZeroCount(input.Mask))
-                    throw new ProgramException($"the fragment program reads {input.Semantic.Short} from another register than the vertex program writes it to; Direct3D joins stages by register: declare the same struct, or the same order, in both");
+                    throw new ProgramException($"the fragment program reads {input.Semantic.Short} from another register than the " +
+                        $"vertex program writes it to; Direct3D joins stages by register: declare the same struct, or the same order, in both");
             }
         }
     }

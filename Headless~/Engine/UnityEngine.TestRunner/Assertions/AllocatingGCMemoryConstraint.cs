@@ -13,7 +13,8 @@ namespace UnityEngine.TestTools.Constraints
         public override ConstraintResult ApplyTo<TActual>(TActual actual)
         {
             if (!(actual is TestDelegate code))
-                throw new ArgumentException("The actual value must be a TestDelegate but was " + (actual == null ? "null" : actual.GetType().Name), nameof(actual));
+                throw new ArgumentException("The actual value must be a TestDelegate but was "
+                    + (actual == null ? "null" : actual.GetType().Name), nameof(actual));
             return Measure(() => code());
         }
 
@@ -32,7 +33,8 @@ namespace UnityEngine.TestTools.Constraints
         sealed class Result : ConstraintResult
         {
             public Result(IConstraint constraint, long bytes) : base(constraint, bytes, bytes > 0) { }
-            public override void WriteMessageTo(MessageWriter writer) => writer.Write($"  Expected: {Description}{Environment.NewLine}  But was:  {ActualValue} bytes{Environment.NewLine}");
+            public override void WriteMessageTo(MessageWriter writer)
+                => writer.Write($"  Expected: {Description}{Environment.NewLine}  But was:  {ActualValue} bytes{Environment.NewLine}");
         }
     }
 

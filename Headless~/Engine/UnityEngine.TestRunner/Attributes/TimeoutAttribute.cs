@@ -18,7 +18,8 @@ namespace NUnit.Framework
         /// <summary>The limit on a method, else on its class, else on its assembly; 0 when there is none.</summary>
         internal static int Of(MethodInfo method, Type fixture)
         {
-            var attribute = method.GetCustomAttribute<TimeoutAttribute>() ?? fixture.GetCustomAttribute<TimeoutAttribute>() ?? fixture.Assembly.GetCustomAttribute<TimeoutAttribute>();
+            var attribute = method.GetCustomAttribute<TimeoutAttribute>() ?? fixture.GetCustomAttribute<TimeoutAttribute>()
+                ?? fixture.Assembly.GetCustomAttribute<TimeoutAttribute>();
             return attribute?.milliseconds ?? 0;
         }
     }

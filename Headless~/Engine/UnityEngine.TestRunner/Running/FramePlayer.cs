@@ -88,7 +88,8 @@ namespace UnityEngine.Headless
                         }
                         instruction = stack.Peek().Current;
                         if (instruction is WaitForEndOfFrame)
-                            throw new InvalidOperationException("WaitForEndOfFrame never resumes in batch mode, where tests run too; yield null instead.");
+                            throw new InvalidOperationException(
+                                "WaitForEndOfFrame never resumes in batch mode, where tests run too; yield null instead.");
                         if (!(instruction is IEnumerator nested))
                             return true;
                         stack.Push(nested);

@@ -72,7 +72,8 @@ namespace UnityEngine.Headless
                     return;
                 foreach (ReceivedLog log in received)
                     if (log.Fails && !log.Expected)
-                        throw new AssertionException($"Unhandled log message: '{log}'. Use UnityEngine.TestTools.LogAssert.Expect\n{log.StackTrace}".TrimEnd());
+                        throw new AssertionException(
+                            $"Unhandled log message: '{log}'. Use UnityEngine.TestTools.LogAssert.Expect\n{log.StackTrace}".TrimEnd());
             }
         }
 
@@ -129,7 +130,8 @@ namespace UnityEngine.Headless
 
         public ExpectedLog(LogType? type, string message, Regex pattern) { this.type = type; this.message = message; this.pattern = pattern; }
 
-        public bool Matches(ReceivedLog log) => (type == null || type == log.Type) && (pattern != null ? pattern.IsMatch(log.Message) : log.Message == message);
+        public bool Matches(ReceivedLog log) => (type == null || type == log.Type)
+            && (pattern != null ? pattern.IsMatch(log.Message) : log.Message == message);
 
         public override string ToString() => $"[{(type == null ? "Any" : type.ToString())}] {(pattern != null ? "Regex: " + pattern : message)}";
     }

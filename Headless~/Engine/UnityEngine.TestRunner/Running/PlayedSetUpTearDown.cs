@@ -62,7 +62,8 @@ namespace UnityEngine.Headless
             static void Play(MethodInfo method, object fixture)
             {
                 if (method.ReturnType != typeof(IEnumerator))
-                    throw new InvalidOperationException($"{method.DeclaringType.Name}.{method.Name}: a [UnitySetUp] or [UnityTearDown] must return IEnumerator.");
+                    throw new InvalidOperationException(
+                        $"{method.DeclaringType.Name}.{method.Name}: a [UnitySetUp] or [UnityTearDown] must return IEnumerator.");
                 FramePlayer.Play((IEnumerator)Reflect.InvokeMethod(method, fixture), FramePlayer.DefaultTimeout);
             }
 
@@ -72,7 +73,8 @@ namespace UnityEngine.Headless
                 var types = new List<Type>();
                 for (Type type = Test.TypeInfo.Type; type != null; type = type.BaseType)
                     types.Insert(0, type);
-                return types.SelectMany(type => type.GetMethods(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                return types.SelectMany(type => type.GetMethods(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic
+                    | BindingFlags.DeclaredOnly))
                     .Where(method => method.IsDefined(attribute, false));
             }
         }

@@ -13,7 +13,8 @@ namespace UnityEngine.TestTools.Utils
             return Math.Abs(actual - expected) <= epsilon * Mathf.Max(1f, Mathf.Max(Mathf.Abs(expected), Mathf.Abs(actual)));
         }
 
-        public static bool AreFloatsEqualAbsoluteError(float expected, float actual, float allowedAbsoluteError) => Math.Abs(actual - expected) <= allowedAbsoluteError;
+        public static bool AreFloatsEqualAbsoluteError(float expected, float actual, float allowedAbsoluteError)
+            => Math.Abs(actual - expected) <= allowedAbsoluteError;
     }
 
     public class FloatEqualityComparer : IEqualityComparer<float>
@@ -51,7 +52,8 @@ namespace UnityEngine.TestTools.Utils
         readonly float error;
         public static Vector2EqualityComparer Instance { get; } = new Vector2EqualityComparer(0.0001f);
         public Vector2EqualityComparer(float error) => this.error = error;
-        public bool Equals(Vector2 expected, Vector2 actual) => Utils.AreFloatsEqual(expected.x, actual.x, error) && Utils.AreFloatsEqual(expected.y, actual.y, error);
+        public bool Equals(Vector2 expected, Vector2 actual) => Utils.AreFloatsEqual(expected.x, actual.x, error)
+            && Utils.AreFloatsEqual(expected.y, actual.y, error);
         public int GetHashCode(Vector2 vec2) => 0;
     }
 
@@ -61,7 +63,8 @@ namespace UnityEngine.TestTools.Utils
         public static Vector3EqualityComparer Instance { get; } = new Vector3EqualityComparer(0.0001f);
         public Vector3EqualityComparer(float allowedError) => error = allowedError;
         public bool Equals(Vector3 expected, Vector3 actual) =>
-            Utils.AreFloatsEqual(expected.x, actual.x, error) && Utils.AreFloatsEqual(expected.y, actual.y, error) && Utils.AreFloatsEqual(expected.z, actual.z, error);
+            Utils.AreFloatsEqual(expected.x, actual.x, error) && Utils.AreFloatsEqual(expected.y, actual.y, error)
+            && Utils.AreFloatsEqual(expected.z, actual.z, error);
         public int GetHashCode(Vector3 vec3) => 0;
     }
 

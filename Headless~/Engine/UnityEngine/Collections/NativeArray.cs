@@ -24,13 +24,16 @@ namespace Unity.Collections
                 throw new ArgumentOutOfRangeException(nameof(length), "Length must be >= 0");
             if (RuntimeHelpers.IsReferenceOrContainsReferences<T>())
                 throw new InvalidOperationException($"{typeof(T)} used in NativeArray<{typeof(T)}> must be unmanaged (contain no managed types).");
-            m_Buffer = NativeMemory.Allocate((long)length * UnsafeUtility.SizeOf<T>(), allocator, options == NativeArrayOptions.ClearMemory, $"{typeof(T).Name}[{length}]", out m_Safety);
+            m_Buffer = NativeMemory.Allocate((long)length * UnsafeUtility.SizeOf<T>(), allocator, options == NativeArrayOptions.ClearMemory,
+                $"{typeof(T).Name}[{length}]", out m_Safety);
             m_Length = length;
             m_AllocatorLabel = allocator;
         }
 
-        public NativeArray(T[] array, Allocator allocator) : this(NotNull(array).Length, allocator, NativeArrayOptions.UninitializedMemory) => CopyFrom(array);
-        public NativeArray(NativeArray<T> array, Allocator allocator) : this(array.Length, allocator, NativeArrayOptions.UninitializedMemory) => CopyFrom(array);
+        public NativeArray(T[] array, Allocator allocator) : this(NotNull(array).Length, allocator, NativeArrayOptions.UninitializedMemory)
+            => CopyFrom(array);
+        public NativeArray(NativeArray<T> array, Allocator allocator)
+            : this(array.Length, allocator, NativeArrayOptions.UninitializedMemory) => CopyFrom(array);
 
         static T[] NotNull(T[] array) => array ?? throw new ArgumentNullException(nameof(array));
 
@@ -67,7 +70,8 @@ namespace Unity.Collections
             if (m_Buffer == null)
                 throw new NullReferenceException($"The NativeArray<{typeof(T).Name}> has not been allocated.");
             if (!NativeMemory.IsValid(m_Safety))
-                throw new ObjectDisposedException($"NativeArray<{typeof(T).Name}>", $"The NativeArray<{typeof(T).Name}> has been deallocated, it is not allowed to access it.");
+                throw new ObjectDisposedException($"NativeArray<{typeof(T).Name}>",
+                    $"The NativeArray<{typeof(T).Name}> has been deallocated, it is not allowed to access it.");
         }
 
         public void Dispose()
@@ -104,7 +108,8 @@ namespace Unity.Collections
         {
             Check();
             if (start < 0 || length < 0 || start + (long)length > m_Length)
-                throw new ArgumentOutOfRangeException(nameof(length), $"sub array range {start}-{start + (long)length - 1} is outside the range of the native array 0-{m_Length - 1}");
+                throw new ArgumentOutOfRangeException(nameof(length),
+                    $"sub array range {start}-{start + (long)length - 1} is outside the range of the native array 0-{m_Length - 1}");
             return View((byte*)m_Buffer + (long)start * UnsafeUtility.SizeOf<T>(), length, Allocator.None, m_Safety);
         }
 
@@ -112,7 +117,8 @@ namespace Unity.Collections
         {
             Check();
             if (UnsafeUtility.SizeOf<T>() != UnsafeUtility.SizeOf<U>())
-                throw new InvalidOperationException($"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation is not possible. If this is what you intended, use Reinterpret(<type size>)");
+                throw new InvalidOperationException($"Types {typeof(T)} and {typeof(U)} are different sizes - direct reinterpretation " +
+                    $"is not possible. If this is what you intended, use Reinterpret(<type size>)");
             return NativeArray<U>.View(m_Buffer, m_Length, m_AllocatorLabel, m_Safety);
         }
 
@@ -124,7 +130,8 @@ namespace Unity.Collections
                 throw new InvalidOperationException($"Type {typeof(T)} was expected to be {expectedTypeSize} but is {size} bytes");
             long bytes = (long)m_Length * size, target = UnsafeUtility.SizeOf<U>();
             if (bytes % target != 0)
-                throw new InvalidOperationException($"Types {typeof(T)} (array length {m_Length}) and {typeof(U)} cannot be aliased due to size constraints. The size of the types and lengths involved must line up.");
+                throw new InvalidOperationException($"Types {typeof(T)} (array length {m_Length}) and {typeof(U)} cannot be aliased " +
+                    $"due to size constraints. The size of the types and lengths involved must line up.");
             return NativeArray<U>.View(m_Buffer, (int)(bytes / target), m_AllocatorLabel, m_Safety);
         }
 
@@ -143,7 +150,8 @@ namespace Unity.Collections
         void CheckBytes<U>(int index) where U : struct
         {
             if ((long)index * UnsafeUtility.SizeOf<T>() + UnsafeUtility.SizeOf<U>() > (long)m_Length * UnsafeUtility.SizeOf<T>())
-                throw new ArgumentOutOfRangeException(nameof(index), $"A {typeof(U).Name} at element {index} reaches past the array's {m_Length} elements.");
+                throw new ArgumentOutOfRangeException(nameof(index),
+                    $"A {typeof(U).Name} at element {index} reaches past the array's {m_Length} elements.");
         }
 
         public ReadOnly AsReadOnly() => new ReadOnly(this);
@@ -159,11 +167,16 @@ namespace Unity.Collections
         public static void Copy(T[] src, NativeArray<T> dst, int length) => Part(NotNull(src), 0, dst.AsSpan(), 0, length);
         public static void Copy(NativeArray<T> src, T[] dst, int length) => Part(src.AsSpan(), 0, NotNull(dst), 0, length);
         public static void Copy(ReadOnly src, T[] dst, int length) => Part(src.AsReadOnlySpan(), 0, NotNull(dst), 0, length);
-        public static void Copy(NativeArray<T> src, int srcIndex, NativeArray<T> dst, int dstIndex, int length) => Part(src.AsSpan(), srcIndex, dst.AsSpan(), dstIndex, length);
-        public static void Copy(ReadOnly src, int srcIndex, NativeArray<T> dst, int dstIndex, int length) => Part(src.AsReadOnlySpan(), srcIndex, dst.AsSpan(), dstIndex, length);
-        public static void Copy(T[] src, int srcIndex, NativeArray<T> dst, int dstIndex, int length) => Part(NotNull(src), srcIndex, dst.AsSpan(), dstIndex, length);
-        public static void Copy(NativeArray<T> src, int srcIndex, T[] dst, int dstIndex, int length) => Part(src.AsSpan(), srcIndex, NotNull(dst), dstIndex, length);
-        public static void Copy(ReadOnly src, int srcIndex, T[] dst, int dstIndex, int length) => Part(src.AsReadOnlySpan(), srcIndex, NotNull(dst), dstIndex, length);
+        public static void Copy(NativeArray<T> src, int srcIndex, NativeArray<T> dst, int dstIndex, int length)
+            => Part(src.AsSpan(), srcIndex, dst.AsSpan(), dstIndex, length);
+        public static void Copy(ReadOnly src, int srcIndex, NativeArray<T> dst, int dstIndex, int length)
+            => Part(src.AsReadOnlySpan(), srcIndex, dst.AsSpan(), dstIndex, length);
+        public static void Copy(T[] src, int srcIndex, NativeArray<T> dst, int dstIndex, int length)
+            => Part(NotNull(src), srcIndex, dst.AsSpan(), dstIndex, length);
+        public static void Copy(NativeArray<T> src, int srcIndex, T[] dst, int dstIndex, int length)
+            => Part(src.AsSpan(), srcIndex, NotNull(dst), dstIndex, length);
+        public static void Copy(ReadOnly src, int srcIndex, T[] dst, int dstIndex, int length)
+            => Part(src.AsReadOnlySpan(), srcIndex, NotNull(dst), dstIndex, length);
 
         static void Same(ReadOnlySpan<T> from, Span<T> to)
         {
@@ -177,9 +190,13 @@ namespace Unity.Collections
             if (length < 0)
                 throw new ArgumentOutOfRangeException(nameof(length), "length must be equal or greater than zero.");
             if (fromIndex < 0 || fromIndex + (long)length > from.Length)
-                throw new ArgumentException($"length {length} from index {fromIndex} is greater than the number of elements in the source ({from.Length}).", nameof(length));
+                throw new ArgumentException(
+                    $"length {length} from index {fromIndex} is greater than the number of elements in the source ({from.Length}).",
+                    nameof(length));
             if (toIndex < 0 || toIndex + (long)length > to.Length)
-                throw new ArgumentException($"length {length} at index {toIndex} is greater than the number of elements in the destination ({to.Length}).", nameof(length));
+                throw new ArgumentException(
+                    $"length {length} at index {toIndex} is greater than the number of elements in the destination ({to.Length}).",
+                    nameof(length));
             from.Slice(fromIndex, length).CopyTo(to.Slice(toIndex));
         }
 

@@ -8,8 +8,10 @@ namespace Unity.Collections.LowLevel.Unsafe
 {
     public static unsafe class UnsafeUtility
     {
-        public static int SizeOf<T>() where T : struct => MemoryMarshal.AsBytes(new Span<T>((void*)16, 1)).Length;  // the span is measured, never read
-        public static int SizeOf(Type type) => (int)Array.Find(typeof(UnsafeUtility).GetMethods(), m => m.Name == nameof(SizeOf) && m.IsGenericMethod).MakeGenericMethod(type).Invoke(null, null);
+        // the span is measured, never read
+        public static int SizeOf<T>() where T : struct => MemoryMarshal.AsBytes(new Span<T>((void*)16, 1)).Length;
+        public static int SizeOf(Type type) => (int)Array.Find(typeof(UnsafeUtility).GetMethods(), m => m.Name == nameof(SizeOf)
+            && m.IsGenericMethod).MakeGenericMethod(type).Invoke(null, null);
 
         public static int AlignOf<T>() where T : struct => SizeOf<AlignmentProbe<T>>() - SizeOf<T>();
 
@@ -22,7 +24,9 @@ namespace Unity.Collections.LowLevel.Unsafe
 
         public static bool IsUnmanaged<T>() => !RuntimeHelpers.IsReferenceOrContainsReferences<T>();
         public static bool IsBlittable<T>() where T : struct => IsBlittable(typeof(T));
-        public static bool IsUnmanaged(Type type) => (bool)typeof(RuntimeHelpers).GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences)).MakeGenericMethod(type).Invoke(null, null) == false;
+        public static bool IsUnmanaged(Type type)
+            => (bool)typeof(RuntimeHelpers).GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences)).MakeGenericMethod(type)
+            .Invoke(null, null) == false;
 
         /// <summary>Unmanaged and without bool or char, whose size in native code is another matter.</summary>
         public static bool IsBlittable(Type type)
@@ -88,7 +92,8 @@ namespace Unity.Collections.LowLevel.Unsafe
         public static T ReadArrayElement<T>(void* source, int index) => new Span<T>(source, index + 1)[index];
         public static T ReadArrayElementWithStride<T>(void* source, int index, int stride) => Ref<T>((byte*)source + (long)index * stride);
         public static void WriteArrayElement<T>(void* destination, int index, T value) => new Span<T>(destination, index + 1)[index] = value;
-        public static void WriteArrayElementWithStride<T>(void* destination, int index, int stride, T value) => Ref<T>((byte*)destination + (long)index * stride) = value;
+        public static void WriteArrayElementWithStride<T>(void* destination, int index, int stride, T value)
+            => Ref<T>((byte*)destination + (long)index * stride) = value;
         public static void CopyPtrToStructure<T>(void* ptr, out T output) where T : struct => output = Ref<T>(ptr);
         public static void CopyStructureToPtr<T>(ref T input, void* ptr) where T : struct => Ref<T>(ptr) = input;
         public static ref T AsRef<T>(void* ptr) where T : struct => ref Ref<T>(ptr);

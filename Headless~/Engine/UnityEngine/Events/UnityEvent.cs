@@ -44,6 +44,7 @@ namespace UnityEngine.Events
         public UnityEvent() { }
         public void AddListener(UnityAction<T0, T1, T2, T3> call) => Add(call);
         public void RemoveListener(UnityAction<T0, T1, T2, T3> call) => Remove(call);
-        public void Invoke(T0 arg0, T1 arg1, T2 arg2, T3 arg3) => Call(new[] { typeof(T0), typeof(T1), typeof(T2), typeof(T3) }, arg0, arg1, arg2, arg3);
+        public void Invoke(T0 arg0, T1 arg1, T2 arg2, T3 arg3)
+            => Call(new[] { typeof(T0), typeof(T1), typeof(T2), typeof(T3) }, arg0, arg1, arg2, arg3);
     }
 }

@@ -27,12 +27,14 @@ namespace UnityEngine.Events
 
         public override string ToString() => base.ToString() + " " + GetType().FullName;
 
-        public static MethodInfo GetValidMethodInfo(object obj, string functionName, Type[] argumentTypes) => GetValidMethodInfo(obj.GetType(), functionName, argumentTypes);
+        public static MethodInfo GetValidMethodInfo(object obj, string functionName, Type[] argumentTypes)
+            => GetValidMethodInfo(obj.GetType(), functionName, argumentTypes);
 
         public static MethodInfo GetValidMethodInfo(Type objectType, string functionName, Type[] argumentTypes)
         {
             for (; objectType != null && objectType != typeof(object); objectType = objectType.BaseType)
-                if (objectType.GetMethod(functionName, BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic, null, argumentTypes, null) is MethodInfo method)
+                if (objectType.GetMethod(functionName, BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public
+                    | BindingFlags.NonPublic, null, argumentTypes, null) is MethodInfo method)
                     return method;
             return null;
         }
@@ -94,22 +96,26 @@ namespace UnityEngine.Events
                 case PersistentListenerMode.Object: types = new[] { ObjectType() }; arguments = new object[] { m_Arguments.m_ObjectArgument }; break;
                 case PersistentListenerMode.Int: types = new[] { typeof(int) }; arguments = new object[] { m_Arguments.m_IntArgument }; break;
                 case PersistentListenerMode.Float: types = new[] { typeof(float) }; arguments = new object[] { m_Arguments.m_FloatArgument }; break;
-                case PersistentListenerMode.String: types = new[] { typeof(string) }; arguments = new object[] { m_Arguments.m_StringArgument }; break;
+                case PersistentListenerMode.String: types = new[] { typeof(string) };
+                    arguments = new object[] { m_Arguments.m_StringArgument }; break;
                 case PersistentListenerMode.Bool: types = new[] { typeof(bool) }; arguments = new object[] { m_Arguments.m_BoolArgument }; break;
             }
             MethodInfo method = UnityEventBase.GetValidMethodInfo(m_Target, m_MethodName, types);
             // Unity passes over a method that has gone; here that would hide a broken scene.
             if (method == null)
-                Debug.LogWarning($"{owner.GetType().Name}: '{m_Target.name}' ({m_Target.GetType().Name}) has no method {m_MethodName}({string.Join(", ", Array.ConvertAll(types, t => t.Name))}), so this listener is not called", m_Target);
+                Debug.LogWarning($"{owner.GetType().Name}: '{m_Target.name}' ({m_Target.GetType().Name}) has no method " +
+                    $"{m_MethodName}({string.Join(", ", Array.ConvertAll(types, t => t.Name))}), so this listener is not called", m_Target);
             else
                 UnityEventBase.Invoke(() => method.Invoke(m_Target, arguments));
         }
 
-        /// <summary>The parameter's type as stored, "UnityEngine.Material, UnityEngine.CoreModule"; of the engine's the assembly is another here.</summary>
+        /// <summary>The parameter's type as stored, "UnityEngine.Material, UnityEngine.CoreModule"; of the engine's the assembly is another
+        /// here.</summary>
         Type ObjectType()
         {
             string name = m_Arguments.m_ObjectArgumentAssemblyTypeName ?? "";
-            return Type.GetType(name) ?? typeof(Object).Assembly.GetType(name.Split(',')[0]) ?? m_Target.GetType().Assembly.GetType(name.Split(',')[0]) ?? typeof(Object);
+            return Type.GetType(name) ?? typeof(Object).Assembly.GetType(name.Split(',')[0])
+                ?? m_Target.GetType().Assembly.GetType(name.Split(',')[0]) ?? typeof(Object);
         }
     }
 

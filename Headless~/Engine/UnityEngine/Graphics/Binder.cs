@@ -9,7 +9,8 @@ namespace UnityEngine.Headless
     {
         static DeviceBinding[] bindings = new DeviceBinding[64];
         static int bound, firstInstance;
-        static readonly List<(BufferStorage buffer, string name)> read = new List<(BufferStorage, string)>(), written = new List<(BufferStorage, string)>();
+        static readonly List<(BufferStorage buffer, string name)> read = new List<(BufferStorage, string)>(),
+            written = new List<(BufferStorage, string)>();
 
         static readonly DeviceSampler defaultSampler = new DeviceSampler { Linear = true, LinearMip = false };
 
@@ -31,7 +32,9 @@ namespace UnityEngine.Headless
                 switch (resource.Kind)
                 {
                     case ShaderResourceKind.ConstantBuffer:
-                        if (!resource.Constants.IsGlobals && (own.TryGet(slot.Id, out PropertyResource whole) || Shader.Globals.TryGet(slot.Id, out whole)) && whole.Buffer != null)
+                        if (!resource.Constants.IsGlobals
+                            && (own.TryGet(slot.Id, out PropertyResource whole) || Shader.Globals.TryGet(slot.Id, out whole))
+                            && whole.Buffer != null)
                             complete &= WholeConstants(name, resource, whole, ref binding);
                         else
                             ComputeConstants(own, name, ref slot, ref binding);
@@ -39,7 +42,9 @@ namespace UnityEngine.Headless
 
                     case ShaderResourceKind.Sampler:
                         binding.Sampler = resource.InlineSampler ??
-                            (slot.SamplerOf >= 0 && (resources.TryGet(slot.SamplerOf, out PropertyResource sampled) || Shader.Globals.TryGet(slot.SamplerOf, out sampled)) && !ReferenceEquals(sampled.Texture, null)
+                            (slot.SamplerOf >= 0
+                            && (resources.TryGet(slot.SamplerOf, out PropertyResource sampled)
+                            || Shader.Globals.TryGet(slot.SamplerOf, out sampled)) && !ReferenceEquals(sampled.Texture, null)
                                 ? sampled.Texture.Sampler : defaultSampler);
                         break;
 
@@ -79,7 +84,8 @@ namespace UnityEngine.Headless
                 switch (resource.Kind)
                 {
                     case ShaderResourceKind.ConstantBuffer:
-                        if (!resource.Constants.IsGlobals && TryResource(slot.Id, block, material, out PropertyResource whole) && whole.Buffer != null)
+                        if (!resource.Constants.IsGlobals && TryResource(slot.Id, block, material, out PropertyResource whole)
+                            && whole.Buffer != null)
                             complete &= WholeConstants(name, resource, whole, ref binding);
                         else
                             DrawConstants(ref slot, block, material, ref binding);
@@ -87,7 +93,8 @@ namespace UnityEngine.Headless
 
                     case ShaderResourceKind.Sampler:
                         binding.Sampler = resource.InlineSampler ??
-                            (slot.SamplerOf >= 0 ? TextureFor(slot.SamplerOf, block, material, DeviceTextureDimension.Tex2D)?.Sampler ?? defaultSampler : defaultSampler);
+                            (slot.SamplerOf >= 0 ? TextureFor(slot.SamplerOf, block, material, DeviceTextureDimension.Tex2D)?.Sampler
+                            ?? defaultSampler : defaultSampler);
                         break;
 
                     case ShaderResourceKind.Texture:
@@ -191,7 +198,8 @@ namespace UnityEngine.Headless
                 if (own.TryGet(field.Id, out PropertyValue value))
                 {
                     if ((value.Kind == PropertyKind.Int) == (field.Layout.Type == ConstantType.Float))
-                        GpuError.Strictly($"{name}: '{field.Layout.Name}' is declared {field.Layout.Type}, but was set as {value.Kind}; compute shaders take the bits as they are.");
+                        GpuError.Strictly($"{name}: '{field.Layout.Name}' is declared {field.Layout.Type}, but was set as " +
+                            $"{value.Kind}; compute shaders take the bits as they are.");
                     value.WriteRaw(bytes, field.Layout);
                 }
                 else if (Shader.Globals.TryGet(field.Id, out value))
@@ -232,7 +240,9 @@ namespace UnityEngine.Headless
 
         static void Write(Span<byte> bytes, in ConstantField field, Vector4 value)
         {
-            scratch.Assign(PropertyKind.Vector, false, System.Runtime.InteropServices.MemoryMarshal.AsBytes(System.Runtime.InteropServices.MemoryMarshal.CreateReadOnlySpan(ref value, 1)));
+            scratch.Assign(PropertyKind.Vector, false,
+                System.Runtime.InteropServices.MemoryMarshal.AsBytes(
+                System.Runtime.InteropServices.MemoryMarshal.CreateReadOnlySpan(ref value, 1)));
             scratch.WriteConverted(bytes, field);
         }
 

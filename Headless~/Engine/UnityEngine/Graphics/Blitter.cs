@@ -34,15 +34,19 @@ namespace UnityEngine.Headless
         /// <summary>One slice of an array, or a texture, into one slice of an array, or into a texture.</summary>
         /// <param name="part">Of an array: how much of its width and height is taken, from its first texel; null: all.</param>
         /// <param name="viewport">Of the target; null: all.</param>
-        public static void BlitSlice(Texture source, RenderTexture target, int sourceSlice, int targetSlice, Vector2? part = null, Rect? viewport = null)
+        public static void BlitSlice(Texture source, RenderTexture target, int sourceSlice, int targetSlice, Vector2? part = null,
+            Rect? viewport = null)
         {
             if (source == null)
                 throw new ArgumentNullException(nameof(source), "Blit: the source is null.");
             bool isArray = source.dimension == TextureDimension.Tex2DArray;
-            int slices = source is RenderTexture texture && isArray ? texture.volumeDepth : source is Texture2DArray array ? array.depth : 1, targets = target is object && target.dimension == TextureDimension.Tex2DArray ? target.volumeDepth : 1;
+            int slices = source is RenderTexture texture && isArray ? texture.volumeDepth : source is Texture2DArray array ? array.depth
+                : 1, targets = target is object && target.dimension == TextureDimension.Tex2DArray ? target.volumeDepth : 1;
             if (sourceSlice < 0 || sourceSlice >= slices || targetSlice < 0 || targetSlice >= targets)
-                throw new GpuUsageException($"Blit: slice {sourceSlice} of '{source.name}', which has {slices}, into slice {targetSlice} of '{(target is object ? target.name : "the screen")}', which has {targets}.");
-            Material material = isArray ? arrayCopy = arrayCopy != null ? arrayCopy : new Material(BuiltinResources.FindShader(ArrayCopyShader)) { hideFlags = HideFlags.HideAndDontSave } : Copy();
+                throw new GpuUsageException($"Blit: slice {sourceSlice} of '{source.name}', which has {slices}, into slice " +
+                    $"{targetSlice} of '{(target is object ? target.name : "the screen")}', which has {targets}.");
+            Material material = isArray ? arrayCopy = arrayCopy != null ? arrayCopy
+                : new Material(BuiltinResources.FindShader(ArrayCopyShader)) { hideFlags = HideFlags.HideAndDontSave } : Copy();
             var block = new PropertyTable();
             block.SetTexture(mainTex, source);
             block.SetFloat(slice, sourceSlice);
@@ -57,7 +61,8 @@ namespace UnityEngine.Headless
             if (viewport.HasValue)
                 RenderState.SetViewport(viewport.Value);
             BuiltinVariables.SetViewProjection(Matrix4x4.identity, Matrix4x4.Ortho(0, 1, 0, 1, -1, 100));
-            Drawing.Draw(new DrawCall { Call = "Blit", Mesh = Quad(), Matrix = Matrix4x4.identity, Material = material, Pass = pass, Block = block, Instances = 1 });
+            Drawing.Draw(new DrawCall { Call = "Blit", Mesh = Quad(), Matrix = Matrix4x4.identity, Material = material, Pass = pass,
+                Block = block, Instances = 1 });
             BuiltinVariables.SetViewProjection(view, projection);
         }
 
@@ -90,14 +95,18 @@ namespace UnityEngine.Headless
             target ??= ScreenTarget.Texture;
             target.Create();
             DeviceTexture from = source.GetDevice(RenderTextureSubElement.Color), to = target.GetDevice(RenderTextureSubElement.Color);
-            return from != null && from != to && source.width == target.width && source.height == target.height && from.Description.Format == to.Description.Format
-                && from.Description.Mips == to.Description.Mips && from.Description.Slices == to.Description.Slices && from.Description.Dimension == to.Description.Dimension;
+            return from != null && from != to && source.width == target.width && source.height == target.height
+                && from.Description.Format == to.Description.Format
+                && from.Description.Mips == to.Description.Mips && from.Description.Slices == to.Description.Slices
+                && from.Description.Dimension == to.Description.Dimension;
         }
 
         static Material Copy()
         {
             if (copy == null)
-                copy = new Material(Shader.Find(CopyShader) ?? throw new NotSupportedException($"Blit between textures of unequal size or format needs the shader '{CopyShader}', which the project does not have."));
+                copy = new Material(Shader.Find(CopyShader)
+                    ?? throw new NotSupportedException(
+                    $"Blit between textures of unequal size or format needs the shader '{CopyShader}', which the project does not have."));
             return copy;
         }
 

@@ -16,17 +16,23 @@ namespace UnityEngine.Headless
 
             bool vertexOrIndex = (target & (GraphicsBuffer.Target.Index | GraphicsBuffer.Target.Vertex)) != 0;
             if (stride % 4 != 0 && !(vertexOrIndex && stride == 2))
-                throw new ArgumentException($"Attempting to create a {api} with a stride of {stride} bytes; a stride must be a multiple of 4.", nameof(stride));
+                throw new ArgumentException(
+                    $"Attempting to create a {api} with a stride of {stride} bytes; a stride must be a multiple of 4.", nameof(stride));
             if (stride > MaxStride)
-                throw new ArgumentException($"Attempting to create a {api} with a stride of {stride} bytes; Direct3D 11 allows at most {MaxStride}.", nameof(stride));
+                throw new ArgumentException(
+                    $"Attempting to create a {api} with a stride of {stride} bytes; Direct3D 11 allows at most {MaxStride}.",
+                    nameof(stride));
             if ((target & GraphicsBuffer.Target.Raw) != 0 && stride != 4)
-                throw new ArgumentException($"Attempting to create a raw {api} with a stride of {stride} bytes; a raw buffer's stride is 4.", nameof(stride));
+                throw new ArgumentException(
+                    $"Attempting to create a raw {api} with a stride of {stride} bytes; a raw buffer's stride is 4.", nameof(stride));
             if ((target & GraphicsBuffer.Target.Index) != 0 && stride != 2 && stride != 4)
-                throw new ArgumentException($"Attempting to create an index buffer with a stride of {stride} bytes; indices are 2 or 4 bytes.", nameof(stride));
+                throw new ArgumentException(
+                    $"Attempting to create an index buffer with a stride of {stride} bytes; indices are 2 or 4 bytes.", nameof(stride));
 
             long bytes = (long)count * stride;
             if (bytes > Gpu.MaxResourceBytes)
-                throw new ArgumentException($"The total size of the {api} ({bytes:N0} bytes: {count:N0} elements of {stride}) exceeds the maximum buffer size of {Gpu.MaxResourceBytes:N0} bytes; split it.");
+                throw new ArgumentException($"The total size of the {api} ({bytes:N0} bytes: {count:N0} elements of {stride}) exceeds " +
+                    $"the maximum buffer size of {Gpu.MaxResourceBytes:N0} bytes; split it.");
         }
 
         /// <exception cref="ObjectDisposedException">The buffer was released.</exception>
@@ -40,10 +46,12 @@ namespace UnityEngine.Headless
         {
             Alive(buffer, call);
             if (managedStart < 0 || bufferStart < 0 || count < 0 || (long)managedStart + count > managedLength)
-                throw new ArgumentOutOfRangeException(null, $"{call} on {buffer}: bad indices/count arguments (managedBufferStartIndex:{managedStart} bufferStartIndex:{bufferStart} count:{count}, array length:{managedLength}).");
+                throw new ArgumentOutOfRangeException(null, $"{call} on {buffer}: bad indices/count arguments " +
+                    $"(managedBufferStartIndex:{managedStart} bufferStartIndex:{bufferStart} count:{count}, array length:{managedLength}).");
             long end = ((long)bufferStart + count) * elementBytes;
             if (end > buffer.Bytes)
-                throw new ArgumentException($"{call} on {buffer}: elements {bufferStart:N0} to {(long)bufferStart + count:N0} of {elementBytes} bytes end at byte {end:N0}, but the buffer holds {buffer.Bytes:N0}.");
+                throw new ArgumentException($"{call} on {buffer}: elements {bufferStart:N0} to {(long)bufferStart + count:N0} of " +
+                    $"{elementBytes} bytes end at byte {end:N0}, but the buffer holds {buffer.Bytes:N0}.");
         }
 
         /// <summary>Reading what nothing wrote: undefined in Unity.</summary>
@@ -51,7 +59,8 @@ namespace UnityEngine.Headless
         {
             Alive(buffer, call);
             if (!buffer.Written)
-                GpuError.Strictly($"{call} reads {buffer}, which nothing has written yet (no SetData, copy or RW binding); its content is undefined.");
+                GpuError.Strictly(
+                    $"{call} reads {buffer}, which nothing has written yet (no SetData, copy or RW binding); its content is undefined.");
         }
 
         public static bool Counter(BufferStorage buffer, string call)
@@ -70,7 +79,8 @@ namespace UnityEngine.Headless
                 return false;
             Alive(target, "CopyCount");
             if (offset < 0 || offset % 4 != 0 || offset + 4 > target.Bytes)
-                throw new ArgumentException($"CopyCount from {source} to {target}: offset {offset} must be a multiple of 4 with 4 bytes behind it; the target holds {target.Bytes:N0} bytes.");
+                throw new ArgumentException($"CopyCount from {source} to {target}: offset {offset} must be a multiple of 4 with 4 " +
+                    $"bytes behind it; the target holds {target.Bytes:N0} bytes.");
             return true;
         }
 
@@ -81,9 +91,11 @@ namespace UnityEngine.Headless
             if (!source.Is(GraphicsBuffer.Target.CopySource))
                 throw new ArgumentException($"CopyBuffer: the source, {source}, was not created with Target.CopySource (it has {source.Target}).");
             if (!target.Is(GraphicsBuffer.Target.CopyDestination))
-                throw new ArgumentException($"CopyBuffer: the destination, {target}, was not created with Target.CopyDestination (it has {target.Target}).");
+                throw new ArgumentException(
+                    $"CopyBuffer: the destination, {target}, was not created with Target.CopyDestination (it has {target.Target}).");
             if (source.Bytes != target.Bytes)
-                throw new ArgumentException($"CopyBuffer: {source} holds {source.Bytes:N0} bytes and {target} {target.Bytes:N0}; both must be equal.");
+                throw new ArgumentException(
+                    $"CopyBuffer: {source} holds {source.Bytes:N0} bytes and {target} {target.Bytes:N0}; both must be equal.");
         }
 
         /// <summary>Arguments of an indirect dispatch or draw that runs now: their place, and that something wrote them.</summary>
@@ -108,7 +120,8 @@ namespace UnityEngine.Headless
                 return false;
             }
             if (offset < 0 || offset % 4 != 0 || offset + bytes > buffer.Bytes)
-                throw new ArgumentException($"{call}: arguments at byte {offset:N0} of {buffer} need {bytes} bytes at a multiple of 4; the buffer holds {buffer.Bytes:N0}.");
+                throw new ArgumentException($"{call}: arguments at byte {offset:N0} of {buffer} need {bytes} bytes at a multiple of 4; " +
+                    $"the buffer holds {buffer.Bytes:N0}.");
             return true;
         }
     }

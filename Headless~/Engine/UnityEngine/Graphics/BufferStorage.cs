@@ -107,7 +107,8 @@ namespace UnityEngine.Headless
             if (device == null)
                 return;
             if (ReadbackQueue.IsPending(this))
-                GpuError.Strictly($"{this} was released while a read-back of it was pending. Whether that still arrives Unity does not say: release it when the request has come back.");
+                GpuError.Strictly($"{this} was released while a read-back of it was pending. Whether that still arrives Unity does not " +
+                    $"say: release it when the request has come back.");
             device.Dispose();
             device = null;
             Counter?.Dispose();
@@ -126,7 +127,8 @@ namespace UnityEngine.Headless
             {
                 if (storage.IsReleased)
                     continue;
-                Debug.LogWarning($"GarbageCollector disposing of {storage.Api}. Please use {storage.Api}.Release() or .Dispose() to manually release the buffer. ({storage})");
+                Debug.LogWarning($"GarbageCollector disposing of {storage.Api}. Please use {storage.Api}.Release() or .Dispose() to " +
+                    $"manually release the buffer. ({storage})");
                 storage.Release();
             }
         }

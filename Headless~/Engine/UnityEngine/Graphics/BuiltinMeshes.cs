@@ -3,7 +3,8 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>The editor's own meshes, in its sizes: cube and quad of side 1, plane of 10, sphere of radius 0.5, capsule and cylinder of radius 0.5 and height 2.</summary>
+    /// <summary>The editor's own meshes, in its sizes: cube and quad of side 1, plane of 10, sphere of radius 0.5, capsule and cylinder of
+    /// radius 0.5 and height 2.</summary>
     internal static class BuiltinMeshes
     {
         const int Segments = 32;
@@ -79,7 +80,8 @@ namespace UnityEngine.Headless
                     }
             }
 
-            public Mesh ToMesh() => new Mesh { vertices = positions.ToArray(), normals = normals.ToArray(), uv = uvs.ToArray(), triangles = triangles.ToArray() };
+            public Mesh ToMesh() => new Mesh { vertices = positions.ToArray(), normals = normals.ToArray(), uv = uvs.ToArray(),
+                triangles = triangles.ToArray() };
         }
 
         static Mesh Grid(int cells, float half, Func<Vector2, Vector3> place, Vector3 normal)

@@ -14,7 +14,8 @@ namespace UnityEngine.Headless
             [DefaultMaterialName] = "Standard", ["Default-Diffuse.mat"] = "Legacy Shaders/Diffuse", ["Default-Skybox.mat"] = "Skybox/Procedural",
             [ErrorMaterialName] = "Hidden/InternalErrorShader",
             // Neither particles nor lines are drawn here: their materials are there for who refers to them.
-            ["Default-Particle.mat"] = "Sprites/Default", ["Default-ParticleSystem.mat"] = "Sprites/Default", ["Default-Line.mat"] = "Sprites/Default", ["Sprites-Default.mat"] = "Sprites/Default",
+            ["Default-Particle.mat"] = "Sprites/Default", ["Default-ParticleSystem.mat"] = "Sprites/Default",
+                ["Default-Line.mat"] = "Sprites/Default", ["Sprites-Default.mat"] = "Sprites/Default",
         };
         static readonly Dictionary<string, Material> materials = new Dictionary<string, Material>();
 
@@ -46,7 +47,8 @@ namespace UnityEngine.Headless
             // Its shader is the editor's, even where a project has one of that name.
             if (!(FindShader?.Invoke(materialShaders[file]) is Shader shader))
                 return null;
-            material = new Material(shader) { name = file.Substring(0, file.Length - ".mat".Length), hideFlags = HideFlags.HideAndDontSave, IsAsset = true };
+            material = new Material(shader) { name = file.Substring(0, file.Length - ".mat".Length), hideFlags = HideFlags.HideAndDontSave,
+                IsAsset = true };
             return materials[file] = material;
         }
 

@@ -21,8 +21,10 @@ namespace UnityEngine.Headless
             switch (dimension)
             {
                 case DeviceTextureDimension.Tex2D: return texture;
-                case DeviceTextureDimension.Tex3D: return Other(name + " 3D", () => Fill(new Texture3D(1, 1, 1, TextureFormat.RGBA32, false), texture));
-                case DeviceTextureDimension.Tex2DArray: return Other(name + " array", () => Fill(new Texture2DArray(1, 1, 1, TextureFormat.RGBA32, false), texture));
+                case DeviceTextureDimension.Tex3D: return Other(name + " 3D",
+                    () => Fill(new Texture3D(1, 1, 1, TextureFormat.RGBA32, false), texture));
+                case DeviceTextureDimension.Tex2DArray: return Other(name + " array",
+                    () => Fill(new Texture2DArray(1, 1, 1, TextureFormat.RGBA32, false), texture));
                 case DeviceTextureDimension.Cube: return Other(name + " cube", () => Fill(new Cubemap(1, TextureFormat.RGBA32, false), texture));
                 default: return null;
             }

@@ -8,8 +8,10 @@ namespace UnityEngine.Headless
         static int Id(string name) => PropertyNames.ToId(name);
 
         static readonly int
-            objectToWorld = Id("unity_ObjectToWorld"), worldToObject = Id("unity_WorldToObject"), worldTransformParams = Id("unity_WorldTransformParams"),
-            matrixV = Id("unity_MatrixV"), matrixInvV = Id("unity_MatrixInvV"), matrixP = Id("glstate_matrix_projection"), matrixVP = Id("unity_MatrixVP"),
+            objectToWorld = Id("unity_ObjectToWorld"), worldToObject = Id("unity_WorldToObject"),
+            worldTransformParams = Id("unity_WorldTransformParams"),
+            matrixV = Id("unity_MatrixV"), matrixInvV = Id("unity_MatrixInvV"), matrixP = Id("glstate_matrix_projection"),
+                matrixVP = Id("unity_MatrixVP"),
             matrixInvP = Id("unity_MatrixInvP"), matrixInvVP = Id("unity_MatrixInvVP"),
             cameraProjection = Id("unity_CameraProjection"), cameraInvProjection = Id("unity_CameraInvProjection"),
             cameraToWorld = Id("unity_CameraToWorld"), worldToCamera = Id("unity_WorldToCamera"),
@@ -17,12 +19,16 @@ namespace UnityEngine.Headless
             zBufferParams = Id("_ZBufferParams"), orthoParams = Id("unity_OrthoParams"), clipPlanes = Id("unity_CameraWorldClipPlanes"),
             time = Id("_Time"), sinTime = Id("_SinTime"), cosTime = Id("_CosTime"), deltaTime = Id("unity_DeltaTime"),
             lightPosition = Id("_WorldSpaceLightPos0"), lightColor = Id("_LightColor0"), lightAttenuation = Id("unity_LightAtten"),
-            ambientSky = Id("unity_AmbientSky"), ambientEquator = Id("unity_AmbientEquator"), ambientGround = Id("unity_AmbientGround"), ambient = Id("glstate_lightmodel_ambient"),
-            shAr = Id("unity_SHAr"), shAg = Id("unity_SHAg"), shAb = Id("unity_SHAb"), shBr = Id("unity_SHBr"), shBg = Id("unity_SHBg"), shBb = Id("unity_SHBb"), shC = Id("unity_SHC"),
+            ambientSky = Id("unity_AmbientSky"), ambientEquator = Id("unity_AmbientEquator"), ambientGround = Id("unity_AmbientGround"),
+                ambient = Id("glstate_lightmodel_ambient"),
+            shAr = Id("unity_SHAr"), shAg = Id("unity_SHAg"), shAb = Id("unity_SHAb"), shBr = Id("unity_SHBr"), shBg = Id("unity_SHBg"),
+                shBb = Id("unity_SHBb"), shC = Id("unity_SHC"),
             fogColor = Id("unity_FogColor"), fogParams = Id("unity_FogParams"), baseCommand = Id("unity_BaseCommandID"),
-            stereoV = Id("unity_StereoMatrixV"), stereoInvV = Id("unity_StereoMatrixInvV"), stereoP = Id("unity_StereoMatrixP"), stereoInvP = Id("unity_StereoMatrixInvP"), stereoVP = Id("unity_StereoMatrixVP");
+            stereoV = Id("unity_StereoMatrixV"), stereoInvV = Id("unity_StereoMatrixInvV"), stereoP = Id("unity_StereoMatrixP"),
+                stereoInvP = Id("unity_StereoMatrixInvP"), stereoVP = Id("unity_StereoMatrixVP");
 
-        static readonly (FogMode, string)[] fogKeywords = { (FogMode.Linear, "FOG_LINEAR"), (FogMode.Exponential, "FOG_EXP"), (FogMode.ExponentialSquared, "FOG_EXP2") };
+        static readonly (FogMode, string)[] fogKeywords = { (FogMode.Linear, "FOG_LINEAR"), (FogMode.Exponential, "FOG_EXP"),
+            (FogMode.ExponentialSquared, "FOG_EXP2") };
 
         static PropertyTable Globals => Shader.Globals;
 
@@ -50,7 +56,8 @@ namespace UnityEngine.Headless
             Globals.SetMatrix(matrixInvVP, both.inverse);
         }
 
-        static readonly Matrix4x4[] eyeViews = new Matrix4x4[2], eyeInverseViews = new Matrix4x4[2], eyeProjections = new Matrix4x4[2], eyeInverseProjections = new Matrix4x4[2], eyeViewProjections = new Matrix4x4[2];
+        static readonly Matrix4x4[] eyeViews = new Matrix4x4[2], eyeInverseViews = new Matrix4x4[2], eyeProjections = new Matrix4x4[2],
+            eyeInverseProjections = new Matrix4x4[2], eyeViewProjections = new Matrix4x4[2];
 
         /// <summary>Of two eyes in one pass, left first.</summary>
         public static void SetStereo(Matrix4x4[] views, Matrix4x4[] projections)
@@ -88,7 +95,8 @@ namespace UnityEngine.Headless
             Globals.SetVector(screenParams, new Vector4(width, height, 1 + 1f / width, 1 + 1f / height));
             float x = far / near - 1;
             Globals.SetVector(zBufferParams, new Vector4(x, 1, x / far, 1 / far));         // reversed Z
-            Globals.SetVector(orthoParams, new Vector4(camera.orthographicSize * camera.aspect, camera.orthographicSize, 0, camera.orthographic ? 1 : 0));
+            Globals.SetVector(orthoParams, new Vector4(camera.orthographicSize * camera.aspect, camera.orthographicSize, 0,
+            camera.orthographic ? 1 : 0));
         }
 
         public static void SetTime()
@@ -118,7 +126,8 @@ namespace UnityEngine.Headless
 
         public static void SetAmbient()
         {
-            Vector4 sky = Linear(RenderSettings.ambientSkyColor), equator = Linear(RenderSettings.ambientEquatorColor), ground = Linear(RenderSettings.ambientGroundColor);
+            Vector4 sky = Linear(RenderSettings.ambientSkyColor), equator = Linear(RenderSettings.ambientEquatorColor),
+                ground = Linear(RenderSettings.ambientGroundColor);
             if (RenderSettings.ambientMode != Rendering.AmbientMode.Trilight)
                 equator = ground = sky;
             Globals.SetVector(ambientSky, sky);
@@ -135,7 +144,8 @@ namespace UnityEngine.Headless
                 GlobalKeywords.Set.Set(keyword, RenderSettings.fog && RenderSettings.fogMode == mode);
             Globals.SetVector(fogColor, Linear(RenderSettings.fogColor));
             float d = RenderSettings.fogDensity, span = Math.Max(1e-6f, RenderSettings.fogEndDistance - RenderSettings.fogStartDistance);
-            Globals.SetVector(fogParams, new Vector4(d / Mathf.Sqrt(Mathf.Log(2)), d / Mathf.Log(2), -1 / span, RenderSettings.fogEndDistance / span));
+            Globals.SetVector(fogParams, new Vector4(d / Mathf.Sqrt(Mathf.Log(2)), d / Mathf.Log(2), -1 / span,
+                RenderSettings.fogEndDistance / span));
         }
 
         static void SetSkyHarmonics()

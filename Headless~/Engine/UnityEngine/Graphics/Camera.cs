@@ -116,14 +116,16 @@ namespace UnityEngine
         public int scaledPixelWidth => pixelWidth;
         public int scaledPixelHeight => pixelHeight;
 
-        public float aspect { get => explicitAspect > 0 ? explicitAspect : (float)pixelWidth / Math.Max(1, pixelHeight); set => explicitAspect = value; }
+        public float aspect { get => explicitAspect > 0 ? explicitAspect : (float)pixelWidth / Math.Max(1, pixelHeight);
+            set => explicitAspect = value; }
         public void ResetAspect() => explicitAspect = 0;
 
         // ---- matrices; camera space looks along -z, as OpenGL's
 
         public Matrix4x4 worldToCameraMatrix
         {
-            get => explicitView ?? Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one).inverse;
+            get => explicitView ?? Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.TRS(transform.position, transform.rotation,
+                Vector3.one).inverse;
             set => explicitView = value;
         }
 
@@ -159,8 +161,10 @@ namespace UnityEngine
         }
 
         public Vector3 WorldToScreenPoint(Vector3 position) => ViewportToScreenPoint(WorldToViewportPoint(position));
-        public Vector3 ViewportToScreenPoint(Vector3 position) => new Vector3(pixelRect.x + position.x * pixelRect.width, pixelRect.y + position.y * pixelRect.height, position.z);
-        public Vector3 ScreenToViewportPoint(Vector3 position) => new Vector3((position.x - pixelRect.x) / pixelRect.width, (position.y - pixelRect.y) / pixelRect.height, position.z);
+        public Vector3 ViewportToScreenPoint(Vector3 position)
+            => new Vector3(pixelRect.x + position.x * pixelRect.width, pixelRect.y + position.y * pixelRect.height, position.z);
+        public Vector3 ScreenToViewportPoint(Vector3 position)
+            => new Vector3((position.x - pixelRect.x) / pixelRect.width, (position.y - pixelRect.y) / pixelRect.height, position.z);
         public Vector3 ScreenToWorldPoint(Vector3 position) => ViewportToWorldPoint(ScreenToViewportPoint(position));
 
         /// <param name="position">z: distance from the camera along its forward axis.</param>
@@ -183,7 +187,8 @@ namespace UnityEngine
             return new Ray(near, (far - near).normalized);
         }
 
-        /// <summary>Lower left, upper left, upper right, lower right of a cross-section of the view, in the camera's own space with z forward.</summary>
+        /// <summary>Lower left, upper left, upper right, lower right of a cross-section of the view, in the camera's own space with z
+        /// forward.</summary>
         public void CalculateFrustumCorners(Rect viewport, float z, MonoOrStereoscopicEye eye, Vector3[] outCorners)
         {
             if (outCorners == null)
@@ -191,7 +196,8 @@ namespace UnityEngine
             if (outCorners.Length < 4)
                 throw new ArgumentException("outCorners minimum size is 4", nameof(outCorners));
             Matrix4x4 toCamera = worldToCameraMatrix;
-            Vector2[] places = { new Vector2(viewport.xMin, viewport.yMin), new Vector2(viewport.xMin, viewport.yMax), new Vector2(viewport.xMax, viewport.yMax), new Vector2(viewport.xMax, viewport.yMin) };
+            Vector2[] places = { new Vector2(viewport.xMin, viewport.yMin), new Vector2(viewport.xMin, viewport.yMax),
+                new Vector2(viewport.xMax, viewport.yMax), new Vector2(viewport.xMax, viewport.yMin) };
             for (int i = 0; i < 4; i++)
             {
                 Vector3 corner = toCamera.MultiplyPoint3x4(ViewportToWorldPoint(new Vector3(places[i].x, places[i].y, z)));
@@ -246,7 +252,9 @@ namespace UnityEngine
             2 * Mathf.Rad2Deg * Mathf.Atan(Mathf.Tan(verticalFieldOfView * Mathf.Deg2Rad / 2) * aspectRatio);
         public static float HorizontalToVerticalFieldOfView(float horizontalFieldOfView, float aspectRatio) =>
             2 * Mathf.Rad2Deg * Mathf.Atan(Mathf.Tan(horizontalFieldOfView * Mathf.Deg2Rad / 2) / aspectRatio);
-        public static float FocalLengthToFieldOfView(float focalLength, float sensorSize) => 2 * Mathf.Rad2Deg * Mathf.Atan(sensorSize / (2 * focalLength));
-        public static float FieldOfViewToFocalLength(float fieldOfView, float sensorSize) => sensorSize / (2 * Mathf.Tan(fieldOfView * Mathf.Deg2Rad / 2));
+        public static float FocalLengthToFieldOfView(float focalLength, float sensorSize)
+            => 2 * Mathf.Rad2Deg * Mathf.Atan(sensorSize / (2 * focalLength));
+        public static float FieldOfViewToFocalLength(float fieldOfView, float sensorSize)
+            => sensorSize / (2 * Mathf.Tan(fieldOfView * Mathf.Deg2Rad / 2));
     }
 }

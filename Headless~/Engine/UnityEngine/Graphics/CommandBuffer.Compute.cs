@@ -54,39 +54,70 @@ namespace UnityEngine.Rendering
         }
 
         public void SetComputeFloatParam(ComputeShader computeShader, int nameID, float val) => Value(computeShader, nameID, PropertyKind.Float, val);
-        public void SetComputeFloatParam(ComputeShader computeShader, string name, float val) => SetComputeFloatParam(computeShader, Shader.PropertyToID(name), val);
-        public void SetComputeFloatParams(ComputeShader computeShader, int nameID, params float[] values) => Value(computeShader, nameID, PropertyKind.Float, values);
-        public void SetComputeFloatParams(ComputeShader computeShader, string name, params float[] values) => SetComputeFloatParams(computeShader, Shader.PropertyToID(name), values);
+        public void SetComputeFloatParam(ComputeShader computeShader, string name, float val)
+            => SetComputeFloatParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeFloatParams(ComputeShader computeShader, int nameID, params float[] values)
+            => Value(computeShader, nameID, PropertyKind.Float, values);
+        public void SetComputeFloatParams(ComputeShader computeShader, string name, params float[] values)
+            => SetComputeFloatParams(computeShader, Shader.PropertyToID(name), values);
         public void SetComputeIntParam(ComputeShader computeShader, int nameID, int val) => Value(computeShader, nameID, PropertyKind.Int, val);
-        public void SetComputeIntParam(ComputeShader computeShader, string name, int val) => SetComputeIntParam(computeShader, Shader.PropertyToID(name), val);
-        public void SetComputeIntParams(ComputeShader computeShader, int nameID, params int[] values) => Value(computeShader, nameID, PropertyKind.Int, values);
-        public void SetComputeIntParams(ComputeShader computeShader, string name, params int[] values) => SetComputeIntParams(computeShader, Shader.PropertyToID(name), values);
-        public void SetComputeVectorParam(ComputeShader computeShader, int nameID, Vector4 val) => Value(computeShader, nameID, PropertyKind.Vector, val);
-        public void SetComputeVectorParam(ComputeShader computeShader, string name, Vector4 val) => SetComputeVectorParam(computeShader, Shader.PropertyToID(name), val);
-        public void SetComputeVectorArrayParam(ComputeShader computeShader, int nameID, Vector4[] values) => Value(computeShader, nameID, PropertyKind.Vector, values);
-        public void SetComputeVectorArrayParam(ComputeShader computeShader, string name, Vector4[] values) => SetComputeVectorArrayParam(computeShader, Shader.PropertyToID(name), values);
-        public void SetComputeMatrixParam(ComputeShader computeShader, int nameID, Matrix4x4 val) => Value(computeShader, nameID, PropertyKind.Matrix, val);
-        public void SetComputeMatrixParam(ComputeShader computeShader, string name, Matrix4x4 val) => SetComputeMatrixParam(computeShader, Shader.PropertyToID(name), val);
-        public void SetComputeMatrixArrayParam(ComputeShader computeShader, int nameID, Matrix4x4[] values) => Value(computeShader, nameID, PropertyKind.Matrix, values);
-        public void SetComputeMatrixArrayParam(ComputeShader computeShader, string name, Matrix4x4[] values) => SetComputeMatrixArrayParam(computeShader, Shader.PropertyToID(name), values);
-        public void SetComputeConstantBufferParam(ComputeShader computeShader, int nameID, ComputeBuffer buffer, int offset, int size) => BindConstants(computeShader, nameID, buffer?.Storage, offset, size);
-        public void SetComputeConstantBufferParam(ComputeShader computeShader, string name, ComputeBuffer buffer, int offset, int size) => SetComputeConstantBufferParam(computeShader, Shader.PropertyToID(name), buffer, offset, size);
-        public void SetComputeConstantBufferParam(ComputeShader computeShader, int nameID, GraphicsBuffer buffer, int offset, int size) => BindConstants(computeShader, nameID, buffer?.Storage, offset, size);
-        public void SetComputeConstantBufferParam(ComputeShader computeShader, string name, GraphicsBuffer buffer, int offset, int size) => SetComputeConstantBufferParam(computeShader, Shader.PropertyToID(name), buffer, offset, size);
+        public void SetComputeIntParam(ComputeShader computeShader, string name, int val)
+            => SetComputeIntParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeIntParams(ComputeShader computeShader, int nameID, params int[] values)
+            => Value(computeShader, nameID, PropertyKind.Int, values);
+        public void SetComputeIntParams(ComputeShader computeShader, string name, params int[] values)
+            => SetComputeIntParams(computeShader, Shader.PropertyToID(name), values);
+        public void SetComputeVectorParam(ComputeShader computeShader, int nameID, Vector4 val)
+            => Value(computeShader, nameID, PropertyKind.Vector, val);
+        public void SetComputeVectorParam(ComputeShader computeShader, string name, Vector4 val)
+            => SetComputeVectorParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeVectorArrayParam(ComputeShader computeShader, int nameID, Vector4[] values)
+            => Value(computeShader, nameID, PropertyKind.Vector, values);
+        public void SetComputeVectorArrayParam(ComputeShader computeShader, string name, Vector4[] values)
+            => SetComputeVectorArrayParam(computeShader, Shader.PropertyToID(name), values);
+        public void SetComputeMatrixParam(ComputeShader computeShader, int nameID, Matrix4x4 val)
+            => Value(computeShader, nameID, PropertyKind.Matrix, val);
+        public void SetComputeMatrixParam(ComputeShader computeShader, string name, Matrix4x4 val)
+            => SetComputeMatrixParam(computeShader, Shader.PropertyToID(name), val);
+        public void SetComputeMatrixArrayParam(ComputeShader computeShader, int nameID, Matrix4x4[] values)
+            => Value(computeShader, nameID, PropertyKind.Matrix, values);
+        public void SetComputeMatrixArrayParam(ComputeShader computeShader, string name, Matrix4x4[] values)
+            => SetComputeMatrixArrayParam(computeShader, Shader.PropertyToID(name), values);
+        public void SetComputeConstantBufferParam(ComputeShader computeShader, int nameID, ComputeBuffer buffer, int offset, int size)
+            => BindConstants(computeShader, nameID, buffer?.Storage, offset, size);
+        public void SetComputeConstantBufferParam(ComputeShader computeShader, string name, ComputeBuffer buffer, int offset, int size)
+            => SetComputeConstantBufferParam(computeShader, Shader.PropertyToID(name), buffer, offset, size);
+        public void SetComputeConstantBufferParam(ComputeShader computeShader, int nameID, GraphicsBuffer buffer, int offset, int size)
+            => BindConstants(computeShader, nameID, buffer?.Storage, offset, size);
+        public void SetComputeConstantBufferParam(ComputeShader computeShader, string name, GraphicsBuffer buffer, int offset, int size)
+            => SetComputeConstantBufferParam(computeShader, Shader.PropertyToID(name), buffer, offset, size);
 
-        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, ComputeBuffer buffer) => Bind(computeShader, kernelIndex, nameID, buffer?.Storage);
-        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, string name, ComputeBuffer buffer) => SetComputeBufferParam(computeShader, kernelIndex, Shader.PropertyToID(name), buffer);
-        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBuffer buffer) => Bind(computeShader, kernelIndex, nameID, buffer?.Storage);
-        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, string name, GraphicsBuffer buffer) => SetComputeBufferParam(computeShader, kernelIndex, Shader.PropertyToID(name), buffer);
-        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBufferHandle bufferHandle) => Bind(computeShader, kernelIndex, nameID, BufferStorage.OfHandle(bufferHandle));
-        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, string name, GraphicsBufferHandle bufferHandle) => SetComputeBufferParam(computeShader, kernelIndex, Shader.PropertyToID(name), bufferHandle);
-        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID, RenderTargetIdentifier rt) => SetComputeTextureParam(computeShader, kernelIndex, nameID, rt, 0, RenderTextureSubElement.Default);
-        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, string name, RenderTargetIdentifier rt) => SetComputeTextureParam(computeShader, kernelIndex, Shader.PropertyToID(name), rt);
-        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID, RenderTargetIdentifier rt, int mipLevel) => SetComputeTextureParam(computeShader, kernelIndex, nameID, rt, mipLevel, RenderTextureSubElement.Default);
-        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, string name, RenderTargetIdentifier rt, int mipLevel) => SetComputeTextureParam(computeShader, kernelIndex, Shader.PropertyToID(name), rt, mipLevel);
-        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, string name, RenderTargetIdentifier rt, int mipLevel, RenderTextureSubElement element) => SetComputeTextureParam(computeShader, kernelIndex, Shader.PropertyToID(name), rt, mipLevel, element);
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, ComputeBuffer buffer)
+            => Bind(computeShader, kernelIndex, nameID, buffer?.Storage);
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, string name, ComputeBuffer buffer)
+            => SetComputeBufferParam(computeShader, kernelIndex, Shader.PropertyToID(name), buffer);
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBuffer buffer)
+            => Bind(computeShader, kernelIndex, nameID, buffer?.Storage);
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, string name, GraphicsBuffer buffer)
+            => SetComputeBufferParam(computeShader, kernelIndex, Shader.PropertyToID(name), buffer);
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, int nameID, GraphicsBufferHandle bufferHandle)
+            => Bind(computeShader, kernelIndex, nameID, BufferStorage.OfHandle(bufferHandle));
+        public void SetComputeBufferParam(ComputeShader computeShader, int kernelIndex, string name, GraphicsBufferHandle bufferHandle)
+            => SetComputeBufferParam(computeShader, kernelIndex, Shader.PropertyToID(name), bufferHandle);
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID, RenderTargetIdentifier rt)
+            => SetComputeTextureParam(computeShader, kernelIndex, nameID, rt, 0, RenderTextureSubElement.Default);
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, string name, RenderTargetIdentifier rt)
+            => SetComputeTextureParam(computeShader, kernelIndex, Shader.PropertyToID(name), rt);
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID, RenderTargetIdentifier rt,
+            int mipLevel) => SetComputeTextureParam(computeShader, kernelIndex, nameID, rt, mipLevel, RenderTextureSubElement.Default);
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, string name, RenderTargetIdentifier rt,
+            int mipLevel) => SetComputeTextureParam(computeShader, kernelIndex, Shader.PropertyToID(name), rt, mipLevel);
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, string name, RenderTargetIdentifier rt,
+            int mipLevel, RenderTextureSubElement element) => SetComputeTextureParam(computeShader, kernelIndex, Shader.PropertyToID(name),
+            rt, mipLevel, element);
 
-        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID, RenderTargetIdentifier rt, int mipLevel, RenderTextureSubElement element)
+        public void SetComputeTextureParam(ComputeShader computeShader, int kernelIndex, int nameID, RenderTargetIdentifier rt,
+            int mipLevel, RenderTextureSubElement element)
         {
             NotNull(computeShader, "computeShader", "SetComputeTextureParam");
             if (!computeShader.CheckKernel(kernelIndex, "SetComputeTextureParam"))
@@ -120,14 +151,17 @@ namespace UnityEngine.Rendering
         public void DispatchCompute(ComputeShader computeShader, int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)
         {
             NotNull(computeShader, "computeShader", "DispatchCompute");
-            if (!computeShader.CheckKernel(kernelIndex, "DispatchCompute") || !GpuChecks.Groups(computeShader.KernelName(kernelIndex), threadGroupsX, threadGroupsY, threadGroupsZ))
+            if (!computeShader.CheckKernel(kernelIndex, "DispatchCompute")
+                || !GpuChecks.Groups(computeShader.KernelName(kernelIndex), threadGroupsX, threadGroupsY, threadGroupsZ))
                 return;
             ref Command c = ref Add(Op.Dispatch);
             (c.Subject, c.B, c.C, c.D, c.E) = (computeShader, kernelIndex, threadGroupsX, threadGroupsY, threadGroupsZ);
         }
 
-        public void DispatchCompute(ComputeShader computeShader, int kernelIndex, ComputeBuffer indirectBuffer, uint argsOffset) => Indirect(computeShader, kernelIndex, indirectBuffer?.Storage, argsOffset);
-        public void DispatchCompute(ComputeShader computeShader, int kernelIndex, GraphicsBuffer indirectBuffer, uint argsOffset) => Indirect(computeShader, kernelIndex, indirectBuffer?.Storage, argsOffset);
+        public void DispatchCompute(ComputeShader computeShader, int kernelIndex, ComputeBuffer indirectBuffer, uint argsOffset)
+            => Indirect(computeShader, kernelIndex, indirectBuffer?.Storage, argsOffset);
+        public void DispatchCompute(ComputeShader computeShader, int kernelIndex, GraphicsBuffer indirectBuffer, uint argsOffset)
+            => Indirect(computeShader, kernelIndex, indirectBuffer?.Storage, argsOffset);
 
         void Indirect(ComputeShader shader, int kernel, BufferStorage arguments, uint offset)
         {
@@ -184,23 +218,39 @@ namespace UnityEngine.Rendering
         }
 
         public void SetBufferData(ComputeBuffer buffer, Array data) => BufferData(buffer?.Storage, data, 0, 0, data?.Length ?? 0);
-        public void SetBufferData(ComputeBuffer buffer, Array data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count) => BufferData(buffer?.Storage, data, managedBufferStartIndex, graphicsBufferStartIndex, count);
-        public void SetBufferData<T>(ComputeBuffer buffer, List<T> data) where T : struct => BufferData(buffer?.Storage, data?.ToArray(), 0, 0, data?.Count ?? 0);
-        public void SetBufferData<T>(ComputeBuffer buffer, List<T> data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct => BufferData(buffer?.Storage, data?.ToArray(), managedBufferStartIndex, graphicsBufferStartIndex, count);
-        public void SetBufferData<T>(ComputeBuffer buffer, NativeArray<T> data) where T : struct => BufferData(buffer?.Storage, data, 0, 0, data.Length);
-        public void SetBufferData<T>(ComputeBuffer buffer, NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct => BufferData(buffer?.Storage, data, nativeBufferStartIndex, graphicsBufferStartIndex, count);
+        public void SetBufferData(ComputeBuffer buffer, Array data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count)
+            => BufferData(buffer?.Storage, data, managedBufferStartIndex, graphicsBufferStartIndex, count);
+        public void SetBufferData<T>(ComputeBuffer buffer, List<T> data) where T : struct
+            => BufferData(buffer?.Storage, data?.ToArray(), 0, 0, data?.Count ?? 0);
+        public void SetBufferData<T>(ComputeBuffer buffer, List<T> data, int managedBufferStartIndex, int graphicsBufferStartIndex,
+            int count) where T : struct => BufferData(buffer?.Storage, data?.ToArray(), managedBufferStartIndex, graphicsBufferStartIndex,
+            count);
+        public void SetBufferData<T>(ComputeBuffer buffer, NativeArray<T> data) where T : struct
+            => BufferData(buffer?.Storage, data, 0, 0, data.Length);
+        public void SetBufferData<T>(ComputeBuffer buffer, NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex,
+            int count) where T : struct => BufferData(buffer?.Storage, data, nativeBufferStartIndex, graphicsBufferStartIndex, count);
         public void SetBufferCounterValue(ComputeBuffer buffer, uint counterValue) => CounterValue(buffer?.Storage, counterValue);
         public void SetBufferData(GraphicsBuffer buffer, Array data) => BufferData(buffer?.Storage, data, 0, 0, data?.Length ?? 0);
-        public void SetBufferData(GraphicsBuffer buffer, Array data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count) => BufferData(buffer?.Storage, data, managedBufferStartIndex, graphicsBufferStartIndex, count);
-        public void SetBufferData<T>(GraphicsBuffer buffer, List<T> data) where T : struct => BufferData(buffer?.Storage, data?.ToArray(), 0, 0, data?.Count ?? 0);
-        public void SetBufferData<T>(GraphicsBuffer buffer, List<T> data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct => BufferData(buffer?.Storage, data?.ToArray(), managedBufferStartIndex, graphicsBufferStartIndex, count);
-        public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data) where T : struct => BufferData(buffer?.Storage, data, 0, 0, data.Length);
-        public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct => BufferData(buffer?.Storage, data, nativeBufferStartIndex, graphicsBufferStartIndex, count);
+        public void SetBufferData(GraphicsBuffer buffer, Array data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count)
+            => BufferData(buffer?.Storage, data, managedBufferStartIndex, graphicsBufferStartIndex, count);
+        public void SetBufferData<T>(GraphicsBuffer buffer, List<T> data) where T : struct
+            => BufferData(buffer?.Storage, data?.ToArray(), 0, 0, data?.Count ?? 0);
+        public void SetBufferData<T>(GraphicsBuffer buffer, List<T> data, int managedBufferStartIndex, int graphicsBufferStartIndex,
+            int count) where T : struct => BufferData(buffer?.Storage, data?.ToArray(), managedBufferStartIndex, graphicsBufferStartIndex,
+            count);
+        public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data) where T : struct
+            => BufferData(buffer?.Storage, data, 0, 0, data.Length);
+        public void SetBufferData<T>(GraphicsBuffer buffer, NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex,
+            int count) where T : struct => BufferData(buffer?.Storage, data, nativeBufferStartIndex, graphicsBufferStartIndex, count);
         public void SetBufferCounterValue(GraphicsBuffer buffer, uint counterValue) => CounterValue(buffer?.Storage, counterValue);
-        public void CopyCounterValue(ComputeBuffer src, ComputeBuffer dst, uint dstOffsetBytes) => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
-        public void CopyCounterValue(ComputeBuffer src, GraphicsBuffer dst, uint dstOffsetBytes) => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
-        public void CopyCounterValue(GraphicsBuffer src, ComputeBuffer dst, uint dstOffsetBytes) => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
-        public void CopyCounterValue(GraphicsBuffer src, GraphicsBuffer dst, uint dstOffsetBytes) => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public void CopyCounterValue(ComputeBuffer src, ComputeBuffer dst, uint dstOffsetBytes)
+            => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public void CopyCounterValue(ComputeBuffer src, GraphicsBuffer dst, uint dstOffsetBytes)
+            => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public void CopyCounterValue(GraphicsBuffer src, ComputeBuffer dst, uint dstOffsetBytes)
+            => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public void CopyCounterValue(GraphicsBuffer src, GraphicsBuffer dst, uint dstOffsetBytes)
+            => CopyCounter(src?.Storage, dst?.Storage, dstOffsetBytes);
 
         void CounterValue(BufferStorage buffer, uint value)
         {
@@ -233,17 +283,34 @@ namespace UnityEngine.Rendering
 
         void Readback(RecordedReadback readback) => Add(Op.Readback).Subject = readback;
 
-        public void RequestAsyncReadback(ComputeBuffer src, Action<AsyncGPUReadbackRequest> callback) => Readback(new RecordedReadback(src?.Storage, 0, -1, callback));
-        public void RequestAsyncReadback(ComputeBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback) => Readback(new RecordedReadback(src?.Storage, offset, size, callback));
-        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, ComputeBuffer src, Action<AsyncGPUReadbackRequest> callback) where T : struct => Readback(new RecordedReadback(src?.Storage, 0, -1, callback) { Output = ReadbackOutput.Of(output) });
-        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, ComputeBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback) where T : struct => Readback(new RecordedReadback(src?.Storage, offset, size, callback) { Output = ReadbackOutput.Of(output) });
-        public void RequestAsyncReadback(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback) => Readback(new RecordedReadback(src?.Storage, 0, -1, callback));
-        public void RequestAsyncReadback(GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback) => Readback(new RecordedReadback(src?.Storage, offset, size, callback));
-        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback) where T : struct => Readback(new RecordedReadback(src?.Storage, 0, -1, callback) { Output = ReadbackOutput.Of(output) });
-        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback) where T : struct => Readback(new RecordedReadback(src?.Storage, offset, size, callback) { Output = ReadbackOutput.Of(output) });
+        public void RequestAsyncReadback(ComputeBuffer src, Action<AsyncGPUReadbackRequest> callback)
+            => Readback(new RecordedReadback(src?.Storage, 0, -1, callback));
+        public void RequestAsyncReadback(ComputeBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback)
+            => Readback(new RecordedReadback(src?.Storage, offset, size, callback));
+        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, ComputeBuffer src,
+            Action<AsyncGPUReadbackRequest> callback) where T
+            : struct => Readback(new RecordedReadback(src?.Storage, 0, -1, callback) { Output = ReadbackOutput.Of(output) });
+        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, ComputeBuffer src, int size, int offset,
+            Action<AsyncGPUReadbackRequest> callback) where T
+            : struct => Readback(new RecordedReadback(src?.Storage, offset, size, callback) { Output = ReadbackOutput.Of(output) });
+        public void RequestAsyncReadback(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback)
+            => Readback(new RecordedReadback(src?.Storage, 0, -1, callback));
+        public void RequestAsyncReadback(GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback)
+            => Readback(new RecordedReadback(src?.Storage, offset, size, callback));
+        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src,
+            Action<AsyncGPUReadbackRequest> callback) where T
+            : struct => Readback(new RecordedReadback(src?.Storage, 0, -1, callback) { Output = ReadbackOutput.Of(output) });
+        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, GraphicsBuffer src, int size, int offset,
+            Action<AsyncGPUReadbackRequest> callback) where T
+            : struct => Readback(new RecordedReadback(src?.Storage, offset, size, callback) { Output = ReadbackOutput.Of(output) });
         public void RequestAsyncReadback(Texture src, Action<AsyncGPUReadbackRequest> callback) => Readback(new RecordedReadback(src, 0, callback));
-        public void RequestAsyncReadback(Texture src, int mipIndex, Action<AsyncGPUReadbackRequest> callback) => Readback(new RecordedReadback(src, mipIndex, callback));
-        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, Texture src, Action<AsyncGPUReadbackRequest> callback) where T : struct => Readback(new RecordedReadback(src, 0, callback) { Output = ReadbackOutput.Of(output) });
-        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, Texture src, int mipIndex, Action<AsyncGPUReadbackRequest> callback) where T : struct => Readback(new RecordedReadback(src, mipIndex, callback) { Output = ReadbackOutput.Of(output) });
+        public void RequestAsyncReadback(Texture src, int mipIndex, Action<AsyncGPUReadbackRequest> callback)
+            => Readback(new RecordedReadback(src, mipIndex, callback));
+        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, Texture src,
+            Action<AsyncGPUReadbackRequest> callback) where T
+            : struct => Readback(new RecordedReadback(src, 0, callback) { Output = ReadbackOutput.Of(output) });
+        public void RequestAsyncReadbackIntoNativeArray<T>(ref NativeArray<T> output, Texture src, int mipIndex,
+            Action<AsyncGPUReadbackRequest> callback) where T
+            : struct => Readback(new RecordedReadback(src, mipIndex, callback) { Output = ReadbackOutput.Of(output) });
     }
 }

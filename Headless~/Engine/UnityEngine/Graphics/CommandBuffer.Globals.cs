@@ -31,7 +31,8 @@ namespace UnityEngine.Rendering
         public void SetGlobalInteger(string name, int value) => SetGlobalInteger(Shader.PropertyToID(name), value);
         public void SetGlobalVector(int nameID, Vector4 value) => Global(nameID, PropertyKind.Vector, value);
         public void SetGlobalVector(string name, Vector4 value) => SetGlobalVector(Shader.PropertyToID(name), value);
-        public void SetGlobalColor(int nameID, Color value) => Global(nameID, PropertyKind.Vector, Player.LinearColorSpace ? (Vector4)value.linear : (Vector4)value);
+        public void SetGlobalColor(int nameID, Color value)
+            => Global(nameID, PropertyKind.Vector, Player.LinearColorSpace ? (Vector4)value.linear : (Vector4)value);
         public void SetGlobalColor(string name, Color value) => SetGlobalColor(Shader.PropertyToID(name), value);
         public void SetGlobalMatrix(int nameID, Matrix4x4 value) => Global(nameID, PropertyKind.Matrix, value);
         public void SetGlobalMatrix(string name, Matrix4x4 value) => SetGlobalMatrix(Shader.PropertyToID(name), value);
@@ -42,25 +43,32 @@ namespace UnityEngine.Rendering
         public void SetGlobalVectorArray(int nameID, Vector4[] values) => Global(nameID, PropertyKind.Vector, values);
         public void SetGlobalVectorArray(string propertyName, Vector4[] values) => SetGlobalVectorArray(Shader.PropertyToID(propertyName), values);
         public void SetGlobalVectorArray(int nameID, List<Vector4> values) => Global(nameID, PropertyKind.Vector, values?.ToArray());
-        public void SetGlobalVectorArray(string propertyName, List<Vector4> values) => SetGlobalVectorArray(Shader.PropertyToID(propertyName), values);
+        public void SetGlobalVectorArray(string propertyName, List<Vector4> values)
+            => SetGlobalVectorArray(Shader.PropertyToID(propertyName), values);
         public void SetGlobalMatrixArray(int nameID, Matrix4x4[] values) => Global(nameID, PropertyKind.Matrix, values);
         public void SetGlobalMatrixArray(string propertyName, Matrix4x4[] values) => SetGlobalMatrixArray(Shader.PropertyToID(propertyName), values);
         public void SetGlobalMatrixArray(int nameID, List<Matrix4x4> values) => Global(nameID, PropertyKind.Matrix, values?.ToArray());
-        public void SetGlobalMatrixArray(string propertyName, List<Matrix4x4> values) => SetGlobalMatrixArray(Shader.PropertyToID(propertyName), values);
+        public void SetGlobalMatrixArray(string propertyName, List<Matrix4x4> values)
+            => SetGlobalMatrixArray(Shader.PropertyToID(propertyName), values);
         public void SetGlobalBuffer(int nameID, ComputeBuffer value) => GlobalBuffer(nameID, value?.Storage);
         public void SetGlobalBuffer(string name, ComputeBuffer value) => SetGlobalBuffer(Shader.PropertyToID(name), value);
-        public void SetGlobalConstantBuffer(ComputeBuffer buffer, int nameID, int offset, int size) => GlobalConstants(nameID, buffer?.Storage, offset, size);
-        public void SetGlobalConstantBuffer(ComputeBuffer buffer, string name, int offset, int size) => GlobalConstants(Shader.PropertyToID(name), buffer?.Storage, offset, size);
+        public void SetGlobalConstantBuffer(ComputeBuffer buffer, int nameID, int offset, int size)
+            => GlobalConstants(nameID, buffer?.Storage, offset, size);
+        public void SetGlobalConstantBuffer(ComputeBuffer buffer, string name, int offset, int size)
+            => GlobalConstants(Shader.PropertyToID(name), buffer?.Storage, offset, size);
         public void SetGlobalBuffer(int nameID, GraphicsBuffer value) => GlobalBuffer(nameID, value?.Storage);
         public void SetGlobalBuffer(string name, GraphicsBuffer value) => SetGlobalBuffer(Shader.PropertyToID(name), value);
-        public void SetGlobalConstantBuffer(GraphicsBuffer buffer, int nameID, int offset, int size) => GlobalConstants(nameID, buffer?.Storage, offset, size);
-        public void SetGlobalConstantBuffer(GraphicsBuffer buffer, string name, int offset, int size) => GlobalConstants(Shader.PropertyToID(name), buffer?.Storage, offset, size);
+        public void SetGlobalConstantBuffer(GraphicsBuffer buffer, int nameID, int offset, int size)
+            => GlobalConstants(nameID, buffer?.Storage, offset, size);
+        public void SetGlobalConstantBuffer(GraphicsBuffer buffer, string name, int offset, int size)
+            => GlobalConstants(Shader.PropertyToID(name), buffer?.Storage, offset, size);
         /// <summary>On Direct3D 11 the sampler alone says whether a read compares.</summary>
         public void SetShadowSamplingMode(RenderTargetIdentifier shadowmap, ShadowSamplingMode mode) { }
 
         public void SetGlobalTexture(int nameID, RenderTargetIdentifier value) => SetGlobalTexture(nameID, value, RenderTextureSubElement.Default);
         public void SetGlobalTexture(string name, RenderTargetIdentifier value) => SetGlobalTexture(Shader.PropertyToID(name), value);
-        public void SetGlobalTexture(string name, RenderTargetIdentifier value, RenderTextureSubElement element) => SetGlobalTexture(Shader.PropertyToID(name), value, element);
+        public void SetGlobalTexture(string name, RenderTargetIdentifier value, RenderTextureSubElement element)
+            => SetGlobalTexture(Shader.PropertyToID(name), value, element);
 
         public void SetGlobalTexture(int nameID, RenderTargetIdentifier value, RenderTextureSubElement element)
         {

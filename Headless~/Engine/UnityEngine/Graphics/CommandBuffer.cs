@@ -18,7 +18,8 @@ namespace UnityEngine.Rendering
             ComputeValue, ComputeBuffer, ComputeConstantBuffer, ComputeTexture, ComputeKeyword, ComputeFromMaterial, Dispatch, DispatchIndirect,
             BufferData, BufferCounter, CopyCounter, CopyBuffer, CopyTexture,
             GlobalValue, GlobalTexture, GlobalBuffer, GlobalConstantBuffer, GlobalKeyword, MaterialKeyword,
-            SetTarget, SetTargets, Clear, Viewport, ViewProjection, View, Projection, InvertCulling, Draw, Blit, BlitSlice, TemporaryTarget, ReleaseTemporary,
+            SetTarget, SetTargets, Clear, Viewport, ViewProjection, View, Projection, InvertCulling, Draw, Blit, BlitSlice, TemporaryTarget,
+                ReleaseTemporary,
             BeginSample, EndSample, Readback, WaitReadbacks,
         }
 
@@ -110,7 +111,8 @@ namespace UnityEngine.Rendering
             payloadLength = (payloadLength + bytes.Length + 3) & ~3;
         }
 
-        void Store<T>(ref Command command, T value) where T : struct => Store(ref command, MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref value, 1)));
+        void Store<T>(ref Command command, T value) where T : struct
+            => Store(ref command, MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref value, 1)));
         void Store<T>(ref Command command, T[] values) where T : struct => Store(ref command, MemoryMarshal.AsBytes<T>(values));
 
         int AddTarget(in RenderTargetIdentifier target)
@@ -135,7 +137,8 @@ namespace UnityEngine.Rendering
             int last = openSamples.Count - 1;
             if (last < 0 || openSamples[last] != (name ?? ""))
             {
-                GpuError.Report($"CommandBuffer '{label}': EndSample(\"{name}\") does not end the sample that is open ({(last < 0 ? "none" : $"\"{openSamples[last]}\"")}).",
+                GpuError.Report($"CommandBuffer '{label}': EndSample(\"{name}\") does not end the sample that is open " +
+                    $"({(last < 0 ? "none" : $"\"{openSamples[last]}\"")}).",
                     $"Non matching Profiler.EndSample (\"{name}\")");
                 return;
             }
@@ -165,8 +168,10 @@ namespace UnityEngine.Rendering
             {
                 case Op.ComputeValue: Alive((ComputeShader)c.Subject).SetRaw(c.A, c.Kind, Data(c)); break;
                 case Op.ComputeBuffer: Alive((ComputeShader)c.Subject).SetBuffer(c.B, c.A, (BufferStorage)c.Object); break;
-                case Op.ComputeConstantBuffer: Alive((ComputeShader)c.Subject).Values.SetConstantBuffer(c.A, (BufferStorage)c.Object, c.B, c.C); break;
-                case Op.ComputeTexture: Alive((ComputeShader)c.Subject).SetTexture(c.B, c.A, targets[c.C].Resolve(), c.D, (RenderTextureSubElement)c.E); break;
+                case Op.ComputeConstantBuffer: Alive((ComputeShader)c.Subject).Values.SetConstantBuffer(c.A, (BufferStorage)c.Object, c.B,
+                    c.C); break;
+                case Op.ComputeTexture: Alive((ComputeShader)c.Subject).SetTexture(c.B, c.A, targets[c.C].Resolve(), c.D,
+                    (RenderTextureSubElement)c.E); break;
                 case Op.ComputeKeyword: Keyword((ComputeShader)c.Subject, (string)c.Object, c.Flag); break;
                 case Op.ComputeFromMaterial: FromMaterial((ComputeShader)c.Subject, c.B, (Material)c.Object); break;
                 case Op.Dispatch:
@@ -249,7 +254,8 @@ namespace UnityEngine.Rendering
         }
 
         static ComputeShader Alive(ComputeShader shader) =>
-            shader.Destroyed ? throw new MissingReferenceException("A ComputeShader recorded in a CommandBuffer was destroyed before it was executed.") : shader;
+            shader.Destroyed ? throw new MissingReferenceException(
+            "A ComputeShader recorded in a CommandBuffer was destroyed before it was executed.") : shader;
 
         static void Upload(BufferStorage buffer, long offset, ReadOnlySpan<byte> data)
         {

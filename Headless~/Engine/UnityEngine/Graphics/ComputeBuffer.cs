@@ -99,7 +99,8 @@ namespace UnityEngine
 
         public void SetCounterValue(uint counterValue) => Storage.SetCounter(counterValue);
 
-        public IntPtr GetNativeBufferPtr() => throw new NotSupportedException("ComputeBuffer.GetNativeBufferPtr: the headless host has no native graphics objects to hand out.");
+        public IntPtr GetNativeBufferPtr() => throw new NotSupportedException(
+            "ComputeBuffer.GetNativeBufferPtr: the headless host has no native graphics objects to hand out.");
 
         public NativeArray<T> BeginWrite<T>(int computeBufferStartIndex, int count) where T : struct
         {
@@ -110,6 +111,7 @@ namespace UnityEngine
 
         public void EndWrite<T>(int countWritten) where T : struct => locked.End<T>(Storage, "EndWrite", countWritten);
 
-        public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes)
+            => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
     }
 }

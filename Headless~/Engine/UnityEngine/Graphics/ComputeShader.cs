@@ -37,7 +37,8 @@ namespace UnityEngine
             for (int i = 0; i < kernels.Length; i++)
             {
                 string label = $"{name}.compute ({source.Kernels[i]})";
-                kernels[i] = new Kernel { Resources = new PropertyTable(), KeywordVersion = -1, Name = label, IndirectCall = "DispatchIndirect of " + label };
+                kernels[i] = new Kernel { Resources = new PropertyTable(), KeywordVersion = -1, Name = label,
+                    IndirectCall = "DispatchIndirect of " + label };
             }
         }
 
@@ -68,7 +69,8 @@ namespace UnityEngine
             if (!CheckKernel(kernelIndex, "IsSupported") || !Gpu.Available)
                 return false;
             ProgramLayout layout = Layout(kernelIndex, report: false);
-            return layout != null && layout.Excess == null && layout.Program.GroupX * layout.Program.GroupY * layout.Program.GroupZ <= Player.Device.Info.MaxGroupInvocations
+            return layout != null && layout.Excess == null
+                && layout.Program.GroupX * layout.Program.GroupY * layout.Program.GroupZ <= Player.Device.Info.MaxGroupInvocations
                 && layout.Program.GroupsharedBytes <= Player.Device.Info.MaxGroupsharedBytes;
         }
 
@@ -127,7 +129,8 @@ namespace UnityEngine
 
         public void Dispatch(int kernelIndex, int threadGroupsX, int threadGroupsY, int threadGroupsZ)
         {
-            if (!Prepare(kernelIndex, "Dispatch", out ProgramLayout layout) || !GpuChecks.Groups(KernelName(kernelIndex), threadGroupsX, threadGroupsY, threadGroupsZ))
+            if (!Prepare(kernelIndex, "Dispatch", out ProgramLayout layout)
+                || !GpuChecks.Groups(KernelName(kernelIndex), threadGroupsX, threadGroupsY, threadGroupsZ))
                 return;
             if (!Binder.Compute(this, kernelIndex, layout))
                 return;
@@ -136,9 +139,11 @@ namespace UnityEngine
         }
 
         public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer) => DispatchIndirect(kernelIndex, argsBuffer?.Storage, 0);
-        public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer, uint argsOffset) => DispatchIndirect(kernelIndex, argsBuffer?.Storage, argsOffset);
+        public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer, uint argsOffset)
+            => DispatchIndirect(kernelIndex, argsBuffer?.Storage, argsOffset);
         public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer) => DispatchIndirect(kernelIndex, argsBuffer?.Storage, 0);
-        public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer, uint argsOffset) => DispatchIndirect(kernelIndex, argsBuffer?.Storage, argsOffset);
+        public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer, uint argsOffset)
+            => DispatchIndirect(kernelIndex, argsBuffer?.Storage, argsOffset);
 
         internal void DispatchIndirect(int kernelIndex, BufferStorage arguments, uint offset)
         {
@@ -171,8 +176,10 @@ namespace UnityEngine
         // ---- values; bits are taken as they are, arrays are not spread to 16 bytes an element
 
         internal void SetRaw(int id, PropertyKind kind, ReadOnlySpan<byte> bytes) => Values.Overwrite(id, kind, bytes);
-        void Set<T>(int id, PropertyKind kind, T value) where T : struct => SetRaw(id, kind, MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref value, 1)));
-        void Set<T>(int id, PropertyKind kind, T[] values) where T : struct => SetRaw(id, kind, MemoryMarshal.AsBytes<T>(values ?? throw new ArgumentNullException(nameof(values))));
+        void Set<T>(int id, PropertyKind kind, T value) where T : struct
+            => SetRaw(id, kind, MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref value, 1)));
+        void Set<T>(int id, PropertyKind kind, T[] values) where T : struct
+            => SetRaw(id, kind, MemoryMarshal.AsBytes<T>(values ?? throw new ArgumentNullException(nameof(values))));
 
         public void SetFloat(int nameID, float val) => Set(nameID, PropertyKind.Float, val);
         public void SetFloat(string name, float val) => SetFloat(Shader.PropertyToID(name), val);
@@ -206,42 +213,57 @@ namespace UnityEngine
         }
 
         public void SetBuffer(int kernelIndex, int nameID, ComputeBuffer buffer) => SetBuffer(kernelIndex, nameID, buffer?.Storage);
-        public void SetBuffer(int kernelIndex, string name, ComputeBuffer buffer) => SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer?.Storage);
+        public void SetBuffer(int kernelIndex, string name, ComputeBuffer buffer)
+            => SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer?.Storage);
         public void SetBuffer(int kernelIndex, int nameID, GraphicsBuffer buffer) => SetBuffer(kernelIndex, nameID, buffer?.Storage);
-        public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) => SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer?.Storage);
+        public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer)
+            => SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer?.Storage);
 
-        public void SetConstantBuffer(int nameID, ComputeBuffer buffer, int offset, int size) => Values.SetConstantBuffer(nameID, buffer?.Storage, offset, size);
-        public void SetConstantBuffer(string name, ComputeBuffer buffer, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
-        public void SetConstantBuffer(int nameID, GraphicsBuffer buffer, int offset, int size) => Values.SetConstantBuffer(nameID, buffer?.Storage, offset, size);
-        public void SetConstantBuffer(string name, GraphicsBuffer buffer, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
+        public void SetConstantBuffer(int nameID, ComputeBuffer buffer, int offset, int size)
+            => Values.SetConstantBuffer(nameID, buffer?.Storage, offset, size);
+        public void SetConstantBuffer(string name, ComputeBuffer buffer, int offset, int size)
+            => SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
+        public void SetConstantBuffer(int nameID, GraphicsBuffer buffer, int offset, int size)
+            => Values.SetConstantBuffer(nameID, buffer?.Storage, offset, size);
+        public void SetConstantBuffer(string name, GraphicsBuffer buffer, int offset, int size)
+            => SetConstantBuffer(Shader.PropertyToID(name), buffer, offset, size);
 
         internal void SetTexture(int kernelIndex, int nameID, Texture texture, int mip, RenderTextureSubElement element)
         {
             if (texture == null)
                 throw new ArgumentNullException(nameof(texture), $"SetTexture of '{PropertyNames.ToName(nameID)}' on {name}: the texture is null.");
             if (mip < 0 || mip >= texture.mipmapCount)
-                throw new ArgumentOutOfRangeException(nameof(mip), mip, $"SetTexture of '{PropertyNames.ToName(nameID)}' on {name}: texture '{texture.name}' has {texture.mipmapCount} mip levels.");
+                throw new ArgumentOutOfRangeException(nameof(mip), mip, $"SetTexture of '{PropertyNames.ToName(nameID)}' on {name}: " +
+                    $"texture '{texture.name}' has {texture.mipmapCount} mip levels.");
             if (CheckKernel(kernelIndex, "SetTexture"))
-                kernels[kernelIndex].Resources.SetResource(nameID, new PropertyResource { Texture = texture, Mip = mip, Element = element, KeywordVersion = keywords.Version });
+                kernels[kernelIndex].Resources.SetResource(nameID,
+                    new PropertyResource { Texture = texture, Mip = mip, Element = element, KeywordVersion = keywords.Version });
         }
 
-        public void SetTexture(int kernelIndex, int nameID, Texture texture) => SetTexture(kernelIndex, nameID, texture, 0, RenderTextureSubElement.Default);
+        public void SetTexture(int kernelIndex, int nameID, Texture texture)
+            => SetTexture(kernelIndex, nameID, texture, 0, RenderTextureSubElement.Default);
         public void SetTexture(int kernelIndex, string name, Texture texture) => SetTexture(kernelIndex, Shader.PropertyToID(name), texture);
-        public void SetTexture(int kernelIndex, int nameID, Texture texture, int mipLevel) => SetTexture(kernelIndex, nameID, texture, mipLevel, RenderTextureSubElement.Default);
-        public void SetTexture(int kernelIndex, string name, Texture texture, int mipLevel) => SetTexture(kernelIndex, Shader.PropertyToID(name), texture, mipLevel);
-        public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel, RenderTextureSubElement element) => SetTexture(kernelIndex, nameID, (Texture)texture, mipLevel, element);
-        public void SetTexture(int kernelIndex, string name, RenderTexture texture, int mipLevel, RenderTextureSubElement element) => SetTexture(kernelIndex, Shader.PropertyToID(name), (Texture)texture, mipLevel, element);
+        public void SetTexture(int kernelIndex, int nameID, Texture texture, int mipLevel)
+            => SetTexture(kernelIndex, nameID, texture, mipLevel, RenderTextureSubElement.Default);
+        public void SetTexture(int kernelIndex, string name, Texture texture, int mipLevel)
+            => SetTexture(kernelIndex, Shader.PropertyToID(name), texture, mipLevel);
+        public void SetTexture(int kernelIndex, int nameID, RenderTexture texture, int mipLevel, RenderTextureSubElement element)
+            => SetTexture(kernelIndex, nameID, (Texture)texture, mipLevel, element);
+        public void SetTexture(int kernelIndex, string name, RenderTexture texture, int mipLevel, RenderTextureSubElement element)
+            => SetTexture(kernelIndex, Shader.PropertyToID(name), (Texture)texture, mipLevel, element);
 
         public void SetTextureFromGlobal(int kernelIndex, int nameID, int globalTextureNameID)
         {
             Texture texture = Shader.Globals.GetTexture(globalTextureNameID);
             if (ReferenceEquals(texture, null))
-                GpuError.Report($"SetTextureFromGlobal on {name}: no global texture '{PropertyNames.ToName(globalTextureNameID)}' is set.", $"Global texture ({PropertyNames.ToName(globalTextureNameID)}) not found");
+                GpuError.Report($"SetTextureFromGlobal on {name}: no global texture '{PropertyNames.ToName(globalTextureNameID)}' is set.",
+                    $"Global texture ({PropertyNames.ToName(globalTextureNameID)}) not found");
             else
                 SetTexture(kernelIndex, nameID, texture);
         }
 
-        public void SetTextureFromGlobal(int kernelIndex, string name, string globalTextureName) => SetTextureFromGlobal(kernelIndex, Shader.PropertyToID(name), Shader.PropertyToID(globalTextureName));
+        public void SetTextureFromGlobal(int kernelIndex, string name, string globalTextureName)
+            => SetTextureFromGlobal(kernelIndex, Shader.PropertyToID(name), Shader.PropertyToID(globalTextureName));
 
         // ---- keywords
 

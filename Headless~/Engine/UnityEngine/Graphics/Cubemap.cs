@@ -16,7 +16,8 @@ namespace UnityEngine
         public Cubemap(int width, GraphicsFormat format, TextureCreationFlags flags)
         {
             int mips = (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1;
-            store = new TexelStore($"Cubemap {width} x {width} {format}", DeviceTextureDimension.Cube, width, width, 1, 6, Formats.ToTextureFormat(format), mips, !Formats.IsSrgb(format));
+            store = new TexelStore($"Cubemap {width} x {width} {format}", DeviceTextureDimension.Cube, width, width, 1, 6,
+                Formats.ToTextureFormat(format), mips, !Formats.IsSrgb(format));
         }
 
         internal TexelStore Store => store;

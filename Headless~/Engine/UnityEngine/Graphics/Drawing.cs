@@ -51,7 +51,8 @@ namespace UnityEngine.Headless
             Material material = call.Material;
             if (passIndex >= material.passCount)
             {
-                GpuError.Report($"{call.Call}: pass {passIndex} of material '{material.name}', whose shader '{material.shader.name}' has {material.passCount}.",
+                GpuError.Report($"{call.Call}: pass {passIndex} of material '{material.name}', whose shader '{material.shader.name}' " +
+                    $"has {material.passCount}.",
                     $"Trying to access pass {passIndex}, but material '{material.name}' subshader (0) has only {material.passCount} valid passes.");
                 return;
             }
@@ -89,7 +90,8 @@ namespace UnityEngine.Headless
             // The projection flips y, which turns every triangle's winding around; a mirroring matrix turns it again.
             state.FrontIsCounterClockwise = call.Matrix.determinant >= 0 != RenderState.InvertCulling;
 
-            var draw = new DeviceDraw { VertexCount = call.Count, InstanceCount = call.Instances * RenderState.InstanceMultiplier, FirstVertex = call.First, Indices32 = true };
+            var draw = new DeviceDraw { VertexCount = call.Count, InstanceCount = call.Instances * RenderState.InstanceMultiplier,
+                FirstVertex = call.First, Indices32 = true };
             if (!Geometry(call, vertex.Program, quads, ref draw))
                 return;
 
@@ -128,7 +130,8 @@ namespace UnityEngine.Headless
                     quads = true;
                     if (call.Arguments == null && call.Indices == null)
                         return true;
-                    throw new NotSupportedException($"{call.Call}: MeshTopology.Quads with an index buffer or indirect arguments; Direct3D 11 has no quads. Use triangles.");
+                    throw new NotSupportedException($"{call.Call}: MeshTopology.Quads with an index buffer or indirect arguments; " +
+                        $"Direct3D 11 has no quads. Use triangles.");
             }
         }
 
@@ -141,7 +144,8 @@ namespace UnityEngine.Headless
             }
             else if (vertex.Inputs.Length > 0)
             {
-                GpuError.Report($"{call.Call}: {vertex.Name} reads the vertex attribute '{vertex.Inputs[0].Semantic}', but a procedural draw has none; use SV_VertexID.",
+                GpuError.Report($"{call.Call}: {vertex.Name} reads the vertex attribute '{vertex.Inputs[0].Semantic}', but a " +
+                    $"procedural draw has none; use SV_VertexID.",
                     $"{call.Call}: {vertex.Name} needs vertex attributes");
                 return false;
             }
@@ -154,17 +158,20 @@ namespace UnityEngine.Headless
             {
                 BufferChecks.Alive(call.Indices, call.Call);
                 if (!call.Indices.Is(GraphicsBuffer.Target.Index))
-                    GpuError.Strictly($"{call.Call}: {call.Indices} is used for indices, but was created without Index among its targets (it has {call.Indices.Target}).");
+                    GpuError.Strictly($"{call.Call}: {call.Indices} is used for indices, but was created without Index among its " +
+                        $"targets (it has {call.Indices.Target}).");
                 BufferChecks.Readable(call.Indices, call.Call);
                 draw.Indices = call.Indices.Device;
                 draw.Indices32 = call.Indices.Stride == 4;
                 if (call.Arguments == null && (long)call.First + call.Count > call.Indices.Count)
-                    GpuError.Strictly($"{call.Call}: indices {call.First:N0} to {(long)call.First + call.Count:N0} of {call.Indices}, which has {call.Indices.Count:N0}.");
+                    GpuError.Strictly($"{call.Call}: indices {call.First:N0} to {(long)call.First + call.Count:N0} of {call.Indices}, " +
+                        $"which has {call.Indices.Count:N0}.");
             }
 
             if (call.Arguments != null)
             {
-                if (call.Commands < 1 || !BufferChecks.Arguments(call.Arguments, call.Call, call.ArgumentsOffset, call.Commands * ArgumentBytes(call)))
+                if (call.Commands < 1 || !BufferChecks.Arguments(call.Arguments, call.Call, call.ArgumentsOffset,
+                    call.Commands * ArgumentBytes(call)))
                     return false;
                 draw.Arguments = call.Arguments.Device;
                 draw.ArgumentsOffset = call.ArgumentsOffset;

@@ -5,7 +5,8 @@ namespace UnityEngine
     /// <summary>There is no global illumination here but that of the sky.</summary>
     public sealed class DynamicGI
     {
-        /// <summary>The sky's reflection and ambient light follow what its material and the sun have become; without a call they stay as they were when the scene began.</summary>
+        /// <summary>The sky's reflection and ambient light follow what its material and the sun have become; without a call they stay as
+        /// they were when the scene began.</summary>
         public static void UpdateEnvironment() => EnvironmentLighting.Invalidate();
     }
 }

@@ -77,7 +77,8 @@ namespace UnityEngine.Rendering
     }
     public enum ShaderKeywordType { None = 0, BuiltinDefault = 2, UserDefined = 16, Plugin = 32 }
     public enum CompareFunction { Disabled, Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always }
-    public enum BlendMode { Zero, One, DstColor, SrcColor, OneMinusDstColor, SrcAlpha, OneMinusSrcColor, DstAlpha, OneMinusDstAlpha, SrcAlphaSaturate, OneMinusSrcAlpha }
+    public enum BlendMode { Zero, One, DstColor, SrcColor, OneMinusDstColor, SrcAlpha, OneMinusSrcColor, DstAlpha, OneMinusDstAlpha,
+        SrcAlphaSaturate, OneMinusSrcAlpha }
     public enum BlendOp { Add, Subtract, ReverseSubtract, Min, Max }
     public enum CullMode { Off, Front, Back }
     [Flags] public enum ColorWriteMask { Alpha = 1, Blue = 2, Green = 4, Red = 8, All = 15 }
@@ -89,12 +90,15 @@ namespace UnityEngine.Rendering
     public enum RenderBufferStoreAction { Store, Resolve, StoreAndResolve, DontCare }
     [Flags] public enum RTClearFlags { None = 0, Color = 1, Depth = 2, Stencil = 4, All = 7, DepthStencil = 6, ColorDepth = 3, ColorStencil = 5 }
     public enum IndexFormat { UInt16, UInt32 }
-    public enum VertexAttribute { Position, Normal, Tangent, Color, TexCoord0, TexCoord1, TexCoord2, TexCoord3, TexCoord4, TexCoord5, TexCoord6, TexCoord7, BlendWeight, BlendIndices }
+    public enum VertexAttribute { Position, Normal, Tangent, Color, TexCoord0, TexCoord1, TexCoord2, TexCoord3, TexCoord4, TexCoord5,
+        TexCoord6, TexCoord7, BlendWeight, BlendIndices }
     public enum VertexAttributeFormat { Float32, Float16, UNorm8, SNorm8, UNorm16, SNorm16, UInt8, SInt8, UInt16, SInt16, UInt32, SInt32 }
-    [Flags] public enum MeshUpdateFlags { Default = 0, DontValidateIndices = 1, DontResetBoneBounds = 2, DontNotifyMeshUsers = 4, DontRecalculateBounds = 8 }
+    [Flags] public enum MeshUpdateFlags { Default = 0, DontValidateIndices = 1, DontResetBoneBounds = 2, DontNotifyMeshUsers = 4,
+        DontRecalculateBounds = 8 }
     public enum RenderQueue { Background = 1000, Geometry = 2000, AlphaTest = 2450, GeometryLast = 2500, Transparent = 3000, Overlay = 4000 }
     [Flags] public enum CopyTextureSupport { None = 0, Basic = 1, Copy3D = 2, DifferentTypes = 4, TextureToRT = 8, RTToTexture = 16 }
-    public enum RenderingThreadingMode { Direct, SingleThreaded, MultiThreaded, LegacyJobified, NativeGraphicsJobs, NativeGraphicsJobsWithoutRenderThread }
+    public enum RenderingThreadingMode { Direct, SingleThreaded, MultiThreaded, LegacyJobified, NativeGraphicsJobs,
+        NativeGraphicsJobsWithoutRenderThread }
     public enum OpaqueSortMode { Default, FrontToBack, NoDistanceSort }
     public enum GraphicsFenceType { AsyncQueueSynchronisation, CPUSynchronisation }
     [Flags] public enum SynchronisationStageFlags { VertexProcessing = 1, PixelProcessing = 2, ComputeProcessing = 4, AllGPUOperations = 7 }

@@ -15,8 +15,10 @@ namespace UnityEngine.Headless
         const float Near = 0.1f, Far = 100;
 
         static readonly int
-            cubeId = Shader.PropertyToID("unity_SpecCube0"), decodeId = Shader.PropertyToID("unity_SpecCube0_HDR"), sourceId = Shader.PropertyToID("_Source"),
-            faceId = Shader.PropertyToID("_Face"), sizeId = Shader.PropertyToID("_Size"), roughnessId = Shader.PropertyToID("_Roughness"), samplesId = Shader.PropertyToID("_Samples"),
+            cubeId = Shader.PropertyToID("unity_SpecCube0"), decodeId = Shader.PropertyToID("unity_SpecCube0_HDR"),
+            sourceId = Shader.PropertyToID("_Source"),
+            faceId = Shader.PropertyToID("_Face"), sizeId = Shader.PropertyToID("_Size"), roughnessId = Shader.PropertyToID("_Roughness"),
+                samplesId = Shader.PropertyToID("_Samples"),
             cameraPosition = Shader.PropertyToID("_WorldSpaceCameraPos");
 
         // What runs to the right, downwards and outwards on each face, in the order of CubemapFace.
@@ -59,7 +61,8 @@ namespace UnityEngine.Headless
         /// <summary>For the draws of a camera; in between, unity_SpecCube0 is no one's.</summary>
         public static void Bind()
         {
-            Texture texture = RenderSettings.defaultReflectionMode == DefaultReflectionMode.Custom ? RenderSettings.customReflectionTexture : reflection;
+            Texture texture = RenderSettings.defaultReflectionMode == DefaultReflectionMode.Custom ? RenderSettings.customReflectionTexture
+                : reflection;
             Shader.Globals.SetTexture(cubeId, texture == null ? BuiltinTextures.Named("black", DeviceTextureDimension.Cube) : texture);
             // Stored as it is: only the intensity is to be applied.
             Shader.Globals.SetVector(decodeId, new Vector4(RenderSettings.reflectionIntensity, 1, 0, 0));
@@ -113,7 +116,8 @@ namespace UnityEngine.Headless
                 {
                     filter.SetFloat(faceId, face);
                     RenderState.SetTarget(reflection, mip, face);
-                    Drawing.DrawPass(new DrawCall { Call = "sky reflection", Material = filter, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
+                    Drawing.DrawPass(new DrawCall { Call = "sky reflection", Material = filter, Matrix = Matrix4x4.identity,
+                        Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
                 }
             }
         }

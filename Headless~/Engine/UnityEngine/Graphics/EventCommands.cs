@@ -4,7 +4,8 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    /// <summary>The command buffers that a camera or a light runs at events of the Built-in pipeline, in the order in which they were added.</summary>
+    /// <summary>The command buffers that a camera or a light runs at events of the Built-in pipeline, in the order in which they were
+    /// added.</summary>
     sealed class EventCommands<TEvent>
     {
         readonly Dictionary<TEvent, List<CommandBuffer>> lists = new Dictionary<TEvent, List<CommandBuffer>>();

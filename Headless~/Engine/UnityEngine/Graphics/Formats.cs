@@ -114,7 +114,8 @@ namespace UnityEngine.Headless
         }
 
         public static GraphicsFormat OfDepthBits(int bits) =>
-            bits <= 0 ? GraphicsFormat.None : bits <= 16 ? GraphicsFormat.D16_UNorm : bits <= 24 ? GraphicsFormat.D24_UNorm_S8_UInt : GraphicsFormat.D32_SFloat_S8_UInt;
+            bits <= 0 ? GraphicsFormat.None : bits <= 16 ? GraphicsFormat.D16_UNorm : bits <= 24 ? GraphicsFormat.D24_UNorm_S8_UInt
+            : GraphicsFormat.D32_SFloat_S8_UInt;
 
         public static int DepthBits(GraphicsFormat format)
         {
@@ -129,7 +130,8 @@ namespace UnityEngine.Headless
             }
         }
 
-        public static bool IsDepth(GraphicsFormat format) => format >= GraphicsFormat.D16_UNorm && format <= GraphicsFormat.S8_UInt || format == GraphicsFormat.D16_UNorm_S8_UInt;
+        public static bool IsDepth(GraphicsFormat format) => format >= GraphicsFormat.D16_UNorm && format <= GraphicsFormat.S8_UInt
+            || format == GraphicsFormat.D16_UNorm_S8_UInt;
 
         public static bool IsSrgb(GraphicsFormat format) =>
             format >= GraphicsFormat.R8_SRGB && format <= GraphicsFormat.R8G8B8A8_SRGB || format == GraphicsFormat.B8G8R8A8_SRGB;
@@ -170,7 +172,8 @@ namespace UnityEngine.Headless
         }
 
         public static DeviceFormat Device(GraphicsFormat format) =>
-            TryDevice(format, out DeviceFormat device) ? device : throw new NotSupportedException($"GraphicsFormat.{format} is not supported by the headless host.");
+            TryDevice(format, out DeviceFormat device) ? device
+            : throw new NotSupportedException($"GraphicsFormat.{format} is not supported by the headless host.");
 
         /// <summary>Bytes of a texel in the device's memory.</summary>
         public static int TexelBytes(DeviceFormat format)

@@ -117,7 +117,8 @@ namespace UnityEngine.Headless
 
         static bool IsPart(Camera camera) => camera.rect != new Rect(0, 0, 1, 1);
 
-        // As scripts of Unity's own rely on (PostProcessing 2, PostProcessLayer.OnEnable, which copies the camera's target into a texture of the camera's
+        // As scripts of Unity's own rely on (PostProcessing 2, PostProcessLayer.OnEnable, which copies the camera's target into a texture
+        // of the camera's
         // size): a camera that is forced to draws a part of its target by way of a texture of that part's size. Others draw into the target itself.
         static RenderTexture Begin(Camera camera)
         {
@@ -125,7 +126,8 @@ namespace UnityEngine.Headless
             bool clears = camera.clearFlags == CameraClearFlags.Skybox || camera.clearFlags == CameraClearFlags.SolidColor;
             if (!camera.forceIntoRenderTexture || !IsPart(camera) || !clears || camera.pixelWidth < 1 || camera.pixelHeight < 1)
                 return target;
-            return RenderTexture.GetTemporary(new RenderTextureDescriptor(camera.pixelWidth, camera.pixelHeight, (target is object ? target : ScreenTarget.Texture).graphicsFormat, GraphicsFormat.D32_SFloat));
+            return RenderTexture.GetTemporary(new RenderTextureDescriptor(camera.pixelWidth, camera.pixelHeight,
+                (target is object ? target : ScreenTarget.Texture).graphicsFormat, GraphicsFormat.D32_SFloat));
         }
 
         static void Show(Camera camera, RenderTexture target)
@@ -241,10 +243,12 @@ namespace UnityEngine.Headless
                     {
                         Call = new DrawCall
                         {
-                            Call = $"renderer '{renderer.name}'", Material = material, Pass = -1, Block = renderer.Block, Matrix = renderer.localToWorldMatrix,
+                            Call = $"renderer '{renderer.name}'", Material = material, Pass = -1, Block = renderer.Block,
+                                Matrix = renderer.localToWorldMatrix,
                             Mesh = mesh, Submesh = submesh, Topology = mesh.GetTopology(submesh), Instances = 1,
                         },
-                        Bounds = renderer.bounds, HasBounds = true, Layer = renderer.gameObject.layer, Priority = renderer.rendererPriority, Order = next++,
+                        Bounds = renderer.bounds, HasBounds = true, Layer = renderer.gameObject.layer, Priority = renderer.rendererPriority,
+                            Order = next++,
                         Shadows = renderer.shadowCastingMode, ReceivesShadows = renderer.receiveShadows, Motion = renderer.motionVectorGenerationMode,
                     }, camera, culling, eye);
                 }

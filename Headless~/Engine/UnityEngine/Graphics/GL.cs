@@ -24,7 +24,8 @@ namespace UnityEngine
 
         public static void LoadOrtho() => Load(Matrix4x4.Ortho(0, 1, 0, 1, -1, 100));
         public static void LoadPixelMatrix() => LoadPixelMatrix(0, RenderState.Width, 0, RenderState.Height);
-        public static void LoadPixelMatrix(float left, float right, float bottom, float top) => Load(Matrix4x4.Ortho(left, right, bottom, top, -1, 100));
+        public static void LoadPixelMatrix(float left, float right, float bottom, float top)
+            => Load(Matrix4x4.Ortho(left, right, bottom, top, -1, 100));
 
         static void Load(Matrix4x4 projection) => BuiltinVariables.SetViewProjection(Matrix4x4.identity, projection);
 
@@ -36,11 +37,13 @@ namespace UnityEngine
             BuiltinVariables.SetViewProjection(view, projection);
         }
 
-        static readonly System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4)> stack = new System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4)>();
+        static readonly System.Collections.Generic.Stack<(Matrix4x4, Matrix4x4)> stack = new System.Collections.Generic.Stack<(Matrix4x4,
+            Matrix4x4)>();
 
         public static void Viewport(Rect pixelRect) => RenderState.SetViewport(pixelRect);
         public static void Clear(bool clearDepth, bool clearColor, Color backgroundColor) => Clear(clearDepth, clearColor, backgroundColor, 1);
-        public static void Clear(bool clearDepth, bool clearColor, Color backgroundColor, float depth) => RenderState.Clear(clearDepth, clearColor, backgroundColor, depth);
+        public static void Clear(bool clearDepth, bool clearColor, Color backgroundColor, float depth)
+            => RenderState.Clear(clearDepth, clearColor, backgroundColor, depth);
         public static void Flush() => Gpu.Device.Flush();
         public static void InvalidateState() { }
         public static void RenderTargetBarrier() { }

@@ -15,9 +15,11 @@ namespace UnityEngine.Headless
             ShaderProgram program = layout.Program;
             string strict = null;
             if (program.UavCount > MaxUavs)
-                strict = $"{program.Name} uses {program.UavCount} unordered access views (append and consume counters included in their buffers'); Direct3D 11 allows {MaxUavs}, and so does Unity elsewhere. Pack or split buffers.";
+                strict = $"{program.Name} uses {program.UavCount} unordered access views (append and consume counters included in " +
+                    $"their buffers'); Direct3D 11 allows {MaxUavs}, and so does Unity elsewhere. Pack or split buffers.";
             else if (layout.Excess != null)
-                strict = $"{program.Name} is more than {Player.Limits.Title} holds: {layout.Excess}. Use a smaller variant where SystemInfo reports less.";
+                strict = $"{program.Name} is more than {Player.Limits.Title} holds: {layout.Excess}. Use a smaller variant where " +
+                    $"SystemInfo reports less.";
             if (strict == null)
                 return true;
             GpuError.Report(strict, strict);
@@ -29,10 +31,12 @@ namespace UnityEngine.Headless
             if (x >= 1 && y >= 1 && z >= 1 && x <= MaxGroups && y <= MaxGroups && z <= MaxGroups)
                 return true;
             if (x < 1 || y < 1 || z < 1)
-                GpuError.Report($"Dispatch of {kernel} with {x} x {y} x {z} thread groups: each must be at least 1; skip the dispatch when there is nothing to do.",
+                GpuError.Report($"Dispatch of {kernel} with {x} x {y} x {z} thread groups: each must be at least 1; skip the dispatch " +
+                    $"when there is nothing to do.",
                     "Thread group count must be above zero");
             else
-                GpuError.Report($"Dispatch of {kernel} with {x:N0} x {y:N0} x {z:N0} thread groups: Direct3D 11 allows {MaxGroups:N0} in each dimension; fold the dispatch into two dimensions.",
+                GpuError.Report($"Dispatch of {kernel} with {x:N0} x {y:N0} x {z:N0} thread groups: Direct3D 11 allows {MaxGroups:N0} " +
+                $"in each dimension; fold the dispatch into two dimensions.",
                     "Thread group count is above the maximum allowed limit. Maximum allowed thread group count is 65535");
             return false;
         }
@@ -45,11 +49,13 @@ namespace UnityEngine.Headless
             return false;
         }
 
-        /// <summary>A keyword selects another variant, and whether what was bound for the one before is bound for it too, Unity does not say.</summary>
+        /// <summary>A keyword selects another variant, and whether what was bound for the one before is bound for it too, Unity does not
+        /// say.</summary>
         public static void Keywords(string program, ShaderResource resource, bool unchanged)
         {
             if (!unchanged)
-                GpuError.Strictly($"{program}: a keyword of its shader was changed after '{resource.Name}' was bound, which selects another variant. Set the keywords first, then bind.");
+                GpuError.Strictly($"{program}: a keyword of its shader was changed after '{resource.Name}' was bound, which selects " +
+                    $"another variant. Set the keywords first, then bind.");
         }
 
         public static bool Released(string program, ShaderResource resource, string what)
@@ -66,19 +72,23 @@ namespace UnityEngine.Headless
 
             long limit = Player.Device.Info.MaxBufferBytes;
             if (buffer.Bytes > limit)
-                throw new GpuUsageException($"{program}: {buffer} bound to '{resource.Name}' holds {buffer.Bytes:N0} bytes, but {Player.Device.Info.Name} binds at most {limit:N0} at once; split the buffer or use a smaller count.");
+                throw new GpuUsageException($"{program}: {buffer} bound to '{resource.Name}' holds {buffer.Bytes:N0} bytes, but " +
+                    $"{Player.Device.Info.Name} binds at most {limit:N0} at once; split the buffer or use a smaller count.");
 
             switch (resource.Kind)
             {
                 case ShaderResourceKind.StructuredBuffer:
                 case ShaderResourceKind.RWStructuredBuffer:
                     if (!buffer.IsStructured)
-                        GpuError.Strictly($"{program}: '{resource.Name}' is a structured buffer, but {buffer} was created without Structured, Append or Counter among its targets (it has {buffer.Target}).");
+                        GpuError.Strictly($"{program}: '{resource.Name}' is a structured buffer, but {buffer} was created without " +
+                            $"Structured, Append or Counter among its targets (it has {buffer.Target}).");
                     if (resource.Stride != buffer.Stride)
-                        GpuError.Strictly($"{program}: '{resource.Name}' has elements of {resource.Stride} bytes, but {buffer} has a stride of {buffer.Stride}.");
+                        GpuError.Strictly($"{program}: '{resource.Name}' has elements of {resource.Stride} bytes, but {buffer} has a " +
+                            $"stride of {buffer.Stride}.");
                     if (resource.IsAppendConsume && buffer.Counter == null)
                     {
-                        GpuError.Report($"{program}: '{resource.Name}' appends, consumes or counts, but {buffer} was created without Append or Counter among its targets (it has {buffer.Target}).",
+                        GpuError.Report($"{program}: '{resource.Name}' appends, consumes or counts, but {buffer} was created without " +
+                            $"Append or Counter among its targets (it has {buffer.Target}).",
                             $"{program}: Property ({resource.Name}) needs a buffer of type Append or Counter");
                         return false;
                     }
@@ -86,17 +96,20 @@ namespace UnityEngine.Headless
                 case ShaderResourceKind.RawBuffer:
                 case ShaderResourceKind.RWRawBuffer:
                     if (!buffer.Is(GraphicsBuffer.Target.Raw))
-                        GpuError.Strictly($"{program}: '{resource.Name}' is a ByteAddressBuffer, but {buffer} was created without Raw among its targets (it has {buffer.Target}).");
+                        GpuError.Strictly($"{program}: '{resource.Name}' is a ByteAddressBuffer, but {buffer} was created without Raw " +
+                            $"among its targets (it has {buffer.Target}).");
                     break;
             }
 
             if (!IsUav(resource.Kind) && !buffer.Written)
-                GpuError.Strictly($"{program} reads {buffer} through '{resource.Name}', but nothing has written it yet (no SetData, copy or RW binding); its content is undefined.");
+                GpuError.Strictly($"{program} reads {buffer} through '{resource.Name}', but nothing has written it yet (no SetData, " +
+                    $"copy or RW binding); its content is undefined.");
             return true;
         }
 
         public static void Aliased(string program, BufferStorage buffer, string srv, string uav) =>
-            GpuError.Strictly($"{program}: {buffer} is bound to '{srv}' for reading and to '{uav}' for writing in one dispatch; Direct3D 11 unbinds the former. Declare one RWStructuredBuffer or use two buffers.");
+            GpuError.Strictly($"{program}: {buffer} is bound to '{srv}' for reading and to '{uav}' for writing in one dispatch; " +
+            $"Direct3D 11 unbinds the former. Declare one RWStructuredBuffer or use two buffers.");
 
         public static bool ConstantBuffer(string program, ShaderResource resource, in PropertyResource bound)
         {
@@ -104,15 +117,20 @@ namespace UnityEngine.Headless
             if (buffer.IsReleased)
                 return Released(program, resource, buffer.ToString());
             if (!buffer.Is(GraphicsBuffer.Target.Constant))
-                GpuError.Strictly($"{program}: {buffer} is bound to the constant buffer '{resource.Name}', but was created without Constant among its targets (it has {buffer.Target}).");
+                GpuError.Strictly($"{program}: {buffer} is bound to the constant buffer '{resource.Name}', but was created without " +
+                    $"Constant among its targets (it has {buffer.Target}).");
             if (bound.Offset < 0 || bound.Offset % 256 != 0)
-                GpuError.Strictly($"{program}: constant buffer '{resource.Name}' is bound at offset {bound.Offset} of {buffer}; offsets are multiples of 256.");
+                GpuError.Strictly($"{program}: constant buffer '{resource.Name}' is bound at offset {bound.Offset} of {buffer}; " +
+                    $"offsets are multiples of 256.");
             if (bound.Offset + (long)bound.Size > buffer.Bytes)
-                GpuError.Strictly($"{program}: constant buffer '{resource.Name}' is bound to bytes {bound.Offset:N0} to {bound.Offset + (long)bound.Size:N0} of {buffer}, which holds {buffer.Bytes:N0}.");
+                GpuError.Strictly($"{program}: constant buffer '{resource.Name}' is bound to bytes {bound.Offset:N0} to " +
+                    $"{bound.Offset + (long)bound.Size:N0} of {buffer}, which holds {buffer.Bytes:N0}.");
             if (bound.Size < resource.Constants.Bytes)
-                GpuError.Strictly($"{program}: constant buffer '{resource.Name}' needs {resource.Constants.Bytes} bytes, but {bound.Size} of {buffer} are bound.");
+                GpuError.Strictly($"{program}: constant buffer '{resource.Name}' needs {resource.Constants.Bytes} bytes, but " +
+                    $"{bound.Size} of {buffer} are bound.");
             if (!buffer.Written)
-                GpuError.Strictly($"{program} reads {buffer} through the constant buffer '{resource.Name}', but nothing has written it yet; its content is undefined.");
+                GpuError.Strictly($"{program} reads {buffer} through the constant buffer '{resource.Name}', but nothing has written it " +
+                    $"yet; its content is undefined.");
             return true;
         }
 
@@ -126,19 +144,22 @@ namespace UnityEngine.Headless
                 throw new GpuUsageException($"{program}: '{resource.Name}' is {texture.GetType().Name} '{texture.NameOf}', {WithheldBecause}.");
             if (device == null)
             {
-                GpuError.Report($"{program}: {texture.GetType().Name} '{texture.NameOf}', bound to '{resource.Name}', does not exist: it was never created (RenderTexture.Create), or it was released or destroyed.",
+                GpuError.Report($"{program}: {texture.GetType().Name} '{texture.NameOf}', bound to '{resource.Name}', does not exist: " +
+                    $"it was never created (RenderTexture.Create), or it was released or destroyed.",
                     $"{program}: Property ({resource.Name}) is bound to a texture that was not created: '{texture.NameOf}'");
                 return false;
             }
             if (device.Description.Dimension != resource.Dimension)
             {
-                GpuError.Report($"{program}: '{resource.Name}' is a {resource.Dimension} texture, but {texture.GetType().Name} '{texture.NameOf}' is {device.Description.Dimension}.",
+                GpuError.Report($"{program}: '{resource.Name}' is a {resource.Dimension} texture, but {texture.GetType().Name} " +
+                    $"'{texture.NameOf}' is {device.Description.Dimension}.",
                     $"{program}: Texture dimension mismatch at '{resource.Name}': expected {resource.Dimension}, got {device.Description.Dimension}");
                 return false;
             }
             if (resource.Kind == ShaderResourceKind.RWTexture && !device.Description.RandomWrite)
             {
-                GpuError.Report($"{program}: '{resource.Name}' is an RWTexture, but {texture.GetType().Name} '{texture.NameOf}' was created without enableRandomWrite.",
+                GpuError.Report($"{program}: '{resource.Name}' is an RWTexture, but {texture.GetType().Name} '{texture.NameOf}' was " +
+                    $"created without enableRandomWrite.",
                     $"{program}: Attempting to bind texture '{texture.NameOf}' as UAV but the texture wasn't created with the UAV usage flag set!");
                 return false;
             }
@@ -191,7 +212,8 @@ namespace UnityEngine.Headless
                 }
                 System.ReadOnlySpan<uint> groups = MemoryMarshal.Cast<byte, uint>(p.Readback.Data);
                 if (groups[0] > MaxGroups || groups[1] > MaxGroups || groups[2] > MaxGroups)
-                    fault ??= $"Indirect dispatch of {p.Call} found {groups[0]:N0} x {groups[1]:N0} x {groups[2]:N0} thread groups at byte {p.Offset:N0} of {p.Buffer}; Direct3D 11 allows {MaxGroups:N0} in each dimension.";
+                    fault ??= $"Indirect dispatch of {p.Call} found {groups[0]:N0} x {groups[1]:N0} x {groups[2]:N0} thread groups at " +
+                        $"byte {p.Offset:N0} of {p.Buffer}; Direct3D 11 allows {MaxGroups:N0} in each dimension.";
                 p.Readback.Dispose();
             }
             pending.RemoveRange(kept, pending.Count - kept);

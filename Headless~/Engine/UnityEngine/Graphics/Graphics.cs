@@ -51,9 +51,12 @@ namespace UnityEngine
         public static void SetRenderTarget(RenderTexture rt) => RenderState.SetTarget(rt);
         public static void SetRenderTarget(RenderTexture rt, int mipLevel) => RenderState.SetTarget(rt, mipLevel);
         public static void SetRenderTarget(RenderTexture rt, int mipLevel, CubemapFace face) => RenderState.SetTarget(rt, mipLevel, (int)face);
-        public static void SetRenderTarget(RenderTexture rt, int mipLevel, CubemapFace face, int depthSlice) => RenderState.SetTarget(rt, mipLevel, Math.Max(depthSlice, (int)face));
-        public static void SetRenderTarget(RenderBuffer colorBuffer, RenderBuffer depthBuffer) => RenderState.SetTargets(new[] { colorBuffer.Texture }, depthBuffer.Texture, 0, 0);
-        public static void SetRenderTarget(RenderBuffer[] colorBuffers, RenderBuffer depthBuffer) => RenderState.SetTargets(Array.ConvertAll(colorBuffers, b => b.Texture), depthBuffer.Texture, 0, 0);
+        public static void SetRenderTarget(RenderTexture rt, int mipLevel, CubemapFace face, int depthSlice)
+            => RenderState.SetTarget(rt, mipLevel, Math.Max(depthSlice, (int)face));
+        public static void SetRenderTarget(RenderBuffer colorBuffer, RenderBuffer depthBuffer)
+            => RenderState.SetTargets(new[] { colorBuffer.Texture }, depthBuffer.Texture, 0, 0);
+        public static void SetRenderTarget(RenderBuffer[] colorBuffers, RenderBuffer depthBuffer)
+            => RenderState.SetTargets(Array.ConvertAll(colorBuffers, b => b.Texture), depthBuffer.Texture, 0, 0);
 
         // ---- draws of this frame, for every camera that sees them
 
@@ -79,16 +82,20 @@ namespace UnityEngine
         }
 
         public static void RenderPrimitives(in RenderParams rparams, MeshTopology topology, int vertexCount, int instanceCount = 1) =>
-            Queue(rparams, new DrawCall { Call = "RenderPrimitives", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount, Instances = instanceCount }, rparams.worldBounds);
+            Queue(rparams, new DrawCall { Call = "RenderPrimitives", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount,
+            Instances = instanceCount }, rparams.worldBounds);
 
-        public static void RenderPrimitivesIndexed(in RenderParams rparams, MeshTopology topology, GraphicsBuffer indexBuffer, int indexCount, int startIndex = 0, int instanceCount = 1) =>
+        public static void RenderPrimitivesIndexed(in RenderParams rparams, MeshTopology topology, GraphicsBuffer indexBuffer,
+            int indexCount, int startIndex = 0, int instanceCount = 1) =>
             Queue(rparams, new DrawCall
             {
-                Call = "RenderPrimitivesIndexed", Matrix = Matrix4x4.identity, Topology = topology, Indices = NotNull(indexBuffer, "indexBuffer").Storage,
+                Call = "RenderPrimitivesIndexed", Matrix = Matrix4x4.identity, Topology = topology,
+                    Indices = NotNull(indexBuffer, "indexBuffer").Storage,
                 Count = indexCount, First = startIndex, Instances = instanceCount,
             }, rparams.worldBounds);
 
-        public static void RenderPrimitivesIndirect(in RenderParams rparams, MeshTopology topology, GraphicsBuffer commandBuffer, int commandCount = 1, int startCommand = 0) =>
+        public static void RenderPrimitivesIndirect(in RenderParams rparams, MeshTopology topology, GraphicsBuffer commandBuffer,
+            int commandCount = 1, int startCommand = 0) =>
             Queue(rparams, new DrawCall
             {
                 Call = "RenderPrimitivesIndirect", Matrix = Matrix4x4.identity, Topology = topology,
@@ -96,26 +103,32 @@ namespace UnityEngine
                 ArgumentsOffset = (long)startCommand * GraphicsBuffer.IndirectDrawArgs.size, Commands = commandCount,
             }, rparams.worldBounds);
 
-        public static void RenderPrimitivesIndexedIndirect(in RenderParams rparams, MeshTopology topology, GraphicsBuffer indexBuffer, GraphicsBuffer commandBuffer, int commandCount = 1, int startCommand = 0) =>
+        public static void RenderPrimitivesIndexedIndirect(in RenderParams rparams, MeshTopology topology, GraphicsBuffer indexBuffer,
+            GraphicsBuffer commandBuffer, int commandCount = 1, int startCommand = 0) =>
             Queue(rparams, new DrawCall
             {
-                Call = "RenderPrimitivesIndexedIndirect", Matrix = Matrix4x4.identity, Topology = topology, Indices = NotNull(indexBuffer, "indexBuffer").Storage,
-                Arguments = Arguments(commandBuffer, "RenderPrimitivesIndexedIndirect", commandCount, startCommand, GraphicsBuffer.IndirectDrawIndexedArgs.size),
+                Call = "RenderPrimitivesIndexedIndirect", Matrix = Matrix4x4.identity, Topology = topology,
+                    Indices = NotNull(indexBuffer, "indexBuffer").Storage,
+                Arguments = Arguments(commandBuffer, "RenderPrimitivesIndexedIndirect", commandCount, startCommand,
+                    GraphicsBuffer.IndirectDrawIndexedArgs.size),
                 ArgumentsOffset = (long)startCommand * GraphicsBuffer.IndirectDrawIndexedArgs.size, Commands = commandCount,
             }, rparams.worldBounds);
 
         static DrawCall OfMesh(string call, Mesh mesh, int submesh, in Matrix4x4 matrix, int instances) => new DrawCall
         {
-            Call = call, Mesh = NotNull(mesh, "mesh"), Submesh = submesh, Topology = mesh.GetTopology(submesh), Matrix = matrix, Instances = instances,
+            Call = call, Mesh = NotNull(mesh, "mesh"), Submesh = submesh, Topology = mesh.GetTopology(submesh), Matrix = matrix,
+                Instances = instances,
         };
 
-        public static void RenderMesh(in RenderParams rparams, Mesh mesh, int submeshIndex, Matrix4x4 objectToWorld, Matrix4x4? prevObjectToWorld = null) =>
+        public static void RenderMesh(in RenderParams rparams, Mesh mesh, int submeshIndex, Matrix4x4 objectToWorld,
+            Matrix4x4? prevObjectToWorld = null) =>
             Queue(rparams, OfMesh("RenderMesh", mesh, submeshIndex, objectToWorld, 1), Culling.Transform(mesh.bounds, objectToWorld));
 
         public static void RenderMeshPrimitives(in RenderParams rparams, Mesh mesh, int submeshIndex, int instanceCount = 1) =>
             Queue(rparams, Procedural(OfMesh("RenderMeshPrimitives", mesh, submeshIndex, Matrix4x4.identity, instanceCount)), rparams.worldBounds);
 
-        public static void RenderMeshIndirect(in RenderParams rparams, Mesh mesh, GraphicsBuffer commandBuffer, int commandCount = 1, int startCommand = 0)
+        public static void RenderMeshIndirect(in RenderParams rparams, Mesh mesh, GraphicsBuffer commandBuffer, int commandCount = 1,
+            int startCommand = 0)
         {
             DrawCall call = OfMesh("RenderMeshIndirect", mesh, 0, Matrix4x4.identity, 1);
             call.Arguments = Arguments(commandBuffer, "RenderMeshIndirect", commandCount, startCommand, GraphicsBuffer.IndirectDrawIndexedArgs.size);
@@ -125,10 +138,13 @@ namespace UnityEngine
             Queue(rparams, call, rparams.worldBounds);
         }
 
-        public static void RenderMeshInstanced<T>(in RenderParams rparams, Mesh mesh, int submeshIndex, T[] instanceData, int instanceCount = -1, int startInstance = 0) where T : unmanaged =>
-            Instanced(rparams, mesh, submeshIndex, NotNull(instanceData, "instanceData"), instanceCount < 0 ? instanceData.Length - startInstance : instanceCount, startInstance);
+        public static void RenderMeshInstanced<T>(in RenderParams rparams, Mesh mesh, int submeshIndex, T[] instanceData,
+            int instanceCount = -1, int startInstance = 0) where T : unmanaged =>
+            Instanced(rparams, mesh, submeshIndex, NotNull(instanceData, "instanceData"), instanceCount < 0
+            ? instanceData.Length - startInstance : instanceCount, startInstance);
 
-        public static void RenderMeshInstanced<T>(in RenderParams rparams, Mesh mesh, int submeshIndex, List<T> instanceData, int instanceCount = -1, int startInstance = 0) where T : unmanaged =>
+        public static void RenderMeshInstanced<T>(in RenderParams rparams, Mesh mesh, int submeshIndex, List<T> instanceData,
+            int instanceCount = -1, int startInstance = 0) where T : unmanaged =>
             RenderMeshInstanced(rparams, mesh, submeshIndex, NotNull(instanceData, "instanceData").ToArray(), instanceCount, startInstance);
 
         static void Instanced<T>(in RenderParams rparams, Mesh mesh, int submesh, T[] data, int count, int start) where T : unmanaged
@@ -158,49 +174,86 @@ namespace UnityEngine
 
         // ---- the older names of the same
 
-        static void Queue(Material material, DrawCall call, in Bounds bounds, Camera camera, MaterialPropertyBlock properties, int layer, ShadowCastingMode castShadows, bool receiveShadows)
+        static void Queue(Material material, DrawCall call, in Bounds bounds, Camera camera, MaterialPropertyBlock properties, int layer,
+            ShadowCastingMode castShadows, bool receiveShadows)
         {
             call.Material = material;
             call.Pass = -1;
-            DrawQueue.Add(new QueuedDraw { Call = call, Bounds = bounds, HasBounds = true, Camera = camera, Layer = layer, Shadows = castShadows, ReceivesShadows = receiveShadows }, properties);
+            DrawQueue.Add(new QueuedDraw { Call = call, Bounds = bounds, HasBounds = true, Camera = camera, Layer = layer,
+                Shadows = castShadows, ReceivesShadows = receiveShadows }, properties);
         }
 
-        public static void DrawProcedural(Material material, Bounds bounds, MeshTopology topology, int vertexCount, int instanceCount = 1, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount, Instances = instanceCount }, bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawProcedural(Material material, Bounds bounds, MeshTopology topology, int vertexCount, int instanceCount = 1,
+            Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On,
+            bool receiveShadows = true, int layer = 0) =>
+            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount,
+            Instances = instanceCount }, bounds, camera, properties, layer, castShadows, receiveShadows);
 
-        public static void DrawProcedural(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer, int indexCount, int instanceCount = 1, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology, Indices = NotNull(indexBuffer, "indexBuffer").Storage, Count = indexCount, Instances = instanceCount }, bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawProcedural(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer,
+            int indexCount, int instanceCount = 1, Camera camera = null, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
+            Queue(material, new DrawCall { Call = "DrawProcedural", Matrix = Matrix4x4.identity, Topology = topology,
+            Indices = NotNull(indexBuffer, "indexBuffer").Storage, Count = indexCount, Instances = instanceCount }, bounds, camera,
+            properties, layer, castShadows, receiveShadows);
 
         static DrawCall Indirect(string name, MeshTopology topology, BufferStorage indices, BufferStorage arguments, int offset) => new DrawCall
         {
-            Call = name, Matrix = Matrix4x4.identity, Topology = topology, Indices = indices, Arguments = NotNull(arguments, "bufferWithArgs"), ArgumentsOffset = offset, Commands = 1,
+            Call = name, Matrix = Matrix4x4.identity, Topology = topology, Indices = indices,
+                Arguments = NotNull(arguments, "bufferWithArgs"), ArgumentsOffset = offset, Commands = 1,
         };
 
-        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, ComputeBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, ComputeBuffer bufferWithArgs,
+            int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
+            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera,
+            properties, layer, castShadows, receiveShadows);
 
-        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer, ComputeBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer,
+            ComputeBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
+            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage,
+            bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
 
-        public static void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, Bounds bounds, ComputeBuffer bufferWithArgs, int argsOffset = 0, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes) =>
-            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera, castShadows, receiveShadows);
+        public static void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, Bounds bounds,
+            ComputeBuffer bufferWithArgs, int argsOffset = 0, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null,
+            LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes) =>
+            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera, castShadows,
+            receiveShadows);
 
-        public static void DrawProceduralIndirectNow(MeshTopology topology, ComputeBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, null, bufferWithArgs?.Storage, argsOffset));
-        public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer indexBuffer, ComputeBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset));
+        public static void DrawProceduralIndirectNow(MeshTopology topology, ComputeBuffer bufferWithArgs, int argsOffset = 0)
+            => Now(Indirect("DrawProceduralIndirectNow", topology, null, bufferWithArgs?.Storage, argsOffset));
+        public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer indexBuffer, ComputeBuffer bufferWithArgs,
+            int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, NotNull(indexBuffer, "indexBuffer").Storage,
+            bufferWithArgs?.Storage, argsOffset));
 
-        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer bufferWithArgs,
+            int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
+            Queue(material, Indirect("DrawProceduralIndirect", topology, null, bufferWithArgs?.Storage, argsOffset), bounds, camera,
+            properties, layer, castShadows, receiveShadows);
 
-        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer, GraphicsBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
-            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawProceduralIndirect(Material material, Bounds bounds, MeshTopology topology, GraphicsBuffer indexBuffer,
+            GraphicsBuffer bufferWithArgs, int argsOffset = 0, Camera camera = null, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0) =>
+            Queue(material, Indirect("DrawProceduralIndirect", topology, NotNull(indexBuffer, "indexBuffer").Storage,
+            bufferWithArgs?.Storage, argsOffset), bounds, camera, properties, layer, castShadows, receiveShadows);
 
-        public static void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, Bounds bounds, GraphicsBuffer bufferWithArgs, int argsOffset = 0, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes) =>
-            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera, castShadows, receiveShadows);
+        public static void DrawMeshInstancedIndirect(Mesh mesh, int submeshIndex, Material material, Bounds bounds,
+            GraphicsBuffer bufferWithArgs, int argsOffset = 0, MaterialPropertyBlock properties = null,
+            ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null,
+            LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes) =>
+            MeshIndirect(mesh, submeshIndex, material, bounds, bufferWithArgs?.Storage, argsOffset, properties, layer, camera, castShadows,
+            receiveShadows);
 
-        public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, null, bufferWithArgs?.Storage, argsOffset));
-        public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer indexBuffer, GraphicsBuffer bufferWithArgs, int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, NotNull(indexBuffer, "indexBuffer").Storage, bufferWithArgs?.Storage, argsOffset));
+        public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer bufferWithArgs, int argsOffset = 0)
+            => Now(Indirect("DrawProceduralIndirectNow", topology, null, bufferWithArgs?.Storage, argsOffset));
+        public static void DrawProceduralIndirectNow(MeshTopology topology, GraphicsBuffer indexBuffer, GraphicsBuffer bufferWithArgs,
+            int argsOffset = 0) => Now(Indirect("DrawProceduralIndirectNow", topology, NotNull(indexBuffer, "indexBuffer").Storage,
+            bufferWithArgs?.Storage, argsOffset));
 
-        static void MeshIndirect(Mesh mesh, int submesh, Material material, in Bounds bounds, BufferStorage arguments, int offset, MaterialPropertyBlock properties, int layer, Camera camera, ShadowCastingMode castShadows, bool receiveShadows)
+        static void MeshIndirect(Mesh mesh, int submesh, Material material, in Bounds bounds, BufferStorage arguments, int offset,
+            MaterialPropertyBlock properties, int layer, Camera camera, ShadowCastingMode castShadows, bool receiveShadows)
         {
             DrawCall call = OfMesh("DrawMeshInstancedIndirect", mesh, submesh, Matrix4x4.identity, 1);
             call.Arguments = NotNull(arguments, "bufferWithArgs");
@@ -210,8 +263,12 @@ namespace UnityEngine
             Queue(material, call, bounds, camera, properties, layer, castShadows, receiveShadows);
         }
 
-        public static void DrawMeshInstancedProcedural(Mesh mesh, int submeshIndex, Material material, Bounds bounds, int count, MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true, int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes, LightProbeProxyVolume lightProbeProxyVolume = null) =>
-            Queue(material, Procedural(OfMesh("DrawMeshInstancedProcedural", mesh, submeshIndex, Matrix4x4.identity, count)), bounds, camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawMeshInstancedProcedural(Mesh mesh, int submeshIndex, Material material, Bounds bounds, int count,
+            MaterialPropertyBlock properties = null, ShadowCastingMode castShadows = ShadowCastingMode.On, bool receiveShadows = true,
+            int layer = 0, Camera camera = null, LightProbeUsage lightProbeUsage = LightProbeUsage.BlendProbes,
+            LightProbeProxyVolume lightProbeProxyVolume = null) =>
+            Queue(material, Procedural(OfMesh("DrawMeshInstancedProcedural", mesh, submeshIndex, Matrix4x4.identity, count)), bounds,
+            camera, properties, layer, castShadows, receiveShadows);
 
         static DrawCall Procedural(DrawCall call)
         {
@@ -220,42 +277,84 @@ namespace UnityEngine
         }
 
         public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer) => DrawMesh(mesh, matrix, material, layer, null);
-        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera) => DrawMesh(mesh, matrix, material, layer, camera, 0);
-        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex) => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, null);
-        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties) => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, properties, ShadowCastingMode.On);
-        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, properties, castShadows, true);
-        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) =>
-            Queue(material, OfMesh("DrawMesh", mesh, submeshIndex, matrix, 1), Culling.Transform(mesh.bounds, matrix), camera, properties, layer, castShadows, receiveShadows);
+        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera)
+            => DrawMesh(mesh, matrix, material, layer, camera, 0);
+        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex)
+            => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, null);
+        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex,
+            MaterialPropertyBlock properties) => DrawMesh(mesh, matrix, material, layer, camera, submeshIndex, properties,
+            ShadowCastingMode.On);
+        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMesh(mesh, matrix, material, layer, camera,
+            submeshIndex, properties, castShadows, true);
+        public static void DrawMesh(Mesh mesh, Matrix4x4 matrix, Material material, int layer, Camera camera, int submeshIndex,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) =>
+            Queue(material, OfMesh("DrawMesh", mesh, submeshIndex, matrix, 1), Culling.Transform(mesh.bounds, matrix), camera, properties,
+            layer, castShadows, receiveShadows);
 
-        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer) => DrawMesh(mesh, position, rotation, material, layer, null);
-        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera) => DrawMesh(mesh, position, rotation, material, layer, camera, 0);
-        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera, int submeshIndex) => DrawMesh(mesh, position, rotation, material, layer, camera, submeshIndex, null);
-        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties) => DrawMesh(mesh, position, rotation, material, layer, camera, submeshIndex, properties, ShadowCastingMode.On);
-        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMesh(mesh, position, rotation, material, layer, camera, submeshIndex, properties, castShadows, true);
-        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera, int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) =>
-            DrawMesh(mesh, Matrix4x4.TRS(position, rotation, Vector3.one), material, layer, camera, submeshIndex, properties, castShadows, receiveShadows);
+        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer)
+            => DrawMesh(mesh, position, rotation, material, layer, null);
+        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera)
+            => DrawMesh(mesh, position, rotation, material, layer, camera, 0);
+        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera,
+            int submeshIndex) => DrawMesh(mesh, position, rotation, material, layer, camera, submeshIndex, null);
+        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera,
+            int submeshIndex, MaterialPropertyBlock properties) => DrawMesh(mesh, position, rotation, material, layer, camera, submeshIndex,
+            properties, ShadowCastingMode.On);
+        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera,
+            int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMesh(mesh, position, rotation,
+            material, layer, camera, submeshIndex, properties, castShadows, true);
+        public static void DrawMesh(Mesh mesh, Vector3 position, Quaternion rotation, Material material, int layer, Camera camera,
+            int submeshIndex, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) =>
+            DrawMesh(mesh, Matrix4x4.TRS(position, rotation, Vector3.one), material, layer, camera, submeshIndex, properties, castShadows,
+            receiveShadows);
 
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, null);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, ShadowCastingMode.On);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, true);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, 0);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, layer, null);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) =>
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count)
+            => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, null);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count,
+            MaterialPropertyBlock properties) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, count, properties,
+            ShadowCastingMode.On);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices,
+            count, properties, castShadows, true);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex,
+            material, matrices, count, properties, castShadows, receiveShadows, 0);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh,
+            submeshIndex, material, matrices, count, properties, castShadows, receiveShadows, layer, null);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices, int count,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) =>
             QueueInstances(mesh, submeshIndex, material, matrices, count, properties, layer, camera, castShadows, receiveShadows);
 
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices) => DrawMeshInstanced(mesh, submeshIndex, material, matrices, matrices.Length);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray());
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, Matrix4x4[] matrices)
+            => DrawMeshInstanced(mesh, submeshIndex, material, matrices, matrices.Length);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices)
+            => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray());
 
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer);
-        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices, MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer, Camera camera) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer, camera);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices,
+            MaterialPropertyBlock properties) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count,
+            properties);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows) => DrawMeshInstanced(mesh, submeshIndex, material,
+            matrices.ToArray(), matrices.Count, properties, castShadows);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows) => DrawMeshInstanced(mesh, submeshIndex,
+            material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer) => DrawMeshInstanced(mesh,
+            submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows, receiveShadows, layer);
+        public static void DrawMeshInstanced(Mesh mesh, int submeshIndex, Material material, List<Matrix4x4> matrices,
+            MaterialPropertyBlock properties, ShadowCastingMode castShadows, bool receiveShadows, int layer,
+            Camera camera) => DrawMeshInstanced(mesh, submeshIndex, material, matrices.ToArray(), matrices.Count, properties, castShadows,
+            receiveShadows, layer, camera);
 
-        static void QueueInstances(Mesh mesh, int submesh, Material material, Matrix4x4[] matrices, int count, MaterialPropertyBlock properties, int layer, Camera camera, ShadowCastingMode castShadows, bool receiveShadows)
+        static void QueueInstances(Mesh mesh, int submesh, Material material, Matrix4x4[] matrices, int count,
+            MaterialPropertyBlock properties, int layer, Camera camera, ShadowCastingMode castShadows, bool receiveShadows)
         {
             if (count < 0 || count > Math.Min(1023, matrices.Length))
-                throw new ArgumentOutOfRangeException(nameof(count), count, $"DrawMeshInstanced takes 0 to {Math.Min(1023, matrices.Length)} of these matrices.");
+                throw new ArgumentOutOfRangeException(nameof(count), count,
+                    $"DrawMeshInstanced takes 0 to {Math.Min(1023, matrices.Length)} of these matrices.");
             if (!material.enableInstancing)
                 throw new InvalidOperationException("Material needs to enable instancing for use with DrawMeshInstanced.");
             DrawCall call = OfInstances("DrawMeshInstanced", mesh, submesh, matrices.AsSpan(0, count).ToArray());
@@ -277,11 +376,14 @@ namespace UnityEngine
         }
 
         public static void DrawProceduralNow(MeshTopology topology, int vertexCount, int instanceCount = 1) =>
-            Now(new DrawCall { Call = "DrawProceduralNow", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount, Instances = instanceCount });
+            Now(new DrawCall { Call = "DrawProceduralNow", Matrix = Matrix4x4.identity, Topology = topology, Count = vertexCount,
+            Instances = instanceCount });
         public static void DrawProceduralNow(MeshTopology topology, GraphicsBuffer indexBuffer, int indexCount, int instanceCount = 1) =>
-            Now(new DrawCall { Call = "DrawProceduralNow", Matrix = Matrix4x4.identity, Topology = topology, Indices = NotNull(indexBuffer, "indexBuffer").Storage, Count = indexCount, Instances = instanceCount });
+            Now(new DrawCall { Call = "DrawProceduralNow", Matrix = Matrix4x4.identity, Topology = topology,
+            Indices = NotNull(indexBuffer, "indexBuffer").Storage, Count = indexCount, Instances = instanceCount });
         public static void DrawMeshNow(Mesh mesh, Matrix4x4 matrix) => DrawMeshNow(mesh, matrix, 0);
         public static void DrawMeshNow(Mesh mesh, Matrix4x4 matrix, int materialIndex) => Now(OfMesh("DrawMeshNow", mesh, materialIndex, matrix, 1));
-        public static void DrawMeshNow(Mesh mesh, Vector3 position, Quaternion rotation) => DrawMeshNow(mesh, Matrix4x4.TRS(position, rotation, Vector3.one), 0);
+        public static void DrawMeshNow(Mesh mesh, Vector3 position, Quaternion rotation)
+            => DrawMeshNow(mesh, Matrix4x4.TRS(position, rotation, Vector3.one), 0);
     }
 }

@@ -115,7 +115,8 @@ namespace UnityEngine
 
         public void SetCounterValue(uint counterValue) => Storage.SetCounter(counterValue);
 
-        public IntPtr GetNativeBufferPtr() => throw new NotSupportedException("GraphicsBuffer.GetNativeBufferPtr: the headless host has no native graphics objects to hand out.");
+        public IntPtr GetNativeBufferPtr() => throw new NotSupportedException(
+            "GraphicsBuffer.GetNativeBufferPtr: the headless host has no native graphics objects to hand out.");
 
         public NativeArray<T> LockBufferForWrite<T>(int bufferStartIndex, int count) where T : struct
         {
@@ -126,9 +127,13 @@ namespace UnityEngine
 
         public void UnlockBufferAfterWrite<T>(int countWritten) where T : struct => locked.End<T>(Storage, "UnlockBufferAfterWrite", countWritten);
 
-        public static void CopyCount(GraphicsBuffer src, GraphicsBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
-        public static void CopyCount(GraphicsBuffer src, ComputeBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
-        public static void CopyCount(ComputeBuffer src, GraphicsBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
-        public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes) => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public static void CopyCount(GraphicsBuffer src, GraphicsBuffer dst, int dstOffsetBytes)
+            => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public static void CopyCount(GraphicsBuffer src, ComputeBuffer dst, int dstOffsetBytes)
+            => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public static void CopyCount(ComputeBuffer src, GraphicsBuffer dst, int dstOffsetBytes)
+            => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
+        public static void CopyCount(ComputeBuffer src, ComputeBuffer dst, int dstOffsetBytes)
+            => Transfer.CopyCount(src?.Storage, dst?.Storage, dstOffsetBytes);
     }
 }

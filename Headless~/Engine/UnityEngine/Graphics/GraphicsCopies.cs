@@ -22,9 +22,11 @@ namespace UnityEngine.Headless
             DeviceTexture from = source.GetDevice(RenderTextureSubElement.Default), to = target.GetDevice(RenderTextureSubElement.Default);
             if (from == null)
                 throw new GpuUsageException($"CopyTexture: the source '{source.name}' was not created.");
-            if (source.width != target.width || source.height != target.height || from.Description.Format != to.Description.Format || from.Description.Depth != to.Description.Depth || from.Description.Slices != to.Description.Slices)
+            if (source.width != target.width || source.height != target.height || from.Description.Format != to.Description.Format
+                || from.Description.Depth != to.Description.Depth || from.Description.Slices != to.Description.Slices)
             {
-                GpuError.Report($"CopyTexture: '{source.name}' ({source.width} x {source.height} {from.Description.Format}) and '{target.name}' ({target.width} x {target.height} {to.Description.Format}) must have equal size and format.",
+                GpuError.Report($"CopyTexture: '{source.name}' ({source.width} x {source.height} {from.Description.Format}) and " +
+                    $"'{target.name}' ({target.width} x {target.height} {to.Description.Format}) must have equal size and format.",
                     "Graphics.CopyTexture called with mismatching texture sizes or formats.");
                 return;
             }

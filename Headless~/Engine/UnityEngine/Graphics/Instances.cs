@@ -61,7 +61,8 @@ namespace UnityEngine.Headless
             }
             FieldInfo field = typeof(T).GetField("objectToWorld", BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
             if (field == null || field.FieldType != typeof(Matrix4x4))
-                throw new ArgumentException($"RenderMeshInstanced<{typeof(T).Name}>: the instance data must be Matrix4x4 or have a member 'objectToWorld' of that type.");
+                throw new ArgumentException($"RenderMeshInstanced<{typeof(T).Name}>: the instance data must be Matrix4x4 or have a " +
+                    $"member 'objectToWorld' of that type.");
             for (int i = 0; i < count; i++)
                 result[i] = (Matrix4x4)field.GetValue(data[start + i]);
             return result;

@@ -82,8 +82,10 @@ namespace UnityEngine.Rendering
         readonly string keyword;
         internal readonly KeywordSpace Space;
 
-        public LocalKeyword(Shader shader, string name) : this(shader == null ? throw new ArgumentNullException(nameof(shader)) : shader.Keywords, name) { }
-        public LocalKeyword(ComputeShader shader, string name) : this(shader == null ? throw new ArgumentNullException(nameof(shader)) : shader.Keywords, name) { }
+        public LocalKeyword(Shader shader, string name)
+            : this(shader == null ? throw new ArgumentNullException(nameof(shader)) : shader.Keywords, name) { }
+        public LocalKeyword(ComputeShader shader, string name)
+            : this(shader == null ? throw new ArgumentNullException(nameof(shader)) : shader.Keywords, name) { }
 
         internal LocalKeyword(KeywordSpace space, string name)
         {
@@ -91,7 +93,8 @@ namespace UnityEngine.Rendering
             keyword = name;
             if (!space.Has(name))
             {
-                GpuError.Report($"Shader '{space.Owner}' declares no keyword '{name}'; it has: {(space.Names.Length == 0 ? "none" : string.Join(", ", space.Names))}.",
+                GpuError.Report($"Shader '{space.Owner}' declares no keyword '{name}'; it has: " +
+                    $"{(space.Names.Length == 0 ? "none" : string.Join(", ", space.Names))}.",
                     $"Local keyword {name} doesn't exist in the shader {space.Owner}.");
                 Space = null;
             }
@@ -205,7 +208,8 @@ namespace UnityEngine.Headless
         {
             if (keyword.Space == space)
                 return true;
-            GpuError.Report($"Keyword '{keyword.name}' belongs to {(keyword.Space == null ? "no shader" : $"'{keyword.Space.Owner}'")}, not to '{space.Owner}'.",
+            GpuError.Report($"Keyword '{keyword.name}' belongs to " +
+                $"{(keyword.Space == null ? "no shader" : $"'{keyword.Space.Owner}'")}, not to '{space.Owner}'.",
                 $"Keyword space of the local keyword {keyword.name} doesn't match shader {space.Owner}.");
             return false;
         }

@@ -5,7 +5,8 @@ using UnityEngine.Rendering;
 
 namespace UnityEngine
 {
-    /// <summary>Directional lights reach shaders (_WorldSpaceLightPos0, _LightColor0), the main one with its shadow; other kinds are stored only.</summary>
+    /// <summary>Directional lights reach shaders (_WorldSpaceLightPos0, _LightColor0), the main one with its shadow; other kinds are stored
+    /// only.</summary>
     public sealed class Light : Behaviour
     {
         static readonly List<Light> active = new List<Light>();
@@ -35,7 +36,8 @@ namespace UnityEngine
             get
             {
                 Color linear = GraphicsSettings.lightsUseLinearIntensity ? color.linear : color;
-                return (GraphicsSettings.lightsUseColorTemperature && useColorTemperature ? linear * Mathf.CorrelatedColorTemperatureToRGB(colorTemperature) : linear) * intensity;
+                return (GraphicsSettings.lightsUseColorTemperature && useColorTemperature
+                    ? linear * Mathf.CorrelatedColorTemperatureToRGB(colorTemperature) : linear) * intensity;
             }
         }
 
@@ -63,7 +65,8 @@ namespace UnityEngine
         public float cookieSize { get; set; } = 10;
         readonly EventCommands<LightEvent> commandBuffers = new EventCommands<LightEvent>();
 
-        /// <summary>Runs where the Built-in pipeline draws this light's shadow; of the events those after the map and before the mask on the screen.</summary>
+        /// <summary>Runs where the Built-in pipeline draws this light's shadow; of the events those after the map and before the mask on
+        /// the screen.</summary>
         public void AddCommandBuffer(LightEvent evt, CommandBuffer buffer)
         {
             if (evt != LightEvent.AfterShadowMap && evt != LightEvent.BeforeScreenspaceMask)

@@ -25,7 +25,8 @@ namespace UnityEngine
         public Material(Shader shader)
         {
             if (shader == null)
-                throw new ArgumentNullException(nameof(shader), "A material needs a shader; Shader.Find gives null for a name that the project does not have.");
+                throw new ArgumentNullException(nameof(shader),
+                    "A material needs a shader; Shader.Find gives null for a name that the project does not have.");
             this.shader = shader;
             name = shader.name;
         }
@@ -45,7 +46,8 @@ namespace UnityEngine
             set
             {
                 currentShader = value;
-                programs = value == null ? Array.Empty<Program>() : new Program[(value.passCount + 1) * Instances.Modes];      // the last is the fallback's ShadowCaster
+                // the last is the fallback's ShadowCaster
+                programs = value == null ? Array.Empty<Program>() : new Program[(value.passCount + 1) * Instances.Modes];
                 if (value != null)
                     AddDefaults();
             }
@@ -124,7 +126,8 @@ namespace UnityEngine
         {
             if (pass < 0 || pass >= passCount)
             {
-                GpuError.Report($"SetPass({pass}) on material '{name}': its shader '{currentShader.name}' has {passCount} passes.", $"Trying to access pass {pass}, but material '{name}' subshader (0) has only {passCount} valid passes.");
+                GpuError.Report($"SetPass({pass}) on material '{name}': its shader '{currentShader.name}' has {passCount} passes.",
+                    $"Trying to access pass {pass}, but material '{name}' subshader (0) has only {passCount} valid passes.");
                 return false;
             }
             RenderState.CurrentMaterial = this;
@@ -170,7 +173,8 @@ namespace UnityEngine
         static readonly int mainColor = Shader.PropertyToID("_Color"), mainTex = Shader.PropertyToID("_MainTex");
 
         static int ScaleOffsetId(int nameID) => Shader.PropertyToID(PropertyNames.ToName(nameID) + "_ST");
-        Vector4 ScaleOffset(int nameID) => Values.TryGet(ScaleOffsetId(nameID), out PropertyValue _) ? Values.GetVector(ScaleOffsetId(nameID)) : new Vector4(1, 1, 0, 0);
+        Vector4 ScaleOffset(int nameID) => Values.TryGet(ScaleOffsetId(nameID), out PropertyValue _)
+            ? Values.GetVector(ScaleOffsetId(nameID)) : new Vector4(1, 1, 0, 0);
 
         public Vector2 GetTextureOffset(int nameID) => new Vector2(ScaleOffset(nameID).z, ScaleOffset(nameID).w);
         public Vector2 GetTextureOffset(string name) => GetTextureOffset(Shader.PropertyToID(name));
@@ -262,18 +266,24 @@ namespace UnityEngine
         public void SetTexture(int nameID, Texture value) => Values.SetTexture(nameID, value);
         public void SetTexture(string name, Texture value) => SetTexture(Shader.PropertyToID(name), value);
         public void SetTexture(int nameID, RenderTexture value, RenderTextureSubElement element) => Values.SetTexture(nameID, value, element);
-        public void SetTexture(string name, RenderTexture value, RenderTextureSubElement element) => SetTexture(Shader.PropertyToID(name), value, element);
+        public void SetTexture(string name, RenderTexture value, RenderTextureSubElement element)
+            => SetTexture(Shader.PropertyToID(name), value, element);
         public void SetBuffer(int nameID, ComputeBuffer value) => Values.SetBuffer(nameID, value?.Storage);
         public void SetBuffer(string name, ComputeBuffer value) => SetBuffer(Shader.PropertyToID(name), value);
         public void SetBuffer(int nameID, GraphicsBuffer value) => Values.SetBuffer(nameID, value?.Storage);
         public void SetBuffer(string name, GraphicsBuffer value) => SetBuffer(Shader.PropertyToID(name), value);
-        public void SetConstantBuffer(int nameID, ComputeBuffer value, int offset, int size) => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
-        public void SetConstantBuffer(string name, ComputeBuffer value, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
-        public void SetConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size) => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
-        public void SetConstantBuffer(string name, GraphicsBuffer value, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
+        public void SetConstantBuffer(int nameID, ComputeBuffer value, int offset, int size)
+            => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
+        public void SetConstantBuffer(string name, ComputeBuffer value, int offset, int size)
+            => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
+        public void SetConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size)
+            => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
+        public void SetConstantBuffer(string name, GraphicsBuffer value, int offset, int size)
+            => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
         public void SetColorArray(int nameID, Color[] values) => Values.SetArray(nameID, PropertyKind.Vector, Linear(values), values?.Length ?? 0);
         public void SetColorArray(string name, Color[] values) => SetColorArray(Shader.PropertyToID(name), values);
-        public void SetColorArray(int nameID, List<Color> values) => Values.SetArray(nameID, PropertyKind.Vector, Linear(values?.ToArray()), values?.Count ?? 0);
+        public void SetColorArray(int nameID, List<Color> values)
+            => Values.SetArray(nameID, PropertyKind.Vector, Linear(values?.ToArray()), values?.Count ?? 0);
         public void SetColorArray(string name, List<Color> values) => SetColorArray(Shader.PropertyToID(name), values);
         public Color[] GetColorArray(int nameID) => Gamma(Values.GetArray<Vector4>(nameID));
         public Color[] GetColorArray(string name) => GetColorArray(Shader.PropertyToID(name));

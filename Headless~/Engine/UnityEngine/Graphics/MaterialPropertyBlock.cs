@@ -41,15 +41,20 @@ namespace UnityEngine
         public void SetTexture(int nameID, Texture value) => Values.SetTexture(nameID, value);
         public void SetTexture(string name, Texture value) => SetTexture(Shader.PropertyToID(name), value);
         public void SetTexture(int nameID, RenderTexture value, RenderTextureSubElement element) => Values.SetTexture(nameID, value, element);
-        public void SetTexture(string name, RenderTexture value, RenderTextureSubElement element) => SetTexture(Shader.PropertyToID(name), value, element);
+        public void SetTexture(string name, RenderTexture value, RenderTextureSubElement element)
+            => SetTexture(Shader.PropertyToID(name), value, element);
         public void SetBuffer(int nameID, ComputeBuffer value) => Values.SetBuffer(nameID, value?.Storage);
         public void SetBuffer(string name, ComputeBuffer value) => SetBuffer(Shader.PropertyToID(name), value);
         public void SetBuffer(int nameID, GraphicsBuffer value) => Values.SetBuffer(nameID, value?.Storage);
         public void SetBuffer(string name, GraphicsBuffer value) => SetBuffer(Shader.PropertyToID(name), value);
-        public void SetConstantBuffer(int nameID, ComputeBuffer value, int offset, int size) => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
-        public void SetConstantBuffer(string name, ComputeBuffer value, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
-        public void SetConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size) => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
-        public void SetConstantBuffer(string name, GraphicsBuffer value, int offset, int size) => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
+        public void SetConstantBuffer(int nameID, ComputeBuffer value, int offset, int size)
+            => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
+        public void SetConstantBuffer(string name, ComputeBuffer value, int offset, int size)
+            => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
+        public void SetConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size)
+            => Values.SetConstantBuffer(nameID, value?.Storage, offset, size);
+        public void SetConstantBuffer(string name, GraphicsBuffer value, int offset, int size)
+            => SetConstantBuffer(Shader.PropertyToID(name), value, offset, size);
 
         public float GetFloat(int nameID) => Values.GetFloat(nameID);
         public float GetFloat(string name) => GetFloat(Shader.PropertyToID(name));

@@ -12,7 +12,8 @@ namespace UnityEngine
     {
         public static MeshDataArray AcquireReadOnlyMeshData(Mesh mesh) => Snapshot(new[] { mesh }, 1, nameof(mesh), true);
         public static MeshDataArray AcquireReadOnlyMeshData(Mesh[] meshes) => Snapshot(meshes, meshes?.Length ?? 0, nameof(meshes), true);
-        public static MeshDataArray AcquireReadOnlyMeshData(List<Mesh> meshes) => Snapshot(meshes?.ToArray(), meshes?.Count ?? 0, nameof(meshes), true);
+        public static MeshDataArray AcquireReadOnlyMeshData(List<Mesh> meshes)
+            => Snapshot(meshes?.ToArray(), meshes?.Count ?? 0, nameof(meshes), true);
 
         /// <param name="mustBeReadable">Not so in the editor's own method.</param>
         internal static MeshDataArray Snapshot(Mesh[] meshes, int count, string parameter, bool mustBeReadable)
@@ -25,7 +26,8 @@ namespace UnityEngine
                 if (!meshes[i])
                     throw new ArgumentNullException(parameter, "Mesh is null");
                 if (mustBeReadable && !meshes[i].isReadable)
-                    throw new InvalidOperationException($"Not allowed to access vertex data on mesh '{meshes[i].name}' (isReadable is false; Read/Write must be enabled in import settings)");
+                    throw new InvalidOperationException($"Not allowed to access vertex data on mesh '{meshes[i].name}' (isReadable is " +
+                        $"false; Read/Write must be enabled in import settings)");
                 all[i] = new Frozen(meshes[i]);
             }
             return new MeshDataArray(all);
@@ -54,7 +56,8 @@ namespace UnityEngine
                 for (int i = 0; i < index; i++)
                     start += submeshes[i].Indices.Length;
                 Submesh found = submeshes[index];
-                return new SubMeshDescriptor(start, found.Indices.Length, found.Topology) { baseVertex = found.BaseVertex, vertexCount = Positions.Length, bounds = found.Bounds };
+                return new SubMeshDescriptor(start, found.Indices.Length, found.Topology) { baseVertex = found.BaseVertex,
+                    vertexCount = Positions.Length, bounds = found.Bounds };
             }
 
             public int[] Indices(int submesh, bool applyBaseVertex) => Placed(submeshes[submesh], applyBaseVertex);
@@ -72,8 +75,11 @@ namespace UnityEngine
 
             public int Length => meshes?.Length ?? 0;
 
-            public MeshData this[int index] => meshes == null ? throw new ObjectDisposedException(nameof(MeshDataArray), "The MeshDataArray has been deallocated, it is not allowed to access it")
-                : index >= 0 && index < meshes.Length ? new MeshData(meshes[index]) : throw new IndexOutOfRangeException($"Index {index} is out of range of '{meshes.Length}' Length.");
+            public MeshData this[int index] => meshes == null
+                ? throw new ObjectDisposedException(nameof(MeshDataArray),
+                "The MeshDataArray has been deallocated, it is not allowed to access it")
+                : index >= 0 && index < meshes.Length ? new MeshData(meshes[index])
+                    : throw new IndexOutOfRangeException($"Index {index} is out of range of '{meshes.Length}' Length.");
 
             public void Dispose()
             {
@@ -92,12 +98,15 @@ namespace UnityEngine
 
             internal MeshData(Frozen mesh) => this.mesh = mesh;
 
-            Frozen Read => mesh != null && !mesh.IsDisposed ? mesh : throw new ObjectDisposedException(nameof(MeshData), "The MeshDataArray has been deallocated, it is not allowed to access it");
+            Frozen Read => mesh != null && !mesh.IsDisposed ? mesh
+                : throw new ObjectDisposedException(nameof(MeshData),
+                "The MeshDataArray has been deallocated, it is not allowed to access it");
 
             public int vertexCount => Read.Positions.Length;
             public int subMeshCount => Read.Count;
             public IndexFormat indexFormat => Read.Format;
-            public bool HasVertexAttribute(VertexAttribute attr) => attr == VertexAttribute.Position ? Read.Positions.Length > 0 : attr == VertexAttribute.Normal && Read.Normals.Length > 0;
+            public bool HasVertexAttribute(VertexAttribute attr) => attr == VertexAttribute.Position ? Read.Positions.Length > 0
+                : attr == VertexAttribute.Normal && Read.Normals.Length > 0;
             public SubMeshDescriptor GetSubMesh(int index) => Read.Submesh(Checked(index));
             public void GetVertices(NativeArray<Vector3> outVertices) => Copy(Read.Positions, VertexAttribute.Position, outVertices);
             public void GetNormals(NativeArray<Vector3> outNormals) => Copy(Read.Normals, VertexAttribute.Normal, outNormals);
@@ -118,7 +127,8 @@ namespace UnityEngine
             }
 
             int Checked(int submesh) => submesh >= 0 && submesh < Read.Count ? submesh
-                : throw new IndexOutOfRangeException($"Specified submesh ({submesh}) is out of range. Must be greater or equal to 0 and less than subMeshCount ({Read.Count}).");
+                : throw new IndexOutOfRangeException(
+                $"Specified submesh ({submesh}) is out of range. Must be greater or equal to 0 and less than subMeshCount ({Read.Count}).");
 
             static void Fits(int has, int needs)
             {

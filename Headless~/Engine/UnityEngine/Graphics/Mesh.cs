@@ -36,11 +36,15 @@ namespace UnityEngine
         public IndexFormat indexFormat { get; set; }
         public Bounds bounds { get; set; }
 
-        public Vector3[] vertices { get => MayAccess("vertices") ? (Vector3[])positions.Clone() : Array.Empty<Vector3>(); set => SetPositions(value); }
-        public Vector3[] normals { get => MayAccess("normals") ? (Vector3[])normalData.Clone() : Array.Empty<Vector3>(); set => SetNormalsCore(value); }
-        public Vector4[] tangents { get => MayAccess("tangents") ? (Vector4[])tangentData.Clone() : Array.Empty<Vector4>(); set => SetTangentsCore(value); }
+        public Vector3[] vertices { get => MayAccess("vertices") ? (Vector3[])positions.Clone() : Array.Empty<Vector3>();
+            set => SetPositions(value); }
+        public Vector3[] normals { get => MayAccess("normals") ? (Vector3[])normalData.Clone() : Array.Empty<Vector3>();
+            set => SetNormalsCore(value); }
+        public Vector4[] tangents { get => MayAccess("tangents") ? (Vector4[])tangentData.Clone() : Array.Empty<Vector4>();
+            set => SetTangentsCore(value); }
         public Color[] colors { get => MayAccess("colors") ? (Color[])colorData.Clone() : Array.Empty<Color>(); set => SetColorsCore(value); }
-        public Color32[] colors32 { get => Array.ConvertAll(MayAccess("colors") ? colorData : Array.Empty<Color>(), c => (Color32)c); set => SetColorsCore(value == null ? null : Array.ConvertAll(value, c => (Color)c)); }
+        public Color32[] colors32 { get => Array.ConvertAll(MayAccess("colors") ? colorData : Array.Empty<Color>(), c => (Color32)c);
+            set => SetColorsCore(value == null ? null : Array.ConvertAll(value, c => (Color)c)); }
         public Vector2[] uv { get => Array.ConvertAll(ReadUv(0), v => (Vector2)v); set => SetUVs(0, value); }
         public Vector2[] uv2 { get => Array.ConvertAll(ReadUv(1), v => (Vector2)v); set => SetUVs(1, value); }
         public Vector2[] uv3 { get => Array.ConvertAll(ReadUv(2), v => (Vector2)v); set => SetUVs(2, value); }
@@ -54,7 +58,8 @@ namespace UnityEngine
         bool MayAccess(string what)
         {
             if (!isReadable)
-                GpuError.Report($"Mesh '{name}': its {what} cannot be accessed; UploadMeshData made it no longer readable, or Read/Write is off in its import settings.",
+                GpuError.Report($"Mesh '{name}': its {what} cannot be accessed; UploadMeshData made it no longer readable, or " +
+                    $"Read/Write is off in its import settings.",
                     $"Not allowed to access {what} on mesh '{name}' (isReadable is false; Read/Write must be enabled in import settings)");
             return isReadable;
         }
@@ -69,8 +74,10 @@ namespace UnityEngine
                     foreach (int index in submesh.Indices)
                         if (index + submesh.BaseVertex >= value.Length)
                         {
-                            GpuError.Report($"Mesh '{name}': {value.Length} vertices are too few, its triangles reference vertex {index + submesh.BaseVertex}; Clear it first.",
-                                $"Mesh.vertices is too small. The supplied vertex array has less vertices than are referenced by the triangles array.");
+                            GpuError.Report($"Mesh '{name}': {value.Length} vertices are too few, its triangles reference vertex " +
+                                $"{index + submesh.BaseVertex}; Clear it first.",
+                                $"Mesh.vertices is too small. The supplied vertex array has less vertices than are referenced by the " +
+                                    $"triangles array.");
                             return;
                         }
             positions = (Vector3[])value.Clone();
@@ -127,39 +134,48 @@ namespace UnityEngine
         public void SetVertices(Vector3[] inVertices, int start, int length) => SetVertices(Part(inVertices, start, length));
         public void SetVertices(Vector3[] inVertices, int start, int length, MeshUpdateFlags flags) => SetVertices(Part(inVertices, start, length));
         public void SetVertices(List<Vector3> inVertices, int start, int length) => SetVertices(Part(inVertices?.ToArray(), start, length));
-        public void SetVertices(List<Vector3> inVertices, int start, int length, MeshUpdateFlags flags) => SetVertices(Part(inVertices?.ToArray(), start, length));
+        public void SetVertices(List<Vector3> inVertices, int start, int length, MeshUpdateFlags flags)
+            => SetVertices(Part(inVertices?.ToArray(), start, length));
         public void SetVertices<T>(NativeArray<T> inVertices) where T : struct => SetVertices(Cast<T, Vector3>(inVertices));
-        public void SetVertices<T>(NativeArray<T> inVertices, int start, int length) where T : struct => SetVertices(Cast<T, Vector3>(inVertices), start, length);
+        public void SetVertices<T>(NativeArray<T> inVertices, int start, int length) where T : struct
+            => SetVertices(Cast<T, Vector3>(inVertices), start, length);
         public void SetNormals(Vector3[] inNormals) => SetNormalsCore(inNormals);
         public void SetNormals(List<Vector3> inNormals) => SetNormals(inNormals?.ToArray());
         public void SetNormals(Vector3[] inNormals, int start, int length) => SetNormals(Part(inNormals, start, length));
         public void SetNormals(Vector3[] inNormals, int start, int length, MeshUpdateFlags flags) => SetNormals(Part(inNormals, start, length));
         public void SetNormals(List<Vector3> inNormals, int start, int length) => SetNormals(Part(inNormals?.ToArray(), start, length));
-        public void SetNormals(List<Vector3> inNormals, int start, int length, MeshUpdateFlags flags) => SetNormals(Part(inNormals?.ToArray(), start, length));
+        public void SetNormals(List<Vector3> inNormals, int start, int length, MeshUpdateFlags flags)
+            => SetNormals(Part(inNormals?.ToArray(), start, length));
         public void SetNormals<T>(NativeArray<T> inNormals) where T : struct => SetNormals(Cast<T, Vector3>(inNormals));
-        public void SetNormals<T>(NativeArray<T> inNormals, int start, int length) where T : struct => SetNormals(Cast<T, Vector3>(inNormals), start, length);
+        public void SetNormals<T>(NativeArray<T> inNormals, int start, int length) where T : struct
+            => SetNormals(Cast<T, Vector3>(inNormals), start, length);
         public void SetTangents(Vector4[] inTangents) => SetTangentsCore(inTangents);
         public void SetTangents(List<Vector4> inTangents) => SetTangents(inTangents?.ToArray());
         public void SetTangents(Vector4[] inTangents, int start, int length) => SetTangents(Part(inTangents, start, length));
         public void SetTangents(Vector4[] inTangents, int start, int length, MeshUpdateFlags flags) => SetTangents(Part(inTangents, start, length));
         public void SetTangents(List<Vector4> inTangents, int start, int length) => SetTangents(Part(inTangents?.ToArray(), start, length));
-        public void SetTangents(List<Vector4> inTangents, int start, int length, MeshUpdateFlags flags) => SetTangents(Part(inTangents?.ToArray(), start, length));
+        public void SetTangents(List<Vector4> inTangents, int start, int length, MeshUpdateFlags flags)
+            => SetTangents(Part(inTangents?.ToArray(), start, length));
         public void SetTangents<T>(NativeArray<T> inTangents) where T : struct => SetTangents(Cast<T, Vector4>(inTangents));
-        public void SetTangents<T>(NativeArray<T> inTangents, int start, int length) where T : struct => SetTangents(Cast<T, Vector4>(inTangents), start, length);
+        public void SetTangents<T>(NativeArray<T> inTangents, int start, int length) where T : struct
+            => SetTangents(Cast<T, Vector4>(inTangents), start, length);
         public void SetColors(Color[] inColors) => SetColorsCore(inColors);
         public void SetColors(List<Color> inColors) => SetColors(inColors?.ToArray());
         public void SetColors(Color[] inColors, int start, int length) => SetColors(Part(inColors, start, length));
         public void SetColors(Color[] inColors, int start, int length, MeshUpdateFlags flags) => SetColors(Part(inColors, start, length));
         public void SetColors(List<Color> inColors, int start, int length) => SetColors(Part(inColors?.ToArray(), start, length));
-        public void SetColors(List<Color> inColors, int start, int length, MeshUpdateFlags flags) => SetColors(Part(inColors?.ToArray(), start, length));
+        public void SetColors(List<Color> inColors, int start, int length, MeshUpdateFlags flags)
+            => SetColors(Part(inColors?.ToArray(), start, length));
         public void SetColors(Color32[] inColors) => SetColorsCore(inColors == null ? null : Array.ConvertAll(inColors, c => (Color)c));
         public void SetColors(List<Color32> inColors) => SetColors(inColors?.ToArray());
         public void SetColors(Color32[] inColors, int start, int length) => SetColors(Part(inColors, start, length));
         public void SetColors(Color32[] inColors, int start, int length, MeshUpdateFlags flags) => SetColors(Part(inColors, start, length));
         public void SetColors(List<Color32> inColors, int start, int length) => SetColors(Part(inColors?.ToArray(), start, length));
-        public void SetColors(List<Color32> inColors, int start, int length, MeshUpdateFlags flags) => SetColors(Part(inColors?.ToArray(), start, length));
+        public void SetColors(List<Color32> inColors, int start, int length, MeshUpdateFlags flags)
+            => SetColors(Part(inColors?.ToArray(), start, length));
         public void SetColors<T>(NativeArray<T> inColors) where T : struct => SetColors(Cast<T, Color>(inColors));
-        public void SetColors<T>(NativeArray<T> inColors, int start, int length) where T : struct => SetColors(Cast<T, Color>(inColors), start, length);
+        public void SetColors<T>(NativeArray<T> inColors, int start, int length) where T : struct
+            => SetColors(Cast<T, Color>(inColors), start, length);
         public void SetUVs(int channel, Vector2[] uvs) => SetUv(channel, 2, uvs == null ? null : Array.ConvertAll(uvs, v => (Vector4)v));
         public void SetUVs(int channel, List<Vector2> uvs) => SetUVs(channel, uvs?.ToArray());
         public void SetUVs(int channel, Vector2[] uvs, int start, int length) => SetUVs(channel, Part(uvs, start, length));
@@ -243,7 +259,8 @@ namespace UnityEngine
             : throw new ArgumentException($"Mesh '{name}' has {submeshes.Count} submeshes; there is no submesh {submesh}.");
 
         public int[] GetIndices(int submesh) => GetIndices(submesh, true);
-        public int[] GetIndices(int submesh, bool applyBaseVertex) => MayAccess("indices") ? Placed(At(submesh), applyBaseVertex) : Array.Empty<int>();
+        public int[] GetIndices(int submesh, bool applyBaseVertex) => MayAccess("indices") ? Placed(At(submesh), applyBaseVertex)
+            : Array.Empty<int>();
 
         public int[] GetTriangles(int submesh) => GetIndices(submesh);
         public int[] GetTriangles(int submesh, bool applyBaseVertex) => GetIndices(submesh, applyBaseVertex);
@@ -264,26 +281,40 @@ namespace UnityEngine
             return start;
         }
 
-        public SubMeshDescriptor GetSubMesh(int index) => new SubMeshDescriptor((int)GetIndexStart(index), (int)GetIndexCount(index), GetTopology(index))
+        public SubMeshDescriptor GetSubMesh(int index)
+            => new SubMeshDescriptor((int)GetIndexStart(index), (int)GetIndexCount(index), GetTopology(index))
         {
             baseVertex = At(index).BaseVertex, vertexCount = vertexCount, bounds = At(index).Bounds,
         };
 
         public void SetTriangles(int[] triangles, int submesh) => SetIndices(triangles, MeshTopology.Triangles, submesh);
-        public void SetTriangles(int[] triangles, int submesh, bool calculateBounds) => SetIndices(triangles, MeshTopology.Triangles, submesh, calculateBounds);
-        public void SetTriangles(int[] triangles, int submesh, bool calculateBounds, int baseVertex) => SetIndices(triangles, MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
-        public void SetTriangles(int[] triangles, int trianglesStart, int trianglesLength, int submesh, bool calculateBounds = true, int baseVertex = 0) => SetIndices(Part(triangles, trianglesStart, trianglesLength), MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
-        public void SetTriangles(ushort[] triangles, int submesh, bool calculateBounds = true, int baseVertex = 0) => SetIndices(Array.ConvertAll(triangles, i => (int)i), MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
+        public void SetTriangles(int[] triangles, int submesh, bool calculateBounds)
+            => SetIndices(triangles, MeshTopology.Triangles, submesh, calculateBounds);
+        public void SetTriangles(int[] triangles, int submesh, bool calculateBounds, int baseVertex)
+            => SetIndices(triangles, MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
+        public void SetTriangles(int[] triangles, int trianglesStart, int trianglesLength, int submesh, bool calculateBounds = true,
+            int baseVertex = 0) => SetIndices(Part(triangles, trianglesStart, trianglesLength), MeshTopology.Triangles, submesh,
+            calculateBounds, baseVertex);
+        public void SetTriangles(ushort[] triangles, int submesh, bool calculateBounds = true, int baseVertex = 0)
+            => SetIndices(Array.ConvertAll(triangles, i => (int)i), MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
         public void SetTriangles(List<int> triangles, int submesh) => SetIndices(triangles.ToArray(), MeshTopology.Triangles, submesh);
-        public void SetTriangles(List<int> triangles, int submesh, bool calculateBounds) => SetIndices(triangles.ToArray(), MeshTopology.Triangles, submesh, calculateBounds);
-        public void SetTriangles(List<int> triangles, int submesh, bool calculateBounds, int baseVertex) => SetIndices(triangles.ToArray(), MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
-        public void SetIndices(List<int> indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0) => SetIndices(indices.ToArray(), topology, submesh, calculateBounds, baseVertex);
-        public void SetIndices(ushort[] indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0) => SetIndices(Array.ConvertAll(indices, i => (int)i), topology, submesh, calculateBounds, baseVertex);
-        public void SetIndices(int[] indices, int indicesStart, int indicesLength, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0) => SetIndices(Part(indices, indicesStart, indicesLength), topology, submesh, calculateBounds, baseVertex);
+        public void SetTriangles(List<int> triangles, int submesh, bool calculateBounds)
+            => SetIndices(triangles.ToArray(), MeshTopology.Triangles, submesh, calculateBounds);
+        public void SetTriangles(List<int> triangles, int submesh, bool calculateBounds, int baseVertex)
+            => SetIndices(triangles.ToArray(), MeshTopology.Triangles, submesh, calculateBounds, baseVertex);
+        public void SetIndices(List<int> indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0)
+            => SetIndices(indices.ToArray(), topology, submesh, calculateBounds, baseVertex);
+        public void SetIndices(ushort[] indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0)
+            => SetIndices(Array.ConvertAll(indices, i => (int)i), topology, submesh, calculateBounds, baseVertex);
+        public void SetIndices(int[] indices, int indicesStart, int indicesLength, MeshTopology topology, int submesh,
+            bool calculateBounds = true, int baseVertex = 0) => SetIndices(Part(indices, indicesStart, indicesLength), topology, submesh,
+            calculateBounds, baseVertex);
         public void SetIndices(int[] indices, MeshTopology topology, int submesh) => SetIndices(indices, topology, submesh, true);
-        public void SetIndices(int[] indices, MeshTopology topology, int submesh, bool calculateBounds) => SetIndices(indices, topology, submesh, calculateBounds, 0);
+        public void SetIndices(int[] indices, MeshTopology topology, int submesh, bool calculateBounds)
+            => SetIndices(indices, topology, submesh, calculateBounds, 0);
 
-        public void SetIndices<T>(NativeArray<T> indices, MeshTopology topology, int submesh, bool calculateBounds = true, int baseVertex = 0) where T : struct
+        public void SetIndices<T>(NativeArray<T> indices, MeshTopology topology, int submesh, bool calculateBounds = true,
+            int baseVertex = 0) where T : struct
         {
             if (ElementSize<T>.Bytes == 2)
                 SetIndices(Cast<T, ushort>(indices), topology, submesh, calculateBounds, baseVertex);
@@ -299,17 +330,20 @@ namespace UnityEngine
             At(submesh);
             if (topology == MeshTopology.Triangles && indices.Length % 3 != 0)
             {
-                GpuError.Report($"Mesh '{name}': {indices.Length} indices are no whole number of triangles.", "Failed setting triangles. The number of supplied triangle indices must be a multiple of 3.");
+                GpuError.Report($"Mesh '{name}': {indices.Length} indices are no whole number of triangles.",
+                    "Failed setting triangles. The number of supplied triangle indices must be a multiple of 3.");
                 return;
             }
             foreach (int index in indices)
                 if (index + baseVertex < 0 || index + baseVertex >= vertexCount)
                 {
-                    GpuError.Report($"Mesh '{name}': index {index} (plus base vertex {baseVertex}) of submesh {submesh} is outside of its {vertexCount} vertices.",
+                    GpuError.Report($"Mesh '{name}': index {index} (plus base vertex {baseVertex}) of submesh {submesh} is outside of " +
+                        $"its {vertexCount} vertices.",
                         "Failed setting triangles. Some indices are referencing out of bounds vertices.");
                     return;
                 }
-            submeshes[submesh] = new Submesh { Indices = (int[])indices.Clone(), Topology = topology, BaseVertex = baseVertex, Bounds = calculateBounds ? BoundsOf(indices, baseVertex) : submeshes[submesh].Bounds };
+            submeshes[submesh] = new Submesh { Indices = (int[])indices.Clone(), Topology = topology, BaseVertex = baseVertex,
+                Bounds = calculateBounds ? BoundsOf(indices, baseVertex) : submeshes[submesh].Bounds };
             if (calculateBounds)
                 MergeBounds();
             Changed();
@@ -411,7 +445,8 @@ namespace UnityEngine
                 case VertexAttribute.Normal: return normalData.Length > 0;
                 case VertexAttribute.Tangent: return tangentData.Length > 0;
                 case VertexAttribute.Color: return colorData.Length > 0;
-                default: return attr >= VertexAttribute.TexCoord0 && attr <= VertexAttribute.TexCoord7 && Uv(attr - VertexAttribute.TexCoord0).Length > 0;
+                default: return attr >= VertexAttribute.TexCoord0 && attr <= VertexAttribute.TexCoord7
+                    && Uv(attr - VertexAttribute.TexCoord0).Length > 0;
             }
         }
 
@@ -449,7 +484,8 @@ namespace UnityEngine
 
         internal override Object CloneNative()
         {
-            var copy = new Mesh { positions = positions, normalData = normalData, tangentData = tangentData, colorData = colorData, bounds = bounds, indexFormat = indexFormat, isReadable = isReadable };
+            var copy = new Mesh { positions = positions, normalData = normalData, tangentData = tangentData, colorData = colorData,
+                bounds = bounds, indexFormat = indexFormat, isReadable = isReadable };
             Array.Copy(uvData, copy.uvData, 8);
             Array.Copy(uvSize, copy.uvSize, 8);
             copy.submeshes.Clear();
@@ -478,6 +514,8 @@ namespace UnityEngine.Rendering
         public int baseVertex { get; set; }
         public int firstVertex { get; set; }
         public int vertexCount { get; set; }
-        public override string ToString() => $"(topo={topology} indices={indexStart},{indexCount} vertices={firstVertex},{vertexCount} basevtx={baseVertex} bounds={bounds})";
+        public override string ToString()
+            => $"(topo={topology} indices={indexStart},{indexCount} vertices={firstVertex},{vertexCount} basevtx={baseVertex} " +
+            $"bounds={bounds})";
     }
 }

@@ -16,7 +16,8 @@ namespace UnityEngine.Headless
         readonly DeviceBuffer defaults;     // 0, 0, 0, 0 and 1, 1, 1, 1
         readonly string name;
 
-        public MeshBuffers(string name, IGraphicsDevice owner, Vector3[] positions, Vector3[] normals, Vector4[] tangents, Color[] colors, Vector4[][] uvs, int[] indices)
+        public MeshBuffers(string name, IGraphicsDevice owner, Vector3[] positions, Vector3[] normals, Vector4[] tangents, Color[] colors,
+            Vector4[][] uvs, int[] indices)
         {
             this.name = name;
             Owner = owner;

@@ -50,7 +50,8 @@ namespace UnityEngine.Headless
             Data.AsSpan(0, Math.Min(Length, field.Bytes)).CopyTo(constants.Slice(field.Offset));
 
         /// <summary>By element and type: what materials and globals do. Numbers are converted to the declared type.</summary>
-        public void WriteConverted(Span<byte> constants, in ConstantField field) => Write(constants, field, 0, Math.Min(Math.Max(1, field.ArrayLength), Count), 1);
+        public void WriteConverted(Span<byte> constants, in ConstantField field)
+            => Write(constants, field, 0, Math.Min(Math.Max(1, field.ArrayLength), Count), 1);
 
         /// <summary>A value for each instance from one on; a value that is no array is that of all.</summary>
         public void WriteInstances(Span<byte> constants, in ConstantField field, int first)
@@ -143,7 +144,8 @@ namespace UnityEngine.Headless
             ReadOnlySpan<byte> bytes = MemoryMarshal.AsBytes<T>(array.AsSpan(0, count));
             if (slot.IsArray && slot.Length != 0 && slot.Length < bytes.Length)
             {
-                Debug.LogWarning($"Property ({PropertyNames.ToName(id)}) exceeds previous array size ({count} vs {slot.Count}). Cap to previous size.");
+                Debug.LogWarning(
+                    $"Property ({PropertyNames.ToName(id)}) exceeds previous array size ({count} vs {slot.Count}). Cap to previous size.");
                 bytes = bytes.Slice(0, slot.Length);
             }
             slot.Assign(kind, true, bytes);

@@ -76,7 +76,8 @@ namespace UnityEngine.Headless
         }
 
         /// <param name="size">Bytes; -1 for all behind the offset.</param>
-        public static AsyncGPUReadbackRequest Request(BufferStorage buffer, int offset, int size, ReadbackOutput output, Action<AsyncGPUReadbackRequest> callback)
+        public static AsyncGPUReadbackRequest Request(BufferStorage buffer, int offset, int size, ReadbackOutput output,
+            Action<AsyncGPUReadbackRequest> callback)
         {
             using NativeWork.Scope native = NativeWork.Enter();
             if (buffer == null)
@@ -85,10 +86,12 @@ namespace UnityEngine.Headless
             BufferChecks.Readable(buffer, "AsyncGPUReadback.Request");
             long bytes = size < 0 ? buffer.Bytes - offset : size;
             if (offset < 0 || bytes <= 0 || offset + bytes > buffer.Bytes)
-                throw new ArgumentException($"AsyncGPUReadback.Request of {bytes:N0} bytes at byte {offset:N0} of {buffer}, which holds {buffer.Bytes:N0}.");
+                throw new ArgumentException(
+                    $"AsyncGPUReadback.Request of {bytes:N0} bytes at byte {offset:N0} of {buffer}, which holds {buffer.Bytes:N0}.");
             if (output != null && output.Bytes < bytes)
                 throw new ArgumentException($"AsyncGPUReadback.Request of {bytes:N0} bytes of {buffer} into an array of {output.Bytes:N0} bytes.");
-            var request = new ReadbackRequest { LayerCount = 1, LayerBytes = checked((int)bytes), Width = (int)bytes, Height = 1, Depth = 1, Source = buffer.ToString(), Buffer = buffer };
+            var request = new ReadbackRequest { LayerCount = 1, LayerBytes = checked((int)bytes), Width = (int)bytes, Height = 1, Depth = 1,
+                Source = buffer.ToString(), Buffer = buffer };
             // The device copies whole words.
             long start = offset & ~3, end = Math.Min((buffer.Bytes + 3) & ~3, (offset + bytes + 3) & ~3);
             request.Copies.Add(Gpu.Device.BeginReadback(buffer.Device, start, end - start));
@@ -100,18 +103,22 @@ namespace UnityEngine.Headless
         // Apart, because what a lambda captures is allocated where its method begins, and a request's begins in a script's name.
         static Func<List<DeviceReadback>, byte[][]> PartOf(int start, int bytes) => copies => new[] { copies[0].Data.Slice(start, bytes).ToArray() };
 
-        public static AsyncGPUReadbackRequest Request(Texture texture, int mip, ReadbackRegion region, TextureFormat? format, ReadbackOutput output, Action<AsyncGPUReadbackRequest> callback)
+        public static AsyncGPUReadbackRequest Request(Texture texture, int mip, ReadbackRegion region, TextureFormat? format,
+            ReadbackOutput output, Action<AsyncGPUReadbackRequest> callback)
         {
             using NativeWork.Scope native = NativeWork.Enter();
             if (texture == null)
                 throw new ArgumentNullException("src", "AsyncGPUReadback.Request: the texture is null.");
             Gpu.RequireCompute("AsyncGPUReadback.Request");
             if (mip < 0 || mip >= texture.mipmapCount)
-                throw new ArgumentException($"AsyncGPUReadback.Request: texture '{texture.name}' has {texture.mipmapCount} mip levels; there is no level {mip}.");
+                throw new ArgumentException(
+                    $"AsyncGPUReadback.Request: texture '{texture.name}' has {texture.mipmapCount} mip levels; there is no level {mip}.");
             ReadbackRegion whole = ReadbackRegion.Whole(texture, mip);
             if (region.X < 0 || region.Y < 0 || region.Z < 0 || region.Width < 1 || region.Height < 1 || region.Depth < 1 ||
                 region.X + region.Width > whole.Width || region.Y + region.Height > whole.Height || region.Z + region.Depth > whole.Depth)
-                throw new ArgumentException($"AsyncGPUReadback.Request: the region {region.X}, {region.Y}, {region.Z} of {region.Width} x {region.Height} x {region.Depth} exceeds '{texture.name}', {whole.Width} x {whole.Height} x {whole.Depth}.");
+                throw new ArgumentException($"AsyncGPUReadback.Request: the region {region.X}, {region.Y}, {region.Z} of " +
+                    $"{region.Width} x {region.Height} x {region.Depth} exceeds '{texture.name}', {whole.Width} x {whole.Height} x " +
+                    $"{whole.Depth}.");
             DeviceTexture device = texture.GetDevice(RenderTextureSubElement.Default)
                 ?? throw new GpuUsageException($"AsyncGPUReadback.Request: texture '{texture.name}' was not created or was released.");
 
@@ -124,11 +131,13 @@ namespace UnityEngine.Headless
 
             var request = new ReadbackRequest
             {
-                LayerCount = region.Depth, LayerBytes = region.Width * region.Height * toBytes, Width = region.Width, Height = region.Height, Depth = region.Depth,
+                LayerCount = region.Depth, LayerBytes = region.Width * region.Height * toBytes, Width = region.Width,
+                    Height = region.Height, Depth = region.Depth,
                 Source = $"{texture.GetType().Name} '{texture.name}'",
             };
             if (output != null && output.Bytes < (long)request.LayerBytes * request.LayerCount)
-                throw new ArgumentException($"AsyncGPUReadback.Request of {(long)request.LayerBytes * request.LayerCount:N0} bytes of {request.Source} into an array of {output.Bytes:N0} bytes.");
+                throw new ArgumentException($"AsyncGPUReadback.Request of {(long)request.LayerBytes * request.LayerCount:N0} bytes of " +
+                    $"{request.Source} into an array of {output.Bytes:N0} bytes.");
 
             for (int layer = volume ? 0 : region.Z; layer < (volume ? 1 : region.Z + region.Depth); layer++)
                 request.Copies.Add(Gpu.Device.BeginReadback(device, mip, layer));
@@ -137,7 +146,8 @@ namespace UnityEngine.Headless
                 var layers = new byte[region.Depth][];
                 for (int z = 0; z < region.Depth; z++)
                 {
-                    ReadOnlySpan<byte> slice = volume ? copies[0].Data.Slice((region.Z + z) * whole.Width * whole.Height * fromBytes) : copies[z].Data;
+                    ReadOnlySpan<byte> slice = volume ? copies[0].Data.Slice((region.Z + z) * whole.Width * whole.Height * fromBytes)
+                        : copies[z].Data;
                     layers[z] = new byte[request.LayerBytes];
                     for (int y = 0; y < region.Height; y++)
                     {
@@ -181,14 +191,16 @@ namespace UnityEngine.Headless
         public RecordedReadback(BufferStorage buffer, int offset, int size, Action<AsyncGPUReadbackRequest> callback)
         {
             this.buffer = buffer ?? throw new ArgumentNullException("src", "CommandBuffer.RequestAsyncReadback: the buffer is null.");
-            this.callback = callback ?? throw new ArgumentNullException(nameof(callback), "CommandBuffer.RequestAsyncReadback: the callback is null.");
+            this.callback = callback ?? throw new ArgumentNullException(nameof(callback),
+                "CommandBuffer.RequestAsyncReadback: the callback is null.");
             (this.offset, this.size) = (offset, size);
         }
 
         public RecordedReadback(Texture texture, int mip, Action<AsyncGPUReadbackRequest> callback)
         {
             this.texture = texture ?? throw new ArgumentNullException("src", "CommandBuffer.RequestAsyncReadback: the texture is null.");
-            this.callback = callback ?? throw new ArgumentNullException(nameof(callback), "CommandBuffer.RequestAsyncReadback: the callback is null.");
+            this.callback = callback ?? throw new ArgumentNullException(nameof(callback),
+                "CommandBuffer.RequestAsyncReadback: the callback is null.");
             this.mip = mip;
         }
 

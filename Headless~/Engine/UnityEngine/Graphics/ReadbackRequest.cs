@@ -55,7 +55,8 @@ namespace UnityEngine.Headless
     internal readonly struct ReadbackRegion
     {
         public readonly int X, Width, Y, Height, Z, Depth;
-        public ReadbackRegion(int x, int width, int y, int height, int z, int depth) => (X, Width, Y, Height, Z, Depth) = (x, width, y, height, z, depth);
+        public ReadbackRegion(int x, int width, int y, int height, int z, int depth)
+            => (X, Width, Y, Height, Z, Depth) = (x, width, y, height, z, depth);
 
         public static ReadbackRegion Whole(Texture texture, int mip)
         {
@@ -70,13 +71,15 @@ namespace UnityEngine.Headless
             {
                 case Texture3D volume: return Math.Max(1, volume.depth >> mip);
                 case Texture2DArray array: return array.depth;
-                case RenderTexture target: return target.dimension == TextureDimension.Tex3D ? Math.Max(1, target.volumeDepth >> mip) : target.volumeDepth;
+                case RenderTexture target: return target.dimension == TextureDimension.Tex3D ? Math.Max(1, target.volumeDepth >> mip)
+                    : target.volumeDepth;
                 default: return 1;
             }
         }
     }
 
-    /// <summary>A pending read-back: copied on the device at the request, fetched at the second frame after it or by an Update before, gone with the next.</summary>
+    /// <summary>A pending read-back: copied on the device at the request, fetched at the second frame after it or by an Update before, gone
+    /// with the next.</summary>
     internal sealed unsafe class ReadbackRequest
     {
         public int LayerCount, LayerBytes, Width, Height, Depth;

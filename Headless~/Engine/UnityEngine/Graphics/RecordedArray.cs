@@ -11,7 +11,9 @@ namespace UnityEngine.Headless
         public void Check(ReadOnlySpan<byte> recorded, BufferStorage target)
         {
             if (!Holds(recorded))
-                GpuError.Strictly($"SetBufferData: the NativeArray that was recorded for {target} has changed since, or was disposed of. Which of its contents Unity uploads is not documented: record from a managed array, which is copied, or from a part of the array that stays.");
+                GpuError.Strictly($"SetBufferData: the NativeArray that was recorded for {target} has changed since, or was disposed " +
+                    $"of. Which of its contents Unity uploads is not documented: record from a managed array, which is copied, or from " +
+                    $"a part of the array that stays.");
         }
 
         protected abstract bool Holds(ReadOnlySpan<byte> recorded);

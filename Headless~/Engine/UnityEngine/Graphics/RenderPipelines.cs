@@ -4,7 +4,8 @@ using Unity.Collections;
 
 namespace UnityEngine.Rendering
 {
-    /// <summary>While one is set in <see cref="GraphicsSettings"/> or <see cref="QualitySettings"/>, its pipeline draws the cameras; else the Built-in one does.</summary>
+    /// <summary>While one is set in <see cref="GraphicsSettings"/> or <see cref="QualitySettings"/>, its pipeline draws the cameras; else
+    /// the Built-in one does.</summary>
     public abstract class RenderPipelineAsset : ScriptableObject
     {
         protected abstract RenderPipeline CreatePipeline();
@@ -22,9 +23,12 @@ namespace UnityEngine.Rendering
         protected virtual void Render(ScriptableRenderContext context, List<Camera> cameras) => Render(context, cameras.ToArray());
         protected virtual void Dispose(bool disposing) { }
 
-        protected static void BeginContextRendering(ScriptableRenderContext context, List<Camera> cameras) => RenderPipelineManager.RaiseBegin(context, cameras);
-        protected static void EndContextRendering(ScriptableRenderContext context, List<Camera> cameras) => RenderPipelineManager.RaiseEnd(context, cameras);
-        protected static void BeginCameraRendering(ScriptableRenderContext context, Camera camera) => RenderPipelineManager.RaiseBegin(context, camera);
+        protected static void BeginContextRendering(ScriptableRenderContext context, List<Camera> cameras)
+            => RenderPipelineManager.RaiseBegin(context, cameras);
+        protected static void EndContextRendering(ScriptableRenderContext context, List<Camera> cameras)
+            => RenderPipelineManager.RaiseEnd(context, cameras);
+        protected static void BeginCameraRendering(ScriptableRenderContext context, Camera camera)
+            => RenderPipelineManager.RaiseBegin(context, camera);
         protected static void EndCameraRendering(ScriptableRenderContext context, Camera camera) => RenderPipelineManager.RaiseEnd(context, camera);
 
         internal void RenderCameras(List<Camera> cameras) => Render(default, cameras);
@@ -67,7 +71,8 @@ namespace UnityEngine.Rendering
             IReadOnlyList<Light> directional = Light.Directional();
             var lights = new NativeArray<VisibleLight>(directional.Count, Allocator.Temp);
             for (int i = 0; i < directional.Count; i++)
-                lights[i] = new VisibleLight { lightType = LightType.Directional, finalColor = directional[i].FinalColor, localToWorldMatrix = directional[i].transform.localToWorldMatrix, Id = directional[i].GetInstanceID() };
+                lights[i] = new VisibleLight { lightType = LightType.Directional, finalColor = directional[i].FinalColor,
+                    localToWorldMatrix = directional[i].transform.localToWorldMatrix, Id = directional[i].GetInstanceID() };
             return new CullingResults { lights = lights };
         }
 
@@ -84,7 +89,8 @@ namespace UnityEngine.Rendering
         public Light light => Light.Find(Id);
         internal int Id;
 
-        public bool Equals(VisibleLight other) => lightType == other.lightType && finalColor.Equals(other.finalColor) && localToWorldMatrix.Equals(other.localToWorldMatrix);
+        public bool Equals(VisibleLight other) => lightType == other.lightType && finalColor.Equals(other.finalColor)
+            && localToWorldMatrix.Equals(other.localToWorldMatrix);
         public override bool Equals(object obj) => obj is VisibleLight other && Equals(other);
         public override int GetHashCode() => localToWorldMatrix.GetHashCode();
     }
@@ -96,7 +102,8 @@ namespace UnityEngine.Rendering
 
         public static RenderPipeline currentPipeline => pipeline;
 
-        // Scriptable pipelines raise these; the built-in one never does. What a listener throws ends the frame, as in Unity (UnityCsReference, RenderPipelineManager.cs, 2022.3).
+        // Scriptable pipelines raise these; the built-in one never does. What a listener throws ends the frame, as in Unity
+        // (UnityCsReference, RenderPipelineManager.cs, 2022.3).
         public static event Action<ScriptableRenderContext, Camera> beginCameraRendering, endCameraRendering;
         public static event Action<ScriptableRenderContext, List<Camera>> beginContextRendering, endContextRendering;
         public static event Action activeRenderPipelineTypeChanged, activeRenderPipelineCreated, activeRenderPipelineDisposed;
@@ -131,7 +138,8 @@ namespace UnityEngine.Rendering
     public sealed class GraphicsSettings : Object
     {
         GraphicsSettings() { }
-        public static RenderPipelineAsset currentRenderPipeline => QualitySettings.renderPipeline != null ? QualitySettings.renderPipeline : defaultRenderPipeline;
+        public static RenderPipelineAsset currentRenderPipeline => QualitySettings.renderPipeline != null ? QualitySettings.renderPipeline
+            : defaultRenderPipeline;
         public static RenderPipelineAsset defaultRenderPipeline { get; set; }
         public static bool lightsUseLinearIntensity { get; set; }
         public static bool lightsUseColorTemperature { get; set; }

@@ -113,7 +113,8 @@ namespace UnityEngine.Headless
                 for (int i = 0; i < colorCount; i++)
                 {
                     DeviceTexture color = colors[i].GetDevice(Rendering.RenderTextureSubElement.Color)
-                        ?? throw new GpuUsageException($"Drawing into RenderTexture '{(colors[i].Destroyed ? "(destroyed)" : colors[i].name)}', which was released.");
+                        ?? throw new GpuUsageException(
+                            $"Drawing into RenderTexture '{(colors[i].Destroyed ? "(destroyed)" : colors[i].name)}', which was released.");
                     if (i == 0) targets.Color0 = color;
                     else if (i == 1) targets.Color1 = color;
                     else if (i == 2) targets.Color2 = color;

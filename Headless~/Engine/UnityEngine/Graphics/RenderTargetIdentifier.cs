@@ -23,13 +23,17 @@ namespace UnityEngine.Rendering
         }
 
         public RenderTargetIdentifier(string name) : this(Shader.PropertyToID(name), 0) { }
-        public RenderTargetIdentifier(string name, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0) : this(Shader.PropertyToID(name), mipLevel, cubeFace, depthSlice) { }
+        public RenderTargetIdentifier(string name, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
+            : this(Shader.PropertyToID(name), mipLevel, cubeFace, depthSlice) { }
         public RenderTargetIdentifier(int nameID) : this(nameID, 0) { }
-        public RenderTargetIdentifier(int nameID, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0) : this(BuiltinRenderTextureType.PropertyName, mipLevel, cubeFace, depthSlice) => NameId = nameID;
+        public RenderTargetIdentifier(int nameID, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
+            : this(BuiltinRenderTextureType.PropertyName, mipLevel, cubeFace, depthSlice) => NameId = nameID;
         public RenderTargetIdentifier(Texture tex) : this(tex, 0) { }
 
         public RenderTargetIdentifier(Texture tex, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
-            : this(ReferenceEquals(tex, null) ? BuiltinRenderTextureType.None : tex is RenderTexture ? BuiltinRenderTextureType.RenderTexture : BuiltinRenderTextureType.BindableTexture, mipLevel, cubeFace, depthSlice) => Texture = tex;
+            : this(ReferenceEquals(tex, null) ? BuiltinRenderTextureType.None : tex is RenderTexture
+                ? BuiltinRenderTextureType.RenderTexture : BuiltinRenderTextureType.BindableTexture, mipLevel, cubeFace,
+                depthSlice) => Texture = tex;
 
         public RenderTargetIdentifier(RenderBuffer buf, int mipLevel = 0, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
             : this(BuiltinRenderTextureType.BufferPtr, mipLevel, cubeFace, depthSlice)
@@ -38,7 +42,8 @@ namespace UnityEngine.Rendering
             Element = buf.Element;
         }
 
-        public RenderTargetIdentifier(RenderTargetIdentifier renderTargetIdentifier, int mipLevel, CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
+        public RenderTargetIdentifier(RenderTargetIdentifier renderTargetIdentifier, int mipLevel,
+            CubemapFace cubeFace = CubemapFace.Unknown, int depthSlice = 0)
         {
             this = renderTargetIdentifier;
             (Mip, Face, DepthSlice) = (mipLevel, cubeFace, depthSlice);
@@ -68,17 +73,21 @@ namespace UnityEngine.Rendering
         }
 
         public bool Equals(RenderTargetIdentifier rhs) =>
-            Type == rhs.Type && NameId == rhs.NameId && ReferenceEquals(Texture, rhs.Texture) && Element == rhs.Element && Mip == rhs.Mip && Face == rhs.Face && DepthSlice == rhs.DepthSlice;
+            Type == rhs.Type && NameId == rhs.NameId && ReferenceEquals(Texture, rhs.Texture) && Element == rhs.Element && Mip == rhs.Mip
+            && Face == rhs.Face && DepthSlice == rhs.DepthSlice;
         public override bool Equals(object obj) => obj is RenderTargetIdentifier other && Equals(other);
-        public override int GetHashCode() => HashCode.Combine(Type, NameId, ReferenceEquals(Texture, null) ? 0 : Texture.GetInstanceID(), Mip, Face, DepthSlice);
-        public override string ToString() => $"Type {Type} NameID {NameId} InstanceID {(ReferenceEquals(Texture, null) ? 0 : Texture.GetInstanceID())}";
+        public override int GetHashCode() => HashCode.Combine(Type, NameId, ReferenceEquals(Texture, null) ? 0 : Texture.GetInstanceID(),
+            Mip, Face, DepthSlice);
+        public override string ToString()
+            => $"Type {Type} NameID {NameId} InstanceID {(ReferenceEquals(Texture, null) ? 0 : Texture.GetInstanceID())}";
         public static bool operator ==(RenderTargetIdentifier lhs, RenderTargetIdentifier rhs) => lhs.Equals(rhs);
         public static bool operator !=(RenderTargetIdentifier lhs, RenderTargetIdentifier rhs) => !lhs.Equals(rhs);
     }
 
     public struct RenderTargetBinding
     {
-        public RenderTargetBinding(RenderTargetIdentifier[] colorRenderTargets, RenderBufferLoadAction[] colorLoadActions, RenderBufferStoreAction[] colorStoreActions,
+        public RenderTargetBinding(RenderTargetIdentifier[] colorRenderTargets, RenderBufferLoadAction[] colorLoadActions,
+            RenderBufferStoreAction[] colorStoreActions,
             RenderTargetIdentifier depthRenderTarget, RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction depthStoreAction)
         {
             this.colorRenderTargets = colorRenderTargets;
@@ -89,9 +98,11 @@ namespace UnityEngine.Rendering
             this.depthStoreAction = depthStoreAction;
         }
 
-        public RenderTargetBinding(RenderTargetIdentifier colorRenderTarget, RenderBufferLoadAction colorLoadAction, RenderBufferStoreAction colorStoreAction,
+        public RenderTargetBinding(RenderTargetIdentifier colorRenderTarget, RenderBufferLoadAction colorLoadAction,
+            RenderBufferStoreAction colorStoreAction,
             RenderTargetIdentifier depthRenderTarget, RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction depthStoreAction)
-            : this(new[] { colorRenderTarget }, new[] { colorLoadAction }, new[] { colorStoreAction }, depthRenderTarget, depthLoadAction, depthStoreAction) { }
+            : this(new[] { colorRenderTarget }, new[] { colorLoadAction }, new[] { colorStoreAction }, depthRenderTarget, depthLoadAction,
+                depthStoreAction) { }
 
         public RenderTargetIdentifier[] colorRenderTargets { get; set; }
         public RenderTargetIdentifier depthRenderTarget { get; set; }

@@ -19,18 +19,27 @@ namespace UnityEngine
 
         protected RenderTexture() => wrapMode = TextureWrapMode.Clamp;
         public RenderTexture(RenderTextureDescriptor desc) : this() => description = Checked(desc);
-        public RenderTexture(RenderTexture textureToCopy) : this(textureToCopy == null ? throw new ArgumentNullException(nameof(textureToCopy)) : textureToCopy.description) => CopySettings(textureToCopy);
+        public RenderTexture(RenderTexture textureToCopy)
+            : this(textureToCopy == null ? throw new ArgumentNullException(nameof(textureToCopy)) : textureToCopy.description)
+            => CopySettings(textureToCopy);
         public RenderTexture(int width, int height, int depth) : this(width, height, depth, RenderTextureFormat.Default) { }
-        public RenderTexture(int width, int height, int depth, RenderTextureFormat format) : this(width, height, depth, format, RenderTextureReadWrite.Default) { }
-        public RenderTexture(int width, int height, int depth, RenderTextureFormat format, RenderTextureReadWrite readWrite) : this(Describe(width, height, depth, format, readWrite)) { }
-        public RenderTexture(int width, int height, int depth, RenderTextureFormat format, int mipCount) : this(Describe(width, height, depth, format, RenderTextureReadWrite.Default, mipCount)) { }
+        public RenderTexture(int width, int height, int depth, RenderTextureFormat format)
+            : this(width, height, depth, format, RenderTextureReadWrite.Default) { }
+        public RenderTexture(int width, int height, int depth, RenderTextureFormat format, RenderTextureReadWrite readWrite)
+            : this(Describe(width, height, depth, format, readWrite)) { }
+        public RenderTexture(int width, int height, int depth, RenderTextureFormat format, int mipCount)
+            : this(Describe(width, height, depth, format, RenderTextureReadWrite.Default, mipCount)) { }
         public RenderTexture(int width, int height, int depth, DefaultFormat format) : this(width, height, depth, Formats.Of(format)) { }
         public RenderTexture(int width, int height, int depth, GraphicsFormat format) : this(width, height, depth, format, 1) { }
-        public RenderTexture(int width, int height, int depth, GraphicsFormat format, int mipCount) : this(new RenderTextureDescriptor(width, height, format, depth, mipCount)) { }
-        public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat) : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat)) { }
-        public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat, int mipCount) : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat, mipCount)) { }
+        public RenderTexture(int width, int height, int depth, GraphicsFormat format, int mipCount)
+            : this(new RenderTextureDescriptor(width, height, format, depth, mipCount)) { }
+        public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
+            : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat)) { }
+        public RenderTexture(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat, int mipCount)
+            : this(new RenderTextureDescriptor(width, height, colorFormat, depthStencilFormat, mipCount)) { }
 
-        static RenderTextureDescriptor Describe(int width, int height, int depth, RenderTextureFormat format, RenderTextureReadWrite readWrite, int mips = 1)
+        static RenderTextureDescriptor Describe(int width, int height, int depth, RenderTextureFormat format,
+            RenderTextureReadWrite readWrite, int mips = 1)
         {
             // Default is sRGB in a linear project, for formats that have such a variant.
             if (readWrite == RenderTextureReadWrite.Default && Player.LinearColorSpace)
@@ -74,9 +83,11 @@ namespace UnityEngine
             DeviceTexture texture = Gpu.Device.CreateTexture(new DeviceTextureDescription
             {
                 Name = label, Format = Formats.Device(format),
-                Dimension = volume ? DeviceTextureDimension.Tex3D : dimension == TextureDimension.Tex2DArray ? DeviceTextureDimension.Tex2DArray : dimension == TextureDimension.Cube ? DeviceTextureDimension.Cube
+                Dimension = volume ? DeviceTextureDimension.Tex3D : dimension == TextureDimension.Tex2DArray
+                    ? DeviceTextureDimension.Tex2DArray : dimension == TextureDimension.Cube ? DeviceTextureDimension.Cube
                     : array ? DeviceTextureDimension.CubeArray : DeviceTextureDimension.Tex2D,
-                Width = width, Height = height, Depth = volume ? volumeDepth : 1, Slices = array ? volumeDepth : dimension == TextureDimension.Cube ? 6 : 1,
+                Width = width, Height = height, Depth = volume ? volumeDepth : 1, Slices = array ? volumeDepth
+                    : dimension == TextureDimension.Cube ? 6 : 1,
                 Mips = MipCount, Samples = 1, RandomWrite = randomWrite, Target = !volume,
             });
             Gpu.Device.ClearTexture(texture, default);
@@ -116,7 +127,8 @@ namespace UnityEngine
         void Change(string property)
         {
             if (IsCreated())
-                GpuError.Report($"Setting {property} of the already created RenderTexture '{name}' is not supported; Release it first.", $"Setting {property} of already created render texture is not supported!");
+                GpuError.Report($"Setting {property} of the already created RenderTexture '{name}' is not supported; Release it first.",
+                    $"Setting {property} of already created render texture is not supported!");
         }
 
         public RenderTextureDescriptor descriptor { get => description; set { Change("descriptor"); description = Checked(value); } }
@@ -126,7 +138,8 @@ namespace UnityEngine
         public int volumeDepth { get => description.volumeDepth; set { Change("volumeDepth"); description.volumeDepth = value; } }
         public int depth { get => description.depthBufferBits; set { Change("depth"); description.depthBufferBits = value; } }
         public int antiAliasing { get => description.msaaSamples; set { Change("antiAliasing"); description.msaaSamples = value; } }
-        public bool enableRandomWrite { get => description.enableRandomWrite; set { Change("enableRandomWrite"); description.enableRandomWrite = value; } }
+        public bool enableRandomWrite { get => description.enableRandomWrite;
+            set { Change("enableRandomWrite"); description.enableRandomWrite = value; } }
         public bool useMipMap { get => description.useMipMap; set { Change("useMipMap"); description.useMipMap = value; } }
         public bool autoGenerateMips { get => description.autoGenerateMips; set => description.autoGenerateMips = value; }
         public bool bindTextureMS { get => description.bindMS; set => description.bindMS = value; }
@@ -135,8 +148,10 @@ namespace UnityEngine
         public VRTextureUsage vrUsage { get => description.vrUsage; set => description.vrUsage = value; }
         public RenderTextureFormat format { get => description.colorFormat; set { Change("format"); description.colorFormat = value; } }
         internal override GraphicsFormat FormatOf => description.graphicsFormat;
-        public new GraphicsFormat graphicsFormat { get => description.graphicsFormat; set { Change("graphicsFormat"); description.graphicsFormat = value; } }
-        public GraphicsFormat depthStencilFormat { get => description.depthStencilFormat; set { Change("depthStencilFormat"); description.depthStencilFormat = value; } }
+        public new GraphicsFormat graphicsFormat { get => description.graphicsFormat;
+            set { Change("graphicsFormat"); description.graphicsFormat = value; } }
+        public GraphicsFormat depthStencilFormat { get => description.depthStencilFormat;
+            set { Change("depthStencilFormat"); description.depthStencilFormat = value; } }
         public GraphicsFormat stencilFormat { get => description.stencilFormat; set => description.stencilFormat = value; }
         public bool sRGB => description.sRGB;
         public bool isPowerOfTwo { get => Mathf.IsPowerOfTwo(width) && Mathf.IsPowerOfTwo(height); set { } }
@@ -186,7 +201,8 @@ namespace UnityEngine
                 return;
             if (!usedTemporaries.Remove(temp))
             {
-                GpuError.Report($"ReleaseTemporary of '{temp.name}', which is not a temporary in use.", "Trying to release render texture that was not allocated by RenderTexture.GetTemporary");
+                GpuError.Report($"ReleaseTemporary of '{temp.name}', which is not a temporary in use.",
+                    "Trying to release render texture that was not allocated by RenderTexture.GetTemporary");
                 return;
             }
             freeTemporaries.Add(temp);
@@ -201,12 +217,18 @@ namespace UnityEngine
         }
 
         public static RenderTexture GetTemporary(int width, int height) => GetTemporary(width, height, 0);
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer) => GetTemporary(width, height, depthBuffer, RenderTextureFormat.Default);
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format) => GetTemporary(width, height, depthBuffer, format, RenderTextureReadWrite.Default);
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format, RenderTextureReadWrite readWrite) => GetTemporary(Describe(width, height, depthBuffer, format, readWrite));
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format, RenderTextureReadWrite readWrite, int antiAliasing) => GetTemporary(width, height, depthBuffer, format, readWrite);
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, GraphicsFormat format) => GetTemporary(new RenderTextureDescriptor(width, height, format, depthBuffer));
-        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, GraphicsFormat format, int antiAliasing) => GetTemporary(width, height, depthBuffer, format);
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer)
+            => GetTemporary(width, height, depthBuffer, RenderTextureFormat.Default);
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format)
+            => GetTemporary(width, height, depthBuffer, format, RenderTextureReadWrite.Default);
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format,
+            RenderTextureReadWrite readWrite) => GetTemporary(Describe(width, height, depthBuffer, format, readWrite));
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, RenderTextureFormat format,
+            RenderTextureReadWrite readWrite, int antiAliasing) => GetTemporary(width, height, depthBuffer, format, readWrite);
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, GraphicsFormat format)
+            => GetTemporary(new RenderTextureDescriptor(width, height, format, depthBuffer));
+        public static RenderTexture GetTemporary(int width, int height, int depthBuffer, GraphicsFormat format, int antiAliasing)
+            => GetTemporary(width, height, depthBuffer, format);
     }
 
     public struct RenderBuffer
@@ -219,6 +241,8 @@ namespace UnityEngine
             Element = element;
         }
 
-        public IntPtr GetNativeRenderBufferPtr() => throw new NotSupportedException("RenderBuffer.GetNativeRenderBufferPtr: the headless host has no native graphics objects to hand out.");
+        public IntPtr GetNativeRenderBufferPtr()
+            => throw new NotSupportedException(
+            "RenderBuffer.GetNativeRenderBufferPtr: the headless host has no native graphics objects to hand out.");
     }
 }

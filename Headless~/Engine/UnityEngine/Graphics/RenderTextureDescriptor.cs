@@ -10,13 +10,19 @@ namespace UnityEngine
 
         public RenderTextureDescriptor(int width, int height) : this(width, height, RenderTextureFormat.Default, 0) { }
         public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat) : this(width, height, colorFormat, 0) { }
-        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits) : this(width, height, colorFormat, depthBufferBits, 1) { }
-        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount) : this(width, height, colorFormat, depthBufferBits, mipCount, RenderTextureReadWrite.Linear) { }
-        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount, RenderTextureReadWrite readWrite)
+        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits)
+            : this(width, height, colorFormat, depthBufferBits, 1) { }
+        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount)
+            : this(width, height, colorFormat, depthBufferBits, mipCount, RenderTextureReadWrite.Linear) { }
+        public RenderTextureDescriptor(int width, int height, RenderTextureFormat colorFormat, int depthBufferBits, int mipCount,
+            RenderTextureReadWrite readWrite)
             : this(width, height, Formats.Of(colorFormat, readWrite), Formats.OfDepthBits(depthBufferBits), mipCount) { }
-        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, int depthBufferBits) : this(width, height, colorFormat, depthBufferBits, 1) { }
-        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, int depthBufferBits, int mipCount) : this(width, height, colorFormat, Formats.OfDepthBits(depthBufferBits), mipCount) { }
-        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat) : this(width, height, colorFormat, depthStencilFormat, 1) { }
+        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, int depthBufferBits)
+            : this(width, height, colorFormat, depthBufferBits, 1) { }
+        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, int depthBufferBits, int mipCount)
+            : this(width, height, colorFormat, Formats.OfDepthBits(depthBufferBits), mipCount) { }
+        public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat)
+            : this(width, height, colorFormat, depthStencilFormat, 1) { }
 
         public RenderTextureDescriptor(int width, int height, GraphicsFormat colorFormat, GraphicsFormat depthStencilFormat, int mipCount)
         {
@@ -62,10 +68,13 @@ namespace UnityEngine
 
         public int depthBufferBits { get => Formats.DepthBits(depthStencilFormat); set => depthStencilFormat = Formats.OfDepthBits(value); }
         public bool useMipMap { get => Has(RenderTextureCreationFlags.MipMap); set => Set(RenderTextureCreationFlags.MipMap, value); }
-        public bool autoGenerateMips { get => Has(RenderTextureCreationFlags.AutoGenerateMips); set => Set(RenderTextureCreationFlags.AutoGenerateMips, value); }
-        public bool enableRandomWrite { get => Has(RenderTextureCreationFlags.EnableRandomWrite); set => Set(RenderTextureCreationFlags.EnableRandomWrite, value); }
+        public bool autoGenerateMips { get => Has(RenderTextureCreationFlags.AutoGenerateMips);
+            set => Set(RenderTextureCreationFlags.AutoGenerateMips, value); }
+        public bool enableRandomWrite { get => Has(RenderTextureCreationFlags.EnableRandomWrite);
+            set => Set(RenderTextureCreationFlags.EnableRandomWrite, value); }
         public bool bindMS { get => Has(RenderTextureCreationFlags.BindMS); set => Set(RenderTextureCreationFlags.BindMS, value); }
-        public bool useDynamicScale { get => Has(RenderTextureCreationFlags.DynamicallyScalable); set => Set(RenderTextureCreationFlags.DynamicallyScalable, value); }
+        public bool useDynamicScale { get => Has(RenderTextureCreationFlags.DynamicallyScalable);
+            set => Set(RenderTextureCreationFlags.DynamicallyScalable, value); }
 
         bool Has(RenderTextureCreationFlags flag) => (creation & flag) != 0;
         void Set(RenderTextureCreationFlags flag, bool value) => creation = value ? creation | flag : creation & ~flag;

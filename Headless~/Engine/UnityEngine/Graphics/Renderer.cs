@@ -62,12 +62,14 @@ namespace UnityEngine
 
         public Matrix4x4 localToWorldMatrix => transform.localToWorldMatrix;
         public Matrix4x4 worldToLocalMatrix => transform.worldToLocalMatrix;
-        public Bounds localBounds { get => explicitLocalBounds ?? (MeshToDraw != null ? MeshToDraw.bounds : default); set => explicitLocalBounds = value; }
+        public Bounds localBounds { get => explicitLocalBounds ?? (MeshToDraw != null ? MeshToDraw.bounds : default);
+            set => explicitLocalBounds = value; }
         public Bounds bounds { get => explicitBounds ?? Culling.Transform(localBounds, localToWorldMatrix); set => explicitBounds = value; }
         public void ResetBounds() => explicitBounds = null;
         public void ResetLocalBounds() => explicitLocalBounds = null;
 
-        public Material sharedMaterial { get => shared.Length > 0 ? shared[0] : null; set { if (shared.Length == 0) sharedMaterials = new[] { value }; else SetShared(0, value); } }
+        public Material sharedMaterial { get => shared.Length > 0 ? shared[0] : null;
+            set { if (shared.Length == 0) sharedMaterials = new[] { value }; else SetShared(0, value); } }
         public Material[] sharedMaterials
         {
             get => (Material[])shared.Clone();

@@ -19,7 +19,8 @@ namespace UnityEngine.Headless
             mask = Shader.PropertyToID("_ShadowMapTexture"), map = Shader.PropertyToID("_ShadowMap"),
             mapSize = Shader.PropertyToID("_ShadowMapSize"), bias = Shader.PropertyToID("unity_LightShadowBias"),
             data = Shader.PropertyToID("_LightShadowData"), worldToShadow = Shader.PropertyToID("unity_WorldToShadow"),
-            splitSpheres = Shader.PropertyToID("unity_ShadowSplitSpheres"), splitRadii = Shader.PropertyToID("unity_ShadowSplitSqRadii"), splitsFar = Shader.PropertyToID("_LightSplitsFar"),
+            splitSpheres = Shader.PropertyToID("unity_ShadowSplitSpheres"), splitRadii = Shader.PropertyToID("unity_ShadowSplitSqRadii"),
+                splitsFar = Shader.PropertyToID("_LightSplitsFar"),
             fadeCenter = Shader.PropertyToID("unity_ShadowFadeCenterAndType"), eye = Shader.PropertyToID("_Eye");
 
         static readonly Vector3[] corners = new Vector3[8];
@@ -33,9 +34,11 @@ namespace UnityEngine.Headless
         public static bool AreWanted(IReadOnlyList<QueuedDraw> all)
         {
             Light light = Light.MainDirectional();
-            if (light is null || light.shadows == LightShadows.None || light.shadowStrength <= 0 || QualitySettings.shadows == ShadowQuality.Disable || !Casts(all))
+            if (light is null || light.shadows == LightShadows.None || light.shadowStrength <= 0
+                || QualitySettings.shadows == ShadowQuality.Disable || !Casts(all))
                 return false;
-            resolve = resolve != null ? resolve : BuiltinResources.FindShader?.Invoke("Hidden/Internal-ScreenSpaceShadows") is Shader shader ? new Material(shader) { hideFlags = HideFlags.HideAndDontSave } : null;
+            resolve = resolve != null ? resolve : BuiltinResources.FindShader?.Invoke("Hidden/Internal-ScreenSpaceShadows") is Shader shader
+                ? new Material(shader) { hideFlags = HideFlags.HideAndDontSave } : null;
             return resolve != null;
         }
 
@@ -75,9 +78,12 @@ namespace UnityEngine.Headless
             Shader.Globals.SetVector(fadeCenter, spheres[0]);
             Shader.Globals.SetArray(worldToShadow, PropertyKind.Matrix, worldToShadows, worldToShadows.Length);
             Shader.Globals.SetVector(data, new Vector4(1 - light.shadowStrength, 0, 0, 0));
-            Shader.Globals.SetVector(mapSize, new Vector4(texels, light.shadows == LightShadows.Soft && QualitySettings.shadows == ShadowQuality.All ? 1 : 0, QualitySettings.shadowDistance, 0));
+            Shader.Globals.SetVector(mapSize,
+                new Vector4(texels, light.shadows == LightShadows.Soft && QualitySettings.shadows == ShadowQuality.All ? 1 : 0,
+                QualitySettings.shadowDistance, 0));
             Shader.Globals.SetTexture(map, mapTexture, RenderTextureSubElement.Depth);
-            // LightEvent.BeforeScreenspaceMask of the scripting reference (2019.2): the mask is the target and the parameters of the cascades are set.
+            // LightEvent.BeforeScreenspaceMask of the scripting reference (2019.2): the mask is the target and the parameters of the
+            // cascades are set.
             BuiltinVariables.SetCamera(camera, pixels, camera.pixelHeight);
             RenderState.SetTarget(maskTexture);
             light.Execute(LightEvent.BeforeScreenspaceMask);
@@ -92,7 +98,8 @@ namespace UnityEngine.Headless
                     BuiltinVariables.SetViewProjection(StereoView.Views[slice], StereoView.Projections[slice]);
                 resolve.SetFloat(eye, slice);
                 RenderState.SetTarget(maskTexture, 0, slice);
-                Drawing.DrawPass(new DrawCall { Call = "screen-space shadows", Material = resolve, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
+                Drawing.DrawPass(new DrawCall { Call = "screen-space shadows", Material = resolve, Matrix = Matrix4x4.identity,
+                    Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
             }
             Shader.Globals.SetTexture(mask, maskTexture);
             return true;
@@ -107,7 +114,8 @@ namespace UnityEngine.Headless
         }
 
         /// <summary>The light's view of what a camera sees, for a map of one cascade; false where nothing casts or receives.</summary>
-        public static bool TryFit(Camera camera, Light light, float distance, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, out Matrix4x4 view, out Matrix4x4 projection, out float width)
+        public static bool TryFit(Camera camera, Light light, float distance, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen,
+            out Matrix4x4 view, out Matrix4x4 projection, out float width)
         {
             view = Matrix4x4.Scale(new Vector3(1, 1, -1)) * Matrix4x4.Rotate(light.transform.rotation).inverse;
             (projection, width) = (default, 0);
@@ -115,7 +123,8 @@ namespace UnityEngine.Headless
         }
 
         // Across: where the camera sees something within the shadow distance. Along the light: from the first caster to the last receiver.
-        static bool Fit(Camera camera, in Matrix4x4 view, float distance, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen, out Matrix4x4 projection, out float width, out float range)
+        static bool Fit(Camera camera, in Matrix4x4 view, float distance, IReadOnlyList<QueuedDraw> all, IReadOnlyList<QueuedDraw> seen,
+            out Matrix4x4 projection, out float width, out float range)
         {
             projection = default;
             width = range = 0;
@@ -163,7 +172,8 @@ namespace UnityEngine.Headless
                 return;
             if (texture is object)
                 Object.DestroyImmediate(texture, true);
-            texture = new RenderTexture(new RenderTextureDescriptor(width, height, color, color == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            texture = new RenderTexture(new RenderTextureDescriptor(width, height, color, color == GraphicsFormat.None
+                ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
             {
                 dimension = slices > 1 ? TextureDimension.Tex2DArray : TextureDimension.Tex2D, volumeDepth = slices,
             })

@@ -11,12 +11,14 @@ namespace UnityEngine.Headless
         {
             get
             {
-                if (texture != null && (texture.width != Player.ScreenWidth || texture.height != Player.ScreenHeight || texture.sRGB != Player.LinearColorSpace))
+                if (texture != null && (texture.width != Player.ScreenWidth || texture.height != Player.ScreenHeight
+                    || texture.sRGB != Player.LinearColorSpace))
                     Reset();
                 if (texture == null)
                 {
                     GraphicsFormat format = Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm;
-                    texture = new RenderTexture(Player.ScreenWidth, Player.ScreenHeight, format, GraphicsFormat.D32_SFloat_S8_UInt) { name = "Screen", IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave };
+                    texture = new RenderTexture(Player.ScreenWidth, Player.ScreenHeight, format,
+                        GraphicsFormat.D32_SFloat_S8_UInt) { name = "Screen", IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave };
                     texture.Create();
                 }
                 return texture;

@@ -28,7 +28,8 @@ namespace UnityEngine
 
         /// <summary>"white", "black" ... as the property declares it; what it declares nothing for is gray.</summary>
         internal string DefaultTextureName(int id) =>
-            properties.TryGetValue(id, out ShaderProperty property) && !string.IsNullOrEmpty(property.DefaultTexture) ? property.DefaultTexture : "gray";
+            properties.TryGetValue(id, out ShaderProperty property) && !string.IsNullOrEmpty(property.DefaultTexture)
+            ? property.DefaultTexture : "gray";
 
         public static Shader Find(string name) => Player.Assets != null ? Player.Assets.FindShader(name) : BuiltinResources.FindShader?.Invoke(name);
         public static int PropertyToID(string name) => PropertyNames.ToId(name);
@@ -47,7 +48,8 @@ namespace UnityEngine
             get
             {
                 foreach (ShaderPassSource pass in source.Passes)
-                    if (pass.Tags.TryGetValue("LightMode", out string mode) && string.Equals(mode, ShadowCasters.Mode, StringComparison.OrdinalIgnoreCase))
+                    if (pass.Tags.TryGetValue("LightMode", out string mode)
+                        && string.Equals(mode, ShadowCasters.Mode, StringComparison.OrdinalIgnoreCase))
                         return pass;
                 return null;
             }
@@ -66,7 +68,8 @@ namespace UnityEngine
                 if (ReferenceEquals(fallback, this))
                     fallback = null;
                 else if (fallback is null)
-                    Debug.LogWarning($"Shader '{name}': fallback shader '{source.Fallback}' not found; without a ShadowCaster pass of its own it casts no shadow and is not in the camera's depth texture");
+                    Debug.LogWarning($"Shader '{name}': fallback shader '{source.Fallback}' not found; without a ShadowCaster pass of " +
+                        $"its own it casts no shadow and is not in the camera's depth texture");
                 return fallback;
             }
         }
@@ -156,30 +159,39 @@ namespace UnityEngine
         public static void SetGlobalColor(string name, Color value) => SetGlobalColor(PropertyToID(name), value);
         public static void SetGlobalMatrix(int nameID, Matrix4x4 value) => Globals.SetMatrix(nameID, value);
         public static void SetGlobalMatrix(string name, Matrix4x4 value) => SetGlobalMatrix(PropertyToID(name), value);
-        public static void SetGlobalFloatArray(int nameID, float[] values) => Globals.SetArray(nameID, PropertyKind.Float, values, values?.Length ?? 0);
+        public static void SetGlobalFloatArray(int nameID, float[] values)
+            => Globals.SetArray(nameID, PropertyKind.Float, values, values?.Length ?? 0);
         public static void SetGlobalFloatArray(string name, float[] values) => SetGlobalFloatArray(PropertyToID(name), values);
         public static void SetGlobalFloatArray(int nameID, List<float> values) => Globals.SetArray(nameID, PropertyKind.Float, values);
         public static void SetGlobalFloatArray(string name, List<float> values) => SetGlobalFloatArray(PropertyToID(name), values);
-        public static void SetGlobalVectorArray(int nameID, Vector4[] values) => Globals.SetArray(nameID, PropertyKind.Vector, values, values?.Length ?? 0);
+        public static void SetGlobalVectorArray(int nameID, Vector4[] values)
+            => Globals.SetArray(nameID, PropertyKind.Vector, values, values?.Length ?? 0);
         public static void SetGlobalVectorArray(string name, Vector4[] values) => SetGlobalVectorArray(PropertyToID(name), values);
         public static void SetGlobalVectorArray(int nameID, List<Vector4> values) => Globals.SetArray(nameID, PropertyKind.Vector, values);
         public static void SetGlobalVectorArray(string name, List<Vector4> values) => SetGlobalVectorArray(PropertyToID(name), values);
-        public static void SetGlobalMatrixArray(int nameID, Matrix4x4[] values) => Globals.SetArray(nameID, PropertyKind.Matrix, values, values?.Length ?? 0);
+        public static void SetGlobalMatrixArray(int nameID, Matrix4x4[] values)
+            => Globals.SetArray(nameID, PropertyKind.Matrix, values, values?.Length ?? 0);
         public static void SetGlobalMatrixArray(string name, Matrix4x4[] values) => SetGlobalMatrixArray(PropertyToID(name), values);
         public static void SetGlobalMatrixArray(int nameID, List<Matrix4x4> values) => Globals.SetArray(nameID, PropertyKind.Matrix, values);
         public static void SetGlobalMatrixArray(string name, List<Matrix4x4> values) => SetGlobalMatrixArray(PropertyToID(name), values);
         public static void SetGlobalTexture(int nameID, Texture value) => Globals.SetTexture(nameID, value);
         public static void SetGlobalTexture(string name, Texture value) => SetGlobalTexture(PropertyToID(name), value);
-        public static void SetGlobalTexture(int nameID, RenderTexture value, RenderTextureSubElement element) => Globals.SetTexture(nameID, value, element);
-        public static void SetGlobalTexture(string name, RenderTexture value, RenderTextureSubElement element) => SetGlobalTexture(PropertyToID(name), value, element);
+        public static void SetGlobalTexture(int nameID, RenderTexture value, RenderTextureSubElement element)
+            => Globals.SetTexture(nameID, value, element);
+        public static void SetGlobalTexture(string name, RenderTexture value, RenderTextureSubElement element)
+            => SetGlobalTexture(PropertyToID(name), value, element);
         public static void SetGlobalBuffer(int nameID, ComputeBuffer value) => Globals.SetBuffer(nameID, value?.Storage);
         public static void SetGlobalBuffer(string name, ComputeBuffer value) => SetGlobalBuffer(PropertyToID(name), value);
         public static void SetGlobalBuffer(int nameID, GraphicsBuffer value) => Globals.SetBuffer(nameID, value?.Storage);
         public static void SetGlobalBuffer(string name, GraphicsBuffer value) => SetGlobalBuffer(PropertyToID(name), value);
-        public static void SetGlobalConstantBuffer(int nameID, ComputeBuffer value, int offset, int size) => Globals.SetConstantBuffer(nameID, value?.Storage, offset, size);
-        public static void SetGlobalConstantBuffer(string name, ComputeBuffer value, int offset, int size) => SetGlobalConstantBuffer(PropertyToID(name), value, offset, size);
-        public static void SetGlobalConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size) => Globals.SetConstantBuffer(nameID, value?.Storage, offset, size);
-        public static void SetGlobalConstantBuffer(string name, GraphicsBuffer value, int offset, int size) => SetGlobalConstantBuffer(PropertyToID(name), value, offset, size);
+        public static void SetGlobalConstantBuffer(int nameID, ComputeBuffer value, int offset, int size)
+            => Globals.SetConstantBuffer(nameID, value?.Storage, offset, size);
+        public static void SetGlobalConstantBuffer(string name, ComputeBuffer value, int offset, int size)
+            => SetGlobalConstantBuffer(PropertyToID(name), value, offset, size);
+        public static void SetGlobalConstantBuffer(int nameID, GraphicsBuffer value, int offset, int size)
+            => Globals.SetConstantBuffer(nameID, value?.Storage, offset, size);
+        public static void SetGlobalConstantBuffer(string name, GraphicsBuffer value, int offset, int size)
+            => SetGlobalConstantBuffer(PropertyToID(name), value, offset, size);
 
         public static float GetGlobalFloat(int nameID) => Globals.GetFloat(nameID);
         public static float GetGlobalFloat(string name) => GetGlobalFloat(PropertyToID(name));

@@ -27,7 +27,8 @@ namespace UnityEngine.Headless
             if (eyes is null)
             {
                 RenderTexture screen = ScreenTarget.Texture;
-                eyes = new RenderTexture(new RenderTextureDescriptor(width, height, screen.graphicsFormat, screen.depthStencilFormat) { dimension = TextureDimension.Tex2DArray, volumeDepth = 2 })
+                eyes = new RenderTexture(new RenderTextureDescriptor(width, height, screen.graphicsFormat,
+                    screen.depthStencilFormat) { dimension = TextureDimension.Tex2DArray, volumeDepth = 2 })
                 {
                     name = "Eyes", IsBuiltIn = true, hideFlags = HideFlags.HideAndDontSave,
                 };
@@ -41,11 +42,14 @@ namespace UnityEngine.Headless
             BuiltinVariables.SetStereo(Views, Projections);
         }
 
-        public static Matrix4x4 ViewOf(Camera camera, int eye) => Matrix4x4.Translate(new Vector3((0.5f - eye) * EyeDistance, 0, 0)) * camera.worldToCameraMatrix;
+        public static Matrix4x4 ViewOf(Camera camera, int eye)
+            => Matrix4x4.Translate(new Vector3((0.5f - eye) * EyeDistance, 0, 0)) * camera.worldToCameraMatrix;
 
         public static Matrix4x4 ProjectionOf(Camera camera)
         {
-            return camera.orthographic ? camera.projectionMatrix : Matrix4x4.Perspective(camera.fieldOfView, (float)camera.pixelWidth / camera.pixelHeight, camera.nearClipPlane, camera.farClipPlane);
+            return camera.orthographic ? camera.projectionMatrix
+                : Matrix4x4.Perspective(camera.fieldOfView, (float)camera.pixelWidth / camera.pixelHeight, camera.nearClipPlane,
+                camera.farClipPlane);
         }
 
         /// <summary>Draws from here on are for both eyes, until it is off.</summary>
@@ -73,10 +77,12 @@ namespace UnityEngine.Headless
 
         public static void Show()
         {
-            sideBySide = sideBySide != null ? sideBySide : new Material(BuiltinResources.FindShader("Hidden/Headless/SideBySide")) { hideFlags = HideFlags.HideAndDontSave };
+            sideBySide = sideBySide != null ? sideBySide
+                : new Material(BuiltinResources.FindShader("Hidden/Headless/SideBySide")) { hideFlags = HideFlags.HideAndDontSave };
             Shader.Globals.SetTexture(eyesId, eyes);
             RenderState.SetTarget(ScreenTarget.Texture);
-            Drawing.DrawPass(new DrawCall { Call = "two eyes", Material = sideBySide, Matrix = Matrix4x4.identity, Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
+            Drawing.DrawPass(new DrawCall { Call = "two eyes", Material = sideBySide, Matrix = Matrix4x4.identity,
+                Topology = MeshTopology.Triangles, Count = 3, Instances = 1 }, 0);
         }
 
         public static void Reset()

@@ -42,7 +42,8 @@ namespace UnityEngine
         public static bool usesLoadStoreActions => false;
         public static bool graphicsUVStartsAtTop => true;
         public static bool graphicsMultiThreaded => false;
-        public static CopyTextureSupport copyTextureSupport => CopyTextureSupport.Basic | CopyTextureSupport.Copy3D | CopyTextureSupport.TextureToRT | CopyTextureSupport.RTToTexture;
+        public static CopyTextureSupport copyTextureSupport
+            => CopyTextureSupport.Basic | CopyTextureSupport.Copy3D | CopyTextureSupport.TextureToRT | CopyTextureSupport.RTToTexture;
         public static RenderingThreadingMode renderingThreadingMode => RenderingThreadingMode.SingleThreaded;
         public static NPOTSupport npotSupport => NPOTSupport.Full;
 
@@ -56,7 +57,8 @@ namespace UnityEngine
         public static int graphicsMemorySize => Info == null ? 0 : (int)Math.Min(int.MaxValue, Info.MemoryBytes >> 20);
 
         /// <summary>Bytes: what one binding can cover.</summary>
-        public static long maxGraphicsBufferSize => Info == null ? 0 : Math.Min(Math.Min(Gpu.MaxResourceBytes, Player.Limits.BufferBytes), Info.MaxBufferBytes);
+        public static long maxGraphicsBufferSize
+            => Info == null ? 0 : Math.Min(Math.Min(Gpu.MaxResourceBytes, Player.Limits.BufferBytes), Info.MaxBufferBytes);
         public static int maxConstantBufferSize => Player.Limits.ConstantBytes;
         public static int constantBufferOffsetAlignment => 256;
         public static int maxComputeBufferInputsCompute => Compute ? Math.Min(Player.Limits.StorageBuffers, Player.Limits.Buffers) : 0;

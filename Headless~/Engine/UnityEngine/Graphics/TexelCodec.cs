@@ -20,10 +20,12 @@ namespace UnityEngine.Headless
                 case TextureFormat.R16: return new Color(MemoryMarshal.Cast<byte, ushort>(bytes)[index] / 65535f, 0, 0, 1);
                 case TextureFormat.RHalf: return new Color(Half(bytes, index), 0, 0, 1);
                 case TextureFormat.RGHalf: return new Color(Half(bytes, index * 2), Half(bytes, index * 2 + 1), 0, 1);
-                case TextureFormat.RGBAHalf: return new Color(Half(bytes, index * 4), Half(bytes, index * 4 + 1), Half(bytes, index * 4 + 2), Half(bytes, index * 4 + 3));
+                case TextureFormat.RGBAHalf: return new Color(Half(bytes, index * 4), Half(bytes, index * 4 + 1),
+                    Half(bytes, index * 4 + 2), Half(bytes, index * 4 + 3));
                 case TextureFormat.RFloat: return new Color(Float(bytes, index), 0, 0, 1);
                 case TextureFormat.RGFloat: return new Color(Float(bytes, index * 2), Float(bytes, index * 2 + 1), 0, 1);
-                case TextureFormat.RGBAFloat: return new Color(Float(bytes, index * 4), Float(bytes, index * 4 + 1), Float(bytes, index * 4 + 2), Float(bytes, index * 4 + 3));
+                case TextureFormat.RGBAFloat: return new Color(Float(bytes, index * 4), Float(bytes, index * 4 + 1),
+                    Float(bytes, index * 4 + 2), Float(bytes, index * 4 + 3));
                 default: throw Unsupported(format);
             }
         }
@@ -67,12 +69,14 @@ namespace UnityEngine.Headless
             return wide;
         }
 
-        static NotSupportedException Unsupported(TextureFormat format) => new NotSupportedException($"Pixels of TextureFormat.{format} are not supported by the headless host.");
+        static NotSupportedException Unsupported(TextureFormat format)
+            => new NotSupportedException($"Pixels of TextureFormat.{format} are not supported by the headless host.");
         static float U8(byte value) => value / 255f;
         static byte U8(float value) => (byte)(Mathf.Clamp01(value) * 255f + 0.5f);
         static float Float(ReadOnlySpan<byte> bytes, int index) => MemoryMarshal.Cast<byte, float>(bytes)[index];
         static float Half(ReadOnlySpan<byte> bytes, int index) => Mathf.HalfToFloat(MemoryMarshal.Cast<byte, ushort>(bytes)[index]);
-        static Color Bytes4(ReadOnlySpan<byte> texel, int r, int g, int b, int a) => new Color(U8(texel[r]), U8(texel[g]), U8(texel[b]), U8(texel[a]));
+        static Color Bytes4(ReadOnlySpan<byte> texel, int r, int g, int b, int a)
+            => new Color(U8(texel[r]), U8(texel[g]), U8(texel[b]), U8(texel[a]));
 
         static void Bytes4(Span<byte> texel, float x, float y, float z, float w)
         {

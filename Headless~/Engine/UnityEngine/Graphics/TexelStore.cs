@@ -20,14 +20,16 @@ namespace UnityEngine.Headless
         readonly string name;
         DeviceTexture device;
 
-        public TexelStore(string name, DeviceTextureDimension dimension, int width, int height, int depth, int slices, TextureFormat format, int mips, bool linear)
+        public TexelStore(string name, DeviceTextureDimension dimension, int width, int height, int depth, int slices, TextureFormat format,
+            int mips, bool linear)
         {
             if (width <= 0 || height <= 0 || depth <= 0 || slices <= 0)
                 throw new UnityException($"Failed to create {name} of {width} x {height} x {Math.Max(depth, slices)}: each side must be at least 1.");
             Gpu.RequireDevice($"new {name}");
             int limit = dimension == DeviceTextureDimension.Tex3D ? Player.Device.Info.MaxTexture3D : Player.Device.Info.MaxTexture2D;
             if (Math.Max(width, Math.Max(height, depth)) > limit)
-                throw new UnityException($"Failed to create {name} of {width} x {height} x {depth}: {Player.Device.Info.Name} allows {limit} a side.");
+                throw new UnityException(
+                    $"Failed to create {name} of {width} x {height} x {depth}: {Player.Device.Info.Name} allows {limit} a side.");
 
             this.name = name;
             (Width, Height, Depth, Slices, Format) = (width, height, depth, slices, format);
@@ -49,7 +51,8 @@ namespace UnityEngine.Headless
                 Width = width, Height = height, Depth = depth, Slices = slices, Mips = Mips, Samples = 1,
             });
             Gpu.Device.ClearTexture(device, default);
-            LiveObjects.Add(this, dimension == DeviceTextureDimension.Tex3D ? "Texture3D" : dimension == DeviceTextureDimension.Tex2D ? "Texture2D" : dimension == DeviceTextureDimension.Cube ? "Cubemap" : "Texture2DArray", name);
+            LiveObjects.Add(this, dimension == DeviceTextureDimension.Tex3D ? "Texture3D" : dimension == DeviceTextureDimension.Tex2D
+                ? "Texture2D" : dimension == DeviceTextureDimension.Cube ? "Cubemap" : "Texture2DArray", name);
         }
 
         public DeviceTexture Device => device;
@@ -72,7 +75,8 @@ namespace UnityEngine.Headless
         public unsafe NativeArray<T> View<T>(int mip, int slice = 0) where T : struct
         {
             byte[] bytes = Bytes(mip, slice);
-            return NativeArrayUnsafeUtility.ConvertExistingDataToNativeArray<T>((void*)pins[slice * Mips + mip].AddrOfPinnedObject(), bytes.Length / ElementSize<T>.Bytes, Allocator.None);
+            return NativeArrayUnsafeUtility.ConvertExistingDataToNativeArray<T>((void*)pins[slice * Mips + mip].AddrOfPinnedObject(),
+                bytes.Length / ElementSize<T>.Bytes, Allocator.None);
         }
 
         public void Assign(ReadOnlySpan<byte> source, int mip, int slice)
@@ -129,7 +133,8 @@ namespace UnityEngine.Headless
                         Color sum = default;
                         for (int k = 0; k < 8; k++)
                         {
-                            int sx = Math.Min(2 * x + (k & 1), W - 1), sy = Math.Min(2 * y + (k >> 1 & 1), H - 1), sz = Math.Min(2 * z + (k >> 2), D - 1);
+                            int sx = Math.Min(2 * x + (k & 1), W - 1), sy = Math.Min(2 * y + (k >> 1 & 1), H - 1),
+                                sz = Math.Min(2 * z + (k >> 2), D - 1);
                             sum += Get(mip - 1, slice, (sz * H + sy) * W + sx);
                         }
                         Set(mip, slice, (z * h + y) * w + x, sum / 8f);

@@ -26,7 +26,8 @@ namespace UnityEngine
 
         public virtual int width { get => WidthOf; set => throw new NotSupportedException("The width of this texture is fixed."); }
         public virtual int height { get => HeightOf; set => throw new NotSupportedException("The height of this texture is fixed."); }
-        public virtual TextureDimension dimension { get => DimensionOf; set => throw new NotSupportedException("The dimension of this texture is fixed."); }
+        public virtual TextureDimension dimension { get => DimensionOf;
+            set => throw new NotSupportedException("The dimension of this texture is fixed."); }
         public virtual GraphicsFormat graphicsFormat => FormatOf;
         public virtual bool isReadable => true;
         public int mipmapCount => MipCount;
@@ -39,7 +40,8 @@ namespace UnityEngine
         public Vector2 texelSize => new Vector2(1f / width, 1f / height);
         public uint updateCount => updates;
         public void IncrementUpdateCount() => updates++;
-        public IntPtr GetNativeTexturePtr() => throw new NotSupportedException("Texture.GetNativeTexturePtr: the headless host has no native graphics objects to hand out.");
+        public IntPtr GetNativeTexturePtr() => throw new NotSupportedException(
+            "Texture.GetNativeTexturePtr: the headless host has no native graphics objects to hand out.");
 
         public TextureWrapMode wrapMode { get => wrapU; set => wrapU = wrapV = wrapW = value; }
         public TextureWrapMode wrapModeU { get => wrapU; set => wrapU = value; }

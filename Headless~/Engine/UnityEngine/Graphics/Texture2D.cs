@@ -15,18 +15,26 @@ namespace UnityEngine
         bool readable = true;
 
         public Texture2D(int width, int height) : this(width, height, TextureFormat.RGBA32, -1, false) { }
-        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain) : this(width, height, textureFormat, mipChain ? -1 : 1, false) { }
-        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear) : this(width, height, textureFormat, mipChain ? -1 : 1, linear) { }
-        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear, bool createUninitialized) : this(width, height, textureFormat, mipChain ? -1 : 1, linear) { }
-        public Texture2D(int width, int height, TextureFormat textureFormat, int mipCount, bool linear, bool createUninitialized) : this(width, height, textureFormat, mipCount, linear) { }
+        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain)
+            : this(width, height, textureFormat, mipChain ? -1 : 1, false) { }
+        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear)
+            : this(width, height, textureFormat, mipChain ? -1 : 1, linear) { }
+        public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear, bool createUninitialized)
+            : this(width, height, textureFormat, mipChain ? -1 : 1, linear) { }
+        public Texture2D(int width, int height, TextureFormat textureFormat, int mipCount, bool linear, bool createUninitialized)
+            : this(width, height, textureFormat, mipCount, linear) { }
         public Texture2D(int width, int height, DefaultFormat format, TextureCreationFlags flags) : this(width, height, Formats.Of(format), flags) { }
-        public Texture2D(int width, int height, DefaultFormat format, int mipCount, TextureCreationFlags flags) : this(width, height, Formats.Of(format), mipCount, flags) { }
-        public Texture2D(int width, int height, GraphicsFormat format, TextureCreationFlags flags) : this(width, height, format, (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1, flags) { }
-        public Texture2D(int width, int height, GraphicsFormat format, int mipCount, TextureCreationFlags flags) : this(width, height, Formats.ToTextureFormat(format), mipCount, !Formats.IsSrgb(format)) { }
+        public Texture2D(int width, int height, DefaultFormat format, int mipCount, TextureCreationFlags flags)
+            : this(width, height, Formats.Of(format), mipCount, flags) { }
+        public Texture2D(int width, int height, GraphicsFormat format, TextureCreationFlags flags)
+            : this(width, height, format, (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1, flags) { }
+        public Texture2D(int width, int height, GraphicsFormat format, int mipCount, TextureCreationFlags flags)
+            : this(width, height, Formats.ToTextureFormat(format), mipCount, !Formats.IsSrgb(format)) { }
 
         public Texture2D(int width, int height, TextureFormat textureFormat, int mipCount, bool linear)
         {
-            store = new TexelStore($"Texture2D {width} x {height} {textureFormat}", DeviceTextureDimension.Tex2D, width, height, 1, 1, textureFormat, mipCount, linear);
+            store = new TexelStore($"Texture2D {width} x {height} {textureFormat}", DeviceTextureDimension.Tex2D, width, height, 1, 1,
+                textureFormat, mipCount, linear);
         }
 
         internal TexelStore Store => store;
@@ -58,7 +66,8 @@ namespace UnityEngine
         public static Texture2D normalTexture => BuiltinTextures.Normal;
 
         TexelStore Readable(string call) =>
-            readable ? store : throw new ArgumentException($"Texture2D.{call}: texture data of '{name}' is either not readable, corrupted or does not exist (Apply made it no longer readable).");
+            readable ? store : throw new ArgumentException($"Texture2D.{call}: texture data of '{name}' is either not readable, " +
+            $"corrupted or does not exist (Apply made it no longer readable).");
 
         int Index(int x, int y, int mip)
         {
@@ -111,7 +120,8 @@ namespace UnityEngine
                 store.Set(miplevel, 0, (y + i / blockWidth) * store.MipWidth(miplevel) + x + i % blockWidth, colors[i]);
         }
 
-        public void SetPixels32(int x, int y, int blockWidth, int blockHeight, Color32[] colors) => SetPixels32(x, y, blockWidth, blockHeight, colors, 0);
+        public void SetPixels32(int x, int y, int blockWidth, int blockHeight, Color32[] colors)
+            => SetPixels32(x, y, blockWidth, blockHeight, colors, 0);
         public void SetPixels32(int x, int y, int blockWidth, int blockHeight, Color32[] colors, int miplevel) =>
             SetPixels(x, y, blockWidth, blockHeight, Array.ConvertAll(colors, c => (Color)c), miplevel);
 
@@ -119,7 +129,8 @@ namespace UnityEngine
         {
             Readable(call);
             if (x < 0 || y < 0 || w < 0 || h < 0 || x + w > store.MipWidth(mip) || y + h > store.MipHeight(mip))
-                throw new ArgumentException($"Texture2D.{call}: block {x}, {y}, {w} x {h} exceeds level {mip} of '{name}', which is {store.MipWidth(mip)} x {store.MipHeight(mip)}.");
+                throw new ArgumentException($"Texture2D.{call}: block {x}, {y}, {w} x {h} exceeds level {mip} of '{name}', which is " +
+                    $"{store.MipWidth(mip)} x {store.MipHeight(mip)}.");
         }
 
         public NativeArray<T> GetPixelData<T>(int mipLevel) where T : struct => Readable("GetPixelData").View<T>(mipLevel);
@@ -141,7 +152,9 @@ namespace UnityEngine
         }
 
         public NativeArray<T> GetRawTextureData<T>() where T : struct =>
-            store.Mips == 1 ? Readable("GetRawTextureData").View<T>(0) : throw new NotSupportedException("GetRawTextureData<T> of a texture with mip levels is not supported by the headless host; use GetPixelData<T>(mipLevel).");
+            store.Mips == 1 ? Readable("GetRawTextureData").View<T>(0)
+            : throw new NotSupportedException(
+            "GetRawTextureData<T> of a texture with mip levels is not supported by the headless host; use GetPixelData<T>(mipLevel).");
 
         public void LoadRawTextureData(byte[] data) => LoadRaw(data);
         public void LoadRawTextureData<T>(NativeArray<T> data) where T : struct => LoadRaw(Transfer.Bytes(data));
@@ -178,7 +191,9 @@ namespace UnityEngine
             int x0 = (int)source.x, y0 = (int)source.y, w = (int)source.width, h = (int)source.height;
             if (x0 < 0 || y0 < 0 || x0 + w > from.width || y0 + h > from.height)
             {
-                GpuError.Report($"ReadPixels of {source} reaches outside '{from.name}' of {from.width} x {from.height}.", "[d3d11] attempting to ReadPixels outside of RenderTexture bounds! Reading (" + x0 + ", " + y0 + ", " + (x0 + w) + ", " + (y0 + h) + $") from ({from.width}, {from.height})");
+                GpuError.Report($"ReadPixels of {source} reaches outside '{from.name}' of {from.width} x {from.height}.",
+                    "[d3d11] attempting to ReadPixels outside of RenderTexture bounds! Reading (" + x0 + ", " + y0 + ", " + (x0 + w) + ", "
+                    + (y0 + h) + $") from ({from.width}, {from.height})");
                 return;
             }
             byte[] texels = Gpu.Device.ReadTexture(from.GetDevice(RenderTextureSubElement.Color), 0, 0);
@@ -191,13 +206,15 @@ namespace UnityEngine
         }
 
         public bool Reinitialize(int width, int height) => Reinitialize(width, height, format, store.Mips > 1);
-        public bool Reinitialize(int width, int height, GraphicsFormat format, bool hasMipMap) => Reinitialize(width, height, Formats.ToTextureFormat(format), hasMipMap);
+        public bool Reinitialize(int width, int height, GraphicsFormat format, bool hasMipMap)
+            => Reinitialize(width, height, Formats.ToTextureFormat(format), hasMipMap);
 
         public bool Reinitialize(int width, int height, TextureFormat format, bool hasMipMap)
         {
             bool linear = !isDataSRGB;
             store.Release();
-            store = new TexelStore($"Texture2D {width} x {height} {format}", DeviceTextureDimension.Tex2D, width, height, 1, 1, format, hasMipMap ? -1 : 1, linear);
+            store = new TexelStore($"Texture2D {width} x {height} {format}", DeviceTextureDimension.Tex2D, width, height, 1, 1, format,
+                hasMipMap ? -1 : 1, linear);
             return true;
         }
     }

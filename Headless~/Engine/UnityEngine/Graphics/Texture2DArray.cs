@@ -12,14 +12,19 @@ namespace UnityEngine
         readonly TexelStore store;
         bool readable = true;
 
-        public Texture2DArray(int width, int height, int depth, TextureFormat textureFormat, bool mipChain) : this(width, height, depth, textureFormat, mipChain ? -1 : 1, false) { }
-        public Texture2DArray(int width, int height, int depth, TextureFormat textureFormat, bool mipChain, bool linear) : this(width, height, depth, textureFormat, mipChain ? -1 : 1, linear) { }
-        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags) : this(width, height, depth, format, flags, (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1) { }
-        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags, int mipCount) : this(width, height, depth, Formats.ToTextureFormat(format), mipCount, !Formats.IsSrgb(format)) { }
+        public Texture2DArray(int width, int height, int depth, TextureFormat textureFormat, bool mipChain)
+            : this(width, height, depth, textureFormat, mipChain ? -1 : 1, false) { }
+        public Texture2DArray(int width, int height, int depth, TextureFormat textureFormat, bool mipChain, bool linear)
+            : this(width, height, depth, textureFormat, mipChain ? -1 : 1, linear) { }
+        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags)
+            : this(width, height, depth, format, flags, (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1) { }
+        public Texture2DArray(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags, int mipCount)
+            : this(width, height, depth, Formats.ToTextureFormat(format), mipCount, !Formats.IsSrgb(format)) { }
 
         public Texture2DArray(int width, int height, int depth, TextureFormat textureFormat, int mipCount, bool linear)
         {
-            store = new TexelStore($"Texture2DArray {width} x {height} x {depth} {textureFormat}", DeviceTextureDimension.Tex2DArray, width, height, 1, depth, textureFormat, mipCount, linear);
+            store = new TexelStore($"Texture2DArray {width} x {height} x {depth} {textureFormat}", DeviceTextureDimension.Tex2DArray, width,
+                height, 1, depth, textureFormat, mipCount, linear);
         }
 
         internal override DeviceTexture GetDevice(RenderTextureSubElement element) => store.Device;

@@ -12,11 +12,16 @@ namespace UnityEngine
         readonly TexelStore store;
         bool readable = true;
 
-        public Texture3D(int width, int height, int depth, TextureFormat textureFormat, bool mipChain) : this(width, height, depth, textureFormat, mipChain ? -1 : 1) { }
-        public Texture3D(int width, int height, int depth, TextureFormat textureFormat, bool mipChain, bool createUninitialized) : this(width, height, depth, textureFormat, mipChain ? -1 : 1) { }
-        public Texture3D(int width, int height, int depth, DefaultFormat format, TextureCreationFlags flags) : this(width, height, depth, Formats.Of(format), flags) { }
-        public Texture3D(int width, int height, int depth, DefaultFormat format, TextureCreationFlags flags, int mipCount) : this(width, height, depth, Formats.Of(format), flags, mipCount) { }
-        public Texture3D(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags) : this(width, height, depth, format, flags, (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1) { }
+        public Texture3D(int width, int height, int depth, TextureFormat textureFormat, bool mipChain)
+            : this(width, height, depth, textureFormat, mipChain ? -1 : 1) { }
+        public Texture3D(int width, int height, int depth, TextureFormat textureFormat, bool mipChain, bool createUninitialized)
+            : this(width, height, depth, textureFormat, mipChain ? -1 : 1) { }
+        public Texture3D(int width, int height, int depth, DefaultFormat format, TextureCreationFlags flags)
+            : this(width, height, depth, Formats.Of(format), flags) { }
+        public Texture3D(int width, int height, int depth, DefaultFormat format, TextureCreationFlags flags, int mipCount)
+            : this(width, height, depth, Formats.Of(format), flags, mipCount) { }
+        public Texture3D(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags)
+            : this(width, height, depth, format, flags, (flags & TextureCreationFlags.MipChain) != 0 ? -1 : 1) { }
 
         public Texture3D(int width, int height, int depth, GraphicsFormat format, TextureCreationFlags flags, int mipCount)
         {
@@ -29,7 +34,8 @@ namespace UnityEngine
         }
 
         static TexelStore NewStore(int width, int height, int depth, TextureFormat format, int mips, bool linear) =>
-            new TexelStore($"Texture3D {width} x {height} x {depth} {format}", DeviceTextureDimension.Tex3D, width, height, depth, 1, format, mips, linear);
+            new TexelStore($"Texture3D {width} x {height} x {depth} {format}", DeviceTextureDimension.Tex3D, width, height, depth, 1,
+            format, mips, linear);
 
         internal TexelStore Store => store;
         internal override DeviceTexture GetDevice(RenderTextureSubElement element) => store.Device;
@@ -44,7 +50,8 @@ namespace UnityEngine
         public override bool isReadable => readable;
         public TextureFormat format => store.Format;
 
-        TexelStore Readable(string call) => readable ? store : throw new ArgumentException($"Texture3D.{call}: '{name}' is not readable (Apply made it no longer readable).");
+        TexelStore Readable(string call) => readable ? store
+            : throw new ArgumentException($"Texture3D.{call}: '{name}' is not readable (Apply made it no longer readable).");
 
         int Index(int x, int y, int z, int mip)
         {
@@ -55,7 +62,8 @@ namespace UnityEngine
         public Color GetPixel(int x, int y, int z) => GetPixel(x, y, z, 0);
         public Color GetPixel(int x, int y, int z, int mipLevel) => Readable("GetPixel").Get(mipLevel, 0, Index(x, y, z, mipLevel));
         public void SetPixel(int x, int y, int z, Color color) => SetPixel(x, y, z, color, 0);
-        public void SetPixel(int x, int y, int z, Color color, int mipLevel) => Readable("SetPixel").Set(mipLevel, 0, Index(x, y, z, mipLevel), color);
+        public void SetPixel(int x, int y, int z, Color color, int mipLevel)
+            => Readable("SetPixel").Set(mipLevel, 0, Index(x, y, z, mipLevel), color);
         public Color GetPixelBilinear(float u, float v, float w) => GetPixelBilinear(u, v, w, 0);
 
         public Color GetPixelBilinear(float u, float v, float w, int mipLevel)

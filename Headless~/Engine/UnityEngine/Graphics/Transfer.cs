@@ -42,7 +42,8 @@ namespace UnityEngine.Headless
             BufferChecks.Range(buffer, "GetData", data.Length, size, managedStart, bufferStart, count);
             BufferChecks.Readable(buffer, "GetData");
             if (count > 0)
-                BufferBytes.With(data, (long)managedStart * size, (long)count * size, bytes => Gpu.Device.Read(buffer.Device, (long)bufferStart * size, bytes));
+                BufferBytes.With(data, (long)managedStart * size, (long)count * size,
+                    bytes => Gpu.Device.Read(buffer.Device, (long)bufferStart * size, bytes));
             GpuChecks.InspectArguments(wait: true);
         }
 

@@ -21,14 +21,16 @@ namespace UnityEngine.Headless
         public int Textures = int.MaxValue, StorageTextures = int.MaxValue, Samplers = int.MaxValue;
         /// <summary>In a group, as the API states it.</summary>
         public int Threads = int.MaxValue, ThreadsZ = int.MaxValue;
-        /// <summary>In a group, on which every program can count; where less than <see cref="Threads"/>, a pipeline's own limit depends on its registers.</summary>
+        /// <summary>In a group, on which every program can count; where less than <see cref="Threads"/>, a pipeline's own limit depends on
+        /// its registers.</summary>
         public int SafeThreads = int.MaxValue;
         public int SharedBytes = int.MaxValue;
         public int ConstantBytes = 64 * 1024;
         public long BufferBytes = long.MaxValue;
         public bool HasTypedBuffers = true;
 
-        /// <summary>Shader model 5.0 and feature level 11_0: 128 views to read (8 to write are Unity's limit everywhere), 1,024 threads of which 64 along z, 32 KB.</summary>
+        /// <summary>Shader model 5.0 and feature level 11_0: 128 views to read (8 to write are Unity's limit everywhere), 1,024 threads of
+        /// which 64 along z, 32 KB.</summary>
         public static readonly ApiLimits Direct3D11 = new ApiLimits
         {
             Name = "d3d11", Title = "Direct3D 11", Type = GraphicsDeviceType.Direct3D11,
@@ -53,7 +55,8 @@ namespace UnityEngine.Headless
         public static readonly ApiLimits Mobile = new ApiLimits
         {
             Name = "mobile", Title = "Vulkan on a mobile device", Type = GraphicsDeviceType.Vulkan, IsHandheld = true,
-            StorageBuffers = 16, StorageBuffersInGraphics = 16, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16, Threads = 256, ThreadsZ = 64, SharedBytes = 16384,
+            StorageBuffers = 16, StorageBuffersInGraphics = 16, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
+                Threads = 256, ThreadsZ = 64, SharedBytes = 16384,
             ConstantBytes = 16 * 1024, BufferBytes = 1 << 27,
         };
 
@@ -61,7 +64,8 @@ namespace UnityEngine.Headless
         public static readonly ApiLimits WebGpu = new ApiLimits
         {
             Name = "webgpu", Title = "WebGPU", Type = (GraphicsDeviceType)28,
-            StorageBuffers = 8, StorageBuffersInGraphics = 8, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16, Threads = 256, ThreadsZ = 64, SharedBytes = 16384,
+            StorageBuffers = 8, StorageBuffersInGraphics = 8, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
+                Threads = 256, ThreadsZ = 64, SharedBytes = 16384,
             BufferBytes = 1 << 27, HasTypedBuffers = false,
         };
 
@@ -69,7 +73,8 @@ namespace UnityEngine.Headless
         public static readonly ApiLimits OpenGlEs31 = new ApiLimits
         {
             Title = "OpenGL ES 3.1", Type = GraphicsDeviceType.OpenGLES3, IsHandheld = true,
-            StorageBuffers = 4, StorageBuffersInGraphics = 0, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16, Threads = 128, SharedBytes = 16384, HasTypedBuffers = false,
+            StorageBuffers = 4, StorageBuffersInGraphics = 0, ConstantBuffers = 12, Textures = 16, StorageTextures = 4, Samplers = 16,
+                Threads = 128, SharedBytes = 16384, HasTypedBuffers = false,
         };
 
         /// <summary>Those that the command line names.</summary>

@@ -139,7 +139,8 @@ namespace UnityEngine.Headless
         public bool Linear, LinearMip, Comparison;
         public DeviceWrap U, V, W;
         public int Anisotropy;
-        public bool Equals(DeviceSampler o) => Linear == o.Linear && LinearMip == o.LinearMip && Comparison == o.Comparison && U == o.U && V == o.V && W == o.W && Anisotropy == o.Anisotropy;
+        public bool Equals(DeviceSampler o) => Linear == o.Linear && LinearMip == o.LinearMip && Comparison == o.Comparison && U == o.U
+            && V == o.V && W == o.W && Anisotropy == o.Anisotropy;
         public override bool Equals(object o) => o is DeviceSampler s && Equals(s);
         public override int GetHashCode() => HashCode.Combine(Linear, LinearMip, Comparison, U, V, W, Anisotropy);
     }
@@ -177,7 +178,8 @@ namespace UnityEngine.Headless
     internal enum DeviceTopology { Triangles, TriangleStrip, Lines, LineStrip, Points }
     internal enum DeviceCull { Off, Front, Back }
     internal enum DeviceCompare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always }
-    internal enum DeviceBlend { Zero, One, SrcColor, OneMinusSrcColor, DstColor, OneMinusDstColor, SrcAlpha, OneMinusSrcAlpha, DstAlpha, OneMinusDstAlpha, SrcAlphaSaturate }
+    internal enum DeviceBlend { Zero, One, SrcColor, OneMinusSrcColor, DstColor, OneMinusDstColor, SrcAlpha, OneMinusSrcAlpha, DstAlpha,
+        OneMinusDstAlpha, SrcAlphaSaturate }
     internal enum DeviceBlendOp { Add, Sub, RevSub, Min, Max }
 
     internal enum DeviceStencilOp { Keep, Zero, Replace, IncrementSaturate, DecrementSaturate, Invert, IncrementWrap, DecrementWrap }
@@ -189,7 +191,8 @@ namespace UnityEngine.Headless
         public byte Reference, ReadMask, WriteMask;
         public DeviceCompare Compare;
         public DeviceStencilOp Pass, Fail, DepthFail;
-        public bool Equals(DeviceStencil o) => Enabled == o.Enabled && Reference == o.Reference && ReadMask == o.ReadMask && WriteMask == o.WriteMask && Compare == o.Compare && Pass == o.Pass && Fail == o.Fail && DepthFail == o.DepthFail;
+        public bool Equals(DeviceStencil o) => Enabled == o.Enabled && Reference == o.Reference && ReadMask == o.ReadMask
+            && WriteMask == o.WriteMask && Compare == o.Compare && Pass == o.Pass && Fail == o.Fail && DepthFail == o.DepthFail;
         public override bool Equals(object o) => o is DeviceStencil s && Equals(s);
         public override int GetHashCode() => HashCode.Combine(Enabled, Reference, ReadMask, WriteMask, Compare, Pass, Fail, DepthFail);
     }
@@ -207,11 +210,15 @@ namespace UnityEngine.Headless
         public int ColorMask;           // bits R 8, G 4, B 2, A 1
         public float DepthBiasFactor, DepthBiasUnits;
         public DeviceStencil Stencil;
-        public bool Equals(DeviceRasterState o) => Stencil.Equals(o.Stencil) && Topology == o.Topology && Cull == o.Cull && FrontIsCounterClockwise == o.FrontIsCounterClockwise && DepthWrite == o.DepthWrite && Blend == o.Blend && DepthTest == o.DepthTest
-            && SrcColor == o.SrcColor && DstColor == o.DstColor && SrcAlpha == o.SrcAlpha && DstAlpha == o.DstAlpha && ColorOp == o.ColorOp && AlphaOp == o.AlphaOp
+        public bool Equals(DeviceRasterState o) => Stencil.Equals(o.Stencil) && Topology == o.Topology && Cull == o.Cull
+            && FrontIsCounterClockwise == o.FrontIsCounterClockwise && DepthWrite == o.DepthWrite && Blend == o.Blend
+            && DepthTest == o.DepthTest
+            && SrcColor == o.SrcColor && DstColor == o.DstColor && SrcAlpha == o.SrcAlpha && DstAlpha == o.DstAlpha && ColorOp == o.ColorOp
+            && AlphaOp == o.AlphaOp
             && ColorMask == o.ColorMask && DepthBiasFactor == o.DepthBiasFactor && DepthBiasUnits == o.DepthBiasUnits;
         public override bool Equals(object o) => o is DeviceRasterState s && Equals(s);
-        public override int GetHashCode() => HashCode.Combine(HashCode.Combine(Topology, (Cull, FrontIsCounterClockwise), DepthWrite, Blend, DepthTest, SrcColor, DstColor, ColorMask), SrcAlpha, DstAlpha, ColorOp, AlphaOp, DepthBiasFactor, DepthBiasUnits, Stencil);
+        public override int GetHashCode() => HashCode.Combine(HashCode.Combine(Topology, (Cull, FrontIsCounterClockwise), DepthWrite, Blend,
+            DepthTest, SrcColor, DstColor, ColorMask), SrcAlpha, DstAlpha, ColorOp, AlphaOp, DepthBiasFactor, DepthBiasUnits, Stencil);
     }
 
     internal struct DeviceDraw
@@ -220,12 +227,14 @@ namespace UnityEngine.Headless
         public DeviceBuffer Indices;        // null = not indexed
         public bool Indices32;
         public DeviceBuffer Arguments;      // not null = indirect: counts come from here
-        public long ArgumentsOffset;        // D3D layout: {vertices, instances, first vertex, first instance} or indexed {indices, instances, first index, base vertex, first instance}
+        // D3D layout: {vertices, instances, first vertex, first instance} or indexed {indices, instances, first index, base vertex, first instance}
+        public long ArgumentsOffset;
         public DeviceVertexStream[] Streams; // null = none: vertices from SV_VertexID
     }
 
     /// <summary>A mesh attribute fed to the vertex program's input of that location.</summary>
-    internal struct DeviceVertexStream { public int Location; public DeviceBuffer Buffer; public long Offset; public int Stride; public DeviceFormat Format; }
+    internal struct DeviceVertexStream { public int Location; public DeviceBuffer Buffer; public long Offset; public int Stride;
+        public DeviceFormat Format; }
 
     internal struct DeviceSample { public string Name; public int Depth; public double BeginMs, Milliseconds; }
 

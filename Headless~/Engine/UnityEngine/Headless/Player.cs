@@ -20,7 +20,8 @@ namespace UnityEngine.Headless
         public static bool TimesKernels;
         /// <summary>Of the graphics API, or class of devices, that the player pretends to run on. Never null.</summary>
         public static ApiLimits Limits = ApiLimits.Direct3D11;
-        /// <summary>Of the scriptable pipeline that draws: the RenderPipeline tag of its SubShaders, and its package with its version; "" and null for the Built-in pipeline.</summary>
+        /// <summary>Of the scriptable pipeline that draws: the RenderPipeline tag of its SubShaders, and its package with its version; ""
+        /// and null for the Built-in pipeline.</summary>
         public static string PipelineTag = "", PipelinePackage, PipelineVersion;
         /// <summary>A headset is on: cameras without a target texture draw two eyes in one pass.</summary>
         public static bool Stereo;

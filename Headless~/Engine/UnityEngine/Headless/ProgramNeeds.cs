@@ -13,7 +13,8 @@ namespace UnityEngine.Headless
             int Count(params ShaderResourceKind[] kinds) => program.Resources.Count(r => kinds.Contains(r.Kind));
             Stage = program.Stage;
             // The hidden counter of an append buffer is a buffer of its own outside Direct3D.
-            StorageBuffers = Count(ShaderResourceKind.StructuredBuffer, ShaderResourceKind.RWStructuredBuffer, ShaderResourceKind.RawBuffer, ShaderResourceKind.RWRawBuffer, ShaderResourceKind.Counter);
+            StorageBuffers = Count(ShaderResourceKind.StructuredBuffer, ShaderResourceKind.RWStructuredBuffer, ShaderResourceKind.RawBuffer,
+                ShaderResourceKind.RWRawBuffer, ShaderResourceKind.Counter);
             ConstantBuffers = Count(ShaderResourceKind.ConstantBuffer);
             TypedBuffers = Count(ShaderResourceKind.TypedBuffer, ShaderResourceKind.RWTypedBuffer);
             Textures = Count(ShaderResourceKind.Texture);

@@ -5,7 +5,8 @@ namespace UnityEngine.Headless
 {
     internal enum ShaderStage { Compute, Vertex, Fragment }
 
-    /// <summary>One compiled entry point and what it needs bound. Made by the shader importer, consumed by both sides of <see cref="IGraphicsDevice"/>.</summary>
+    /// <summary>One compiled entry point and what it needs bound. Made by the shader importer, consumed by both sides of
+    /// <see cref="IGraphicsDevice"/>.</summary>
     internal sealed class ShaderProgram
     {
         /// <summary>For messages: file and kernel or pass, e.g. "Shaders/Gpu/PrefixSum.compute (SumTiles)".</summary>
@@ -38,15 +39,18 @@ namespace UnityEngine.Headless
         public string Name;
         public ShaderResourceKind Kind;
         /// <summary>An unordered access view; a counter goes with its buffer's.</summary>
-        internal bool IsUnorderedAccess() => Kind is ShaderResourceKind.RWStructuredBuffer or ShaderResourceKind.RWRawBuffer or ShaderResourceKind.RWTypedBuffer or ShaderResourceKind.RWTexture;
+        internal bool IsUnorderedAccess()
+            => Kind is ShaderResourceKind.RWStructuredBuffer or ShaderResourceKind.RWRawBuffer or ShaderResourceKind.RWTypedBuffer or ShaderResourceKind.RWTexture;
         public int Binding;
         /// <summary>Structured: bytes of an element as Direct3D packs it. Raw: 4. Otherwise 0.</summary>
         public int Stride;
         public bool IsAppendConsume;
         public DeviceTextureDimension Dimension;
-        /// <summary>Typed buffers and RW textures: the format that the declared element type names (RWBuffer of uint: R32_UInt); None = unnamed.</summary>
+        /// <summary>Typed buffers and RW textures: the format that the declared element type names (RWBuffer of uint: R32_UInt); None =
+        /// unnamed.</summary>
         public DeviceFormat ElementFormat;
-        /// <summary>Inline samplers (linearClampSampler, sampler_linear_clamp ...): decided by the name; otherwise null and the texture's own.</summary>
+        /// <summary>Inline samplers (linearClampSampler, sampler_linear_clamp ...): decided by the name; otherwise null and the texture's
+        /// own.</summary>
         public DeviceSampler? InlineSampler;
         /// <summary>For a sampler named sampler_X: "X", whose texture's own filter and wrap it takes.</summary>
         public string SamplerOf;
@@ -113,7 +117,8 @@ namespace UnityEngine.Headless
         public string Name;
         /// <summary>Pass and SubShader tags together, e.g. LightMode.</summary>
         public Dictionary<string, string> Tags = new Dictionary<string, string>();
-        /// <summary>Topology is filled in at the draw. Values that name a property ("[_SrcBlend]") come from <see cref="ResolveState"/>. Compares and depth bias are those of the reversed depth buffer: LEqual is GreaterEqual.</summary>
+        /// <summary>Topology is filled in at the draw. Values that name a property ("[_SrcBlend]") come from <see cref="ResolveState"/>.
+        /// Compares and depth bias are those of the reversed depth buffer: LEqual is GreaterEqual.</summary>
         public abstract DeviceRasterState ResolveState(Func<string, float> property);
         public abstract ShaderProgram Compile(ShaderStage stage, ICollection<string> enabledKeywords);
     }

@@ -7,7 +7,8 @@ namespace Unity.Jobs
     public interface IJobFor { void Execute(int index); }
     public interface IJobParallelFor { void Execute(int index); }
 
-    /// <summary>Jobs run where they are scheduled, to their end, one index after the other: that is one of the orders that Unity may choose.</summary>
+    /// <summary>Jobs run where they are scheduled, to their end, one index after the other: that is one of the orders that Unity may
+    /// choose.</summary>
     public struct JobHandle : IEquatable<JobHandle>
     {
         public bool IsCompleted => true;
@@ -53,10 +54,14 @@ namespace Unity.Jobs
         public static void EarlyJobInit<T>() where T : struct, IJobFor { }
         public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobFor => Loop(jobData, arrayLength);
         public static void RunByRef<T>(ref this T jobData, int arrayLength) where T : struct, IJobFor => Loop(jobData, arrayLength);
-        public static JobHandle Schedule<T>(this T jobData, int arrayLength, JobHandle dependency) where T : struct, IJobFor => Loop(jobData, arrayLength);
-        public static JobHandle ScheduleByRef<T>(ref this T jobData, int arrayLength, JobHandle dependency) where T : struct, IJobFor => Loop(jobData, arrayLength);
-        public static JobHandle ScheduleParallel<T>(this T jobData, int arrayLength, int innerloopBatchCount, JobHandle dependency) where T : struct, IJobFor => Loop(jobData, arrayLength);
-        public static JobHandle ScheduleParallelByRef<T>(ref this T jobData, int arrayLength, int innerloopBatchCount, JobHandle dependency) where T : struct, IJobFor => Loop(jobData, arrayLength);
+        public static JobHandle Schedule<T>(this T jobData, int arrayLength, JobHandle dependency) where T : struct, IJobFor
+            => Loop(jobData, arrayLength);
+        public static JobHandle ScheduleByRef<T>(ref this T jobData, int arrayLength, JobHandle dependency) where T : struct, IJobFor
+            => Loop(jobData, arrayLength);
+        public static JobHandle ScheduleParallel<T>(this T jobData, int arrayLength, int innerloopBatchCount, JobHandle dependency) where T
+            : struct, IJobFor => Loop(jobData, arrayLength);
+        public static JobHandle ScheduleParallelByRef<T>(ref this T jobData, int arrayLength, int innerloopBatchCount,
+            JobHandle dependency) where T : struct, IJobFor => Loop(jobData, arrayLength);
 
         static JobHandle Loop<T>(T job, int count) where T : struct, IJobFor
         {
@@ -71,8 +76,10 @@ namespace Unity.Jobs
         public static void EarlyJobInit<T>() where T : struct, IJobParallelFor { }
         public static void Run<T>(this T jobData, int arrayLength) where T : struct, IJobParallelFor => Loop(jobData, arrayLength);
         public static void RunByRef<T>(ref this T jobData, int arrayLength) where T : struct, IJobParallelFor => Loop(jobData, arrayLength);
-        public static JobHandle Schedule<T>(this T jobData, int arrayLength, int innerloopBatchCount, JobHandle dependsOn = new JobHandle()) where T : struct, IJobParallelFor => Loop(jobData, arrayLength);
-        public static JobHandle ScheduleByRef<T>(ref this T jobData, int arrayLength, int innerloopBatchCount, JobHandle dependsOn = new JobHandle()) where T : struct, IJobParallelFor => Loop(jobData, arrayLength);
+        public static JobHandle Schedule<T>(this T jobData, int arrayLength, int innerloopBatchCount,
+            JobHandle dependsOn = new JobHandle()) where T : struct, IJobParallelFor => Loop(jobData, arrayLength);
+        public static JobHandle ScheduleByRef<T>(ref this T jobData, int arrayLength, int innerloopBatchCount,
+            JobHandle dependsOn = new JobHandle()) where T : struct, IJobParallelFor => Loop(jobData, arrayLength);
 
         static JobHandle Loop<T>(T job, int count) where T : struct, IJobParallelFor
         {

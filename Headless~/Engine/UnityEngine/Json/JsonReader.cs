@@ -134,7 +134,9 @@ namespace UnityEngine.Headless
                 int index = "\"\\/bfnrt".IndexOf(escaped);
                 if (index >= 0)
                     text.Append("\"\\/\b\f\n\r\t"[index]);
-                else if (escaped == 'u' && at + 4 <= json.Length && ushort.TryParse(json.Substring(at, 4), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ushort code))
+                else if (escaped == 'u' && at + 4 <= json.Length
+                    && ushort.TryParse(json.Substring(at, 4), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture,
+                    out ushort code))
                 {
                     text.Append((char)code);
                     at += 4;
@@ -149,7 +151,8 @@ namespace UnityEngine.Headless
             int start = at;
             while (at < json.Length && (char.IsDigit(json[at]) || "+-.eE".IndexOf(json[at]) >= 0))
                 at++;
-            return double.TryParse(json.Substring(start, at - start), NumberStyles.Float, CultureInfo.InvariantCulture, out double number) ? number : throw Fault("Invalid value.");
+            return double.TryParse(json.Substring(start, at - start), NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
+                ? number : throw Fault("Invalid value.");
         }
     }
 }

@@ -54,7 +54,8 @@ namespace UnityEngine
         }
 
         internal static object Make(Type type)
-            => type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, Type.EmptyTypes, null) != null
+            => type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null,
+                Type.EmptyTypes, null) != null
                 ? Activator.CreateInstance(type, true)
                 : FormatterServices.GetUninitializedObject(type);
     }

@@ -15,7 +15,8 @@ namespace UnityEngine.Headless
                 if (assembly.IsDynamic || assembly != engine && assembly.GetReferencedAssemblies().All(r => r.Name != engine.GetName().Name))
                     continue;
                 foreach (Type owner in assembly.GetTypes())
-                    foreach (MethodInfo method in owner.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                    foreach (MethodInfo method in owner.GetMethods(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic
+                        | BindingFlags.DeclaredOnly))
                         foreach (RuntimeInitializeOnLoadMethodAttribute mark in method.GetCustomAttributes<RuntimeInitializeOnLoadMethodAttribute>())
                             if (mark.loadType == type)
                                 Messages.Invoke(null, method);

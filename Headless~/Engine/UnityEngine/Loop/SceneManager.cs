@@ -57,7 +57,8 @@ namespace UnityEngine.SceneManagement
         public static bool SetActiveScene(Scene scene)
         {
             if (!scene.IsValid() || !scene.isLoaded)
-                throw new ArgumentException($"SceneManager.SetActiveScene failed; the scene '{scene.name}' is not loaded and therefore cannot be set active");
+                throw new ArgumentException(
+                    $"SceneManager.SetActiveScene failed; the scene '{scene.name}' is not loaded and therefore cannot be set active");
             Activate(scene.Data);
             return true;
         }
@@ -71,7 +72,8 @@ namespace UnityEngine.SceneManagement
         }
 
         public static Scene GetSceneAt(int index)
-            => index >= 0 && index < loaded.Count ? new Scene(loaded[index]) : throw new ArgumentException($"Scene index \"{index}\" is out of range.");
+            => index >= 0 && index < loaded.Count ? new Scene(loaded[index])
+                : throw new ArgumentException($"Scene index \"{index}\" is out of range.");
         public static Scene GetSceneByName(string name) => new Scene(loaded.Find(s => s.Name == name));
         public static Scene GetSceneByPath(string scenePath) => new Scene(loaded.Find(s => s.Path == scenePath));
         public static Scene GetSceneByBuildIndex(int buildIndex) => new Scene(loaded.Find(s => s.BuildIndex == buildIndex));
@@ -103,8 +105,10 @@ namespace UnityEngine.SceneManagement
         public static AsyncOperation LoadSceneAsync(string sceneName) => LoadSceneAsync(sceneName, LoadSceneMode.Single);
         public static AsyncOperation LoadSceneAsync(int sceneBuildIndex) => LoadSceneAsync(PathOf(sceneBuildIndex), LoadSceneMode.Single);
         public static AsyncOperation LoadSceneAsync(int sceneBuildIndex, LoadSceneMode mode) => LoadSceneAsync(PathOf(sceneBuildIndex), mode);
-        public static AsyncOperation LoadSceneAsync(int sceneBuildIndex, LoadSceneParameters parameters) => LoadSceneAsync(PathOf(sceneBuildIndex), parameters.loadSceneMode);
-        public static AsyncOperation LoadSceneAsync(string sceneName, LoadSceneParameters parameters) => LoadSceneAsync(sceneName, parameters.loadSceneMode);
+        public static AsyncOperation LoadSceneAsync(int sceneBuildIndex, LoadSceneParameters parameters)
+            => LoadSceneAsync(PathOf(sceneBuildIndex), parameters.loadSceneMode);
+        public static AsyncOperation LoadSceneAsync(string sceneName, LoadSceneParameters parameters)
+            => LoadSceneAsync(sceneName, parameters.loadSceneMode);
 
         public static AsyncOperation LoadSceneAsync(string sceneName, LoadSceneMode mode)
         {
@@ -119,7 +123,8 @@ namespace UnityEngine.SceneManagement
 
         static string PathOf(int buildIndex)
             => buildIndex >= 0 && buildIndex < BuildScenes.Count ? BuildScenes[buildIndex]
-            : throw new ArgumentException($"Scene with build index: {buildIndex} couldn't be loaded because it has not been added to the build settings ({BuildScenes.Count} scenes).");
+            : throw new ArgumentException($"Scene with build index: {buildIndex} couldn't be loaded because it has not been added to " +
+                $"the build settings ({BuildScenes.Count} scenes).");
 
         internal static void RunRequests()
         {
@@ -133,7 +138,8 @@ namespace UnityEngine.SceneManagement
             Scene scene = SceneLoader != null ? SceneLoader(sceneName) : default;
             if (scene.Data == null)
             {
-                Debug.LogError($"Scene '{sceneName}' couldn't be loaded because it has not been added to the build settings or the AssetBundle has not been loaded.");
+                Debug.LogError($"Scene '{sceneName}' couldn't be loaded because it has not been added to the build settings or the " +
+                    $"AssetBundle has not been loaded.");
                 return default;
             }
             if (mode == LoadSceneMode.Single)
@@ -158,7 +164,8 @@ namespace UnityEngine.SceneManagement
                 throw new ArgumentException("Scene to unload is invalid");
             if (loaded.Count <= 1)
             {
-                Debug.LogWarning($"Unloading the last loaded scene {scene.path}(build index: {scene.buildIndex}), is not supported. Please use SceneManager.LoadScene()/EditorSceneManager.OpenScene() to switch to another scene.");
+                Debug.LogWarning($"Unloading the last loaded scene {scene.path}(build index: {scene.buildIndex}), is not supported. " +
+                    $"Please use SceneManager.LoadScene()/EditorSceneManager.OpenScene() to switch to another scene.");
                 return null;
             }
             var operation = new AsyncOperation();

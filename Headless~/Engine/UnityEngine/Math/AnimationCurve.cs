@@ -191,7 +191,8 @@ namespace UnityEngine
             m_InWeight = m_OutWeight = 0;
         }
 
-        public Keyframe(float time, float value, float inTangent, float outTangent, float inWeight, float outWeight) : this(time, value, inTangent, outTangent)
+        public Keyframe(float time, float value, float inTangent, float outTangent, float inWeight, float outWeight)
+            : this(time, value, inTangent, outTangent)
         {
             m_WeightedMode = WeightedMode.Both;
             m_InWeight = inWeight;

@@ -14,7 +14,8 @@ namespace UnityEngine
             this.size = size;
         }
 
-        public BoundsInt(int xMin, int yMin, int zMin, int sizeX, int sizeY, int sizeZ) : this(new Vector3Int(xMin, yMin, zMin), new Vector3Int(sizeX, sizeY, sizeZ)) { }
+        public BoundsInt(int xMin, int yMin, int zMin, int sizeX, int sizeY, int sizeZ)
+            : this(new Vector3Int(xMin, yMin, zMin), new Vector3Int(sizeX, sizeY, sizeZ)) { }
 
         public int x { get => position.x; set => position = new Vector3Int(value, y, z); }
         public int y { get => position.y; set => position = new Vector3Int(x, value, z); }
@@ -64,6 +65,7 @@ namespace UnityEngine
 
         public override string ToString() => ToString(null, null);
         public string ToString(string format) => ToString(format, null);
-        public string ToString(string format, IFormatProvider formatProvider) => $"Position: {position.ToString(format, formatProvider)}, Size: {size.ToString(format, formatProvider)}";
+        public string ToString(string format, IFormatProvider formatProvider)
+            => $"Position: {position.ToString(format, formatProvider)}, Size: {size.ToString(format, formatProvider)}";
     }
 }

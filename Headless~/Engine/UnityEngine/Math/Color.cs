@@ -100,7 +100,8 @@ namespace UnityEngine
         {
             format = string.IsNullOrEmpty(format) ? "F3" : format;
             formatProvider ??= CultureInfo.InvariantCulture;
-            return $"RGBA({r.ToString(format, formatProvider)}, {g.ToString(format, formatProvider)}, {b.ToString(format, formatProvider)}, {a.ToString(format, formatProvider)})";
+            return $"RGBA({r.ToString(format, formatProvider)}, {g.ToString(format, formatProvider)}, " +
+                $"{b.ToString(format, formatProvider)}, {a.ToString(format, formatProvider)})";
         }
     }
 }

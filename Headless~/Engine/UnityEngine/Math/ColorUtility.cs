@@ -8,9 +8,12 @@ namespace UnityEngine
         // The names that Unity's documentation lists.
         static readonly Dictionary<string, uint> names = new Dictionary<string, uint>
         {
-            ["red"] = 0xff0000ff, ["cyan"] = 0x00ffffff, ["blue"] = 0x0000ffff, ["darkblue"] = 0x0000a0ff, ["lightblue"] = 0xadd8e6ff, ["purple"] = 0x800080ff,
-            ["yellow"] = 0xffff00ff, ["lime"] = 0x00ff00ff, ["fuchsia"] = 0xff00ffff, ["white"] = 0xffffffff, ["silver"] = 0xc0c0c0ff, ["grey"] = 0x808080ff,
-            ["black"] = 0x000000ff, ["orange"] = 0xffa500ff, ["brown"] = 0xa52a2aff, ["maroon"] = 0x800000ff, ["green"] = 0x008000ff, ["olive"] = 0x808000ff,
+            ["red"] = 0xff0000ff, ["cyan"] = 0x00ffffff, ["blue"] = 0x0000ffff, ["darkblue"] = 0x0000a0ff, ["lightblue"] = 0xadd8e6ff,
+                ["purple"] = 0x800080ff,
+            ["yellow"] = 0xffff00ff, ["lime"] = 0x00ff00ff, ["fuchsia"] = 0xff00ffff, ["white"] = 0xffffffff, ["silver"] = 0xc0c0c0ff,
+                ["grey"] = 0x808080ff,
+            ["black"] = 0x000000ff, ["orange"] = 0xffa500ff, ["brown"] = 0xa52a2aff, ["maroon"] = 0x800000ff, ["green"] = 0x008000ff,
+                ["olive"] = 0x808000ff,
             ["navy"] = 0x000080ff, ["teal"] = 0x008080ff, ["aqua"] = 0x00ffffff, ["magenta"] = 0xff00ffff,
         };
 

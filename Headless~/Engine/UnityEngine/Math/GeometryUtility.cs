@@ -5,7 +5,8 @@ namespace UnityEngine
     public sealed class GeometryUtility
     {
         public static Plane[] CalculateFrustumPlanes(Camera camera) => CalculateFrustumPlanes(camera.projectionMatrix * camera.worldToCameraMatrix);
-        public static void CalculateFrustumPlanes(Camera camera, Plane[] planes) => CalculateFrustumPlanes(camera.projectionMatrix * camera.worldToCameraMatrix, planes);
+        public static void CalculateFrustumPlanes(Camera camera, Plane[] planes)
+            => CalculateFrustumPlanes(camera.projectionMatrix * camera.worldToCameraMatrix, planes);
 
         public static Plane[] CalculateFrustumPlanes(Matrix4x4 worldToProjectionMatrix)
         {
@@ -14,7 +15,8 @@ namespace UnityEngine
             return planes;
         }
 
-        /// <summary>Left, right, bottom, top, near, far; normals point inwards. The matrix is in OpenGL's convention, as a camera's projectionMatrix.</summary>
+        /// <summary>Left, right, bottom, top, near, far; normals point inwards. The matrix is in OpenGL's convention, as a camera's
+        /// projectionMatrix.</summary>
         public static void CalculateFrustumPlanes(Matrix4x4 worldToProjectionMatrix, Plane[] planes)
         {
             if (planes == null)

@@ -86,7 +86,8 @@ namespace UnityEngine
         internal Gradient Copy() => new Gradient { mode = mode, colorSpace = colorSpace, colors = colorKeys, alphas = alphaKeys };
 
         public bool Equals(Gradient other)
-            => other != null && mode == other.mode && colorSpace == other.colorSpace && colors.SequenceEqual(other.colors) && alphas.SequenceEqual(other.alphas);
+            => other != null && mode == other.mode && colorSpace == other.colorSpace && colors.SequenceEqual(other.colors)
+                && alphas.SequenceEqual(other.alphas);
         public override bool Equals(object o) => Equals(o as Gradient);
         public override int GetHashCode() => HashCode.Combine(mode, colors.Length, alphas.Length);
     }

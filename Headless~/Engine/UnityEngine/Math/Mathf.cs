@@ -172,7 +172,8 @@ namespace UnityEngine
             => value <= 0.04045f ? value / 12.92f : value < 1 ? MathF.Pow((value + 0.055f) / 1.055f, 2.4f) : MathF.Pow(value, 2.2f);
 
         public static float LinearToGammaSpace(float value)
-            => value <= 0 ? 0 : value <= 0.0031308f ? value * 12.92f : value < 1 ? 1.055f * MathF.Pow(value, 1 / 2.4f) - 0.055f : MathF.Pow(value, 1 / 2.2f);
+            => value <= 0 ? 0 : value <= 0.0031308f ? value * 12.92f : value < 1 ? 1.055f * MathF.Pow(value, 1 / 2.4f) - 0.055f
+                : MathF.Pow(value, 1 / 2.2f);
 
         /// <summary>IEEE half, rounded to nearest even.</summary>
         public static ushort FloatToHalf(float val)

@@ -235,7 +235,8 @@ namespace UnityEngine
         {
             format = string.IsNullOrEmpty(format) ? "F5" : format;
             formatProvider ??= CultureInfo.InvariantCulture;
-            return $"({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
+            return $"({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, " +
+                $"{z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
         }
     }
 }

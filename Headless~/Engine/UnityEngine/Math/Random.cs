@@ -90,12 +90,16 @@ namespace UnityEngine
 
         public static Color ColorHSV() => ColorHSV(0, 1, 0, 1, 0, 1, 1, 1);
         public static Color ColorHSV(float hueMin, float hueMax) => ColorHSV(hueMin, hueMax, 0, 1, 0, 1, 1, 1);
-        public static Color ColorHSV(float hueMin, float hueMax, float saturationMin, float saturationMax) => ColorHSV(hueMin, hueMax, saturationMin, saturationMax, 0, 1, 1, 1);
-        public static Color ColorHSV(float hueMin, float hueMax, float saturationMin, float saturationMax, float valueMin, float valueMax) => ColorHSV(hueMin, hueMax, saturationMin, saturationMax, valueMin, valueMax, 1, 1);
+        public static Color ColorHSV(float hueMin, float hueMax, float saturationMin, float saturationMax)
+            => ColorHSV(hueMin, hueMax, saturationMin, saturationMax, 0, 1, 1, 1);
+        public static Color ColorHSV(float hueMin, float hueMax, float saturationMin, float saturationMax, float valueMin, float valueMax)
+            => ColorHSV(hueMin, hueMax, saturationMin, saturationMax, valueMin, valueMax, 1, 1);
 
-        public static Color ColorHSV(float hueMin, float hueMax, float saturationMin, float saturationMax, float valueMin, float valueMax, float alphaMin, float alphaMax)
+        public static Color ColorHSV(float hueMin, float hueMax, float saturationMin, float saturationMax, float valueMin, float valueMax,
+            float alphaMin, float alphaMax)
         {
-            Color color = Color.HSVToRGB(Mathf.Lerp(hueMin, hueMax, value), Mathf.Lerp(saturationMin, saturationMax, value), Mathf.Lerp(valueMin, valueMax, value), true);
+            Color color = Color.HSVToRGB(Mathf.Lerp(hueMin, hueMax, value), Mathf.Lerp(saturationMin, saturationMax, value),
+                Mathf.Lerp(valueMin, valueMax, value), true);
             color.a = Mathf.Lerp(alphaMin, alphaMax, value);
             return color;
         }

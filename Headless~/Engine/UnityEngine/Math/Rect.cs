@@ -52,7 +52,8 @@ namespace UnityEngine
             => MinMaxRect(MathF.Min(r.xMin, r.xMax), MathF.Min(r.yMin, r.yMax), MathF.Max(r.xMin, r.xMax), MathF.Max(r.yMin, r.yMax));
 
         public static Vector2 NormalizedToPoint(Rect rectangle, Vector2 normalizedRectCoordinates)
-            => new Vector2(Mathf.Lerp(rectangle.xMin, rectangle.xMax, normalizedRectCoordinates.x), Mathf.Lerp(rectangle.yMin, rectangle.yMax, normalizedRectCoordinates.y));
+            => new Vector2(Mathf.Lerp(rectangle.xMin, rectangle.xMax, normalizedRectCoordinates.x),
+                Mathf.Lerp(rectangle.yMin, rectangle.yMax, normalizedRectCoordinates.y));
 
         public static Vector2 PointToNormalized(Rect rectangle, Vector2 point)
             => new Vector2(Mathf.InverseLerp(rectangle.xMin, rectangle.xMax, point.x), Mathf.InverseLerp(rectangle.yMin, rectangle.yMax, point.y));
@@ -69,7 +70,8 @@ namespace UnityEngine
         {
             format = string.IsNullOrEmpty(format) ? "F2" : format;
             formatProvider ??= CultureInfo.InvariantCulture;
-            return $"(x:{x.ToString(format, formatProvider)}, y:{y.ToString(format, formatProvider)}, width:{width.ToString(format, formatProvider)}, height:{height.ToString(format, formatProvider)})";
+            return $"(x:{x.ToString(format, formatProvider)}, y:{y.ToString(format, formatProvider)}, " +
+                $"width:{width.ToString(format, formatProvider)}, height:{height.ToString(format, formatProvider)})";
         }
     }
 }

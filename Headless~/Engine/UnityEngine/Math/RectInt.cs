@@ -56,7 +56,8 @@ namespace UnityEngine
         public string ToString(string format, IFormatProvider formatProvider)
         {
             formatProvider ??= CultureInfo.InvariantCulture;
-            return $"(x:{x.ToString(format, formatProvider)}, y:{y.ToString(format, formatProvider)}, width:{width.ToString(format, formatProvider)}, height:{height.ToString(format, formatProvider)})";
+            return $"(x:{x.ToString(format, formatProvider)}, y:{y.ToString(format, formatProvider)}, " +
+                $"width:{width.ToString(format, formatProvider)}, height:{height.ToString(format, formatProvider)})";
         }
     }
 }

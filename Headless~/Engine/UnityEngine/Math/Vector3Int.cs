@@ -48,8 +48,10 @@ namespace UnityEngine
         public void Clamp(Vector3Int min, Vector3Int max) => this = Min(max, Max(min, this));
 
         public static float Distance(Vector3Int a, Vector3Int b) => (a - b).magnitude;
-        public static Vector3Int Min(Vector3Int lhs, Vector3Int rhs) => new Vector3Int(Math.Min(lhs.x, rhs.x), Math.Min(lhs.y, rhs.y), Math.Min(lhs.z, rhs.z));
-        public static Vector3Int Max(Vector3Int lhs, Vector3Int rhs) => new Vector3Int(Math.Max(lhs.x, rhs.x), Math.Max(lhs.y, rhs.y), Math.Max(lhs.z, rhs.z));
+        public static Vector3Int Min(Vector3Int lhs, Vector3Int rhs)
+            => new Vector3Int(Math.Min(lhs.x, rhs.x), Math.Min(lhs.y, rhs.y), Math.Min(lhs.z, rhs.z));
+        public static Vector3Int Max(Vector3Int lhs, Vector3Int rhs)
+            => new Vector3Int(Math.Max(lhs.x, rhs.x), Math.Max(lhs.y, rhs.y), Math.Max(lhs.z, rhs.z));
         public static Vector3Int Scale(Vector3Int a, Vector3Int b) => a * b;
         public static Vector3Int FloorToInt(Vector3 v) => new Vector3Int(Mathf.FloorToInt(v.x), Mathf.FloorToInt(v.y), Mathf.FloorToInt(v.z));
         public static Vector3Int CeilToInt(Vector3 v) => new Vector3Int(Mathf.CeilToInt(v.x), Mathf.CeilToInt(v.y), Mathf.CeilToInt(v.z));

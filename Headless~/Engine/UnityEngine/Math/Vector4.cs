@@ -58,8 +58,10 @@ namespace UnityEngine
         public static float Distance(Vector4 a, Vector4 b) => (a - b).magnitude;
         public static Vector4 Project(Vector4 a, Vector4 b) => b * (Dot(a, b) / Dot(b, b));
         public static Vector4 Scale(Vector4 a, Vector4 b) => new Vector4(a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w);
-        public static Vector4 Min(Vector4 lhs, Vector4 rhs) => new Vector4(Mathf.Min(lhs.x, rhs.x), Mathf.Min(lhs.y, rhs.y), Mathf.Min(lhs.z, rhs.z), Mathf.Min(lhs.w, rhs.w));
-        public static Vector4 Max(Vector4 lhs, Vector4 rhs) => new Vector4(Mathf.Max(lhs.x, rhs.x), Mathf.Max(lhs.y, rhs.y), Mathf.Max(lhs.z, rhs.z), Mathf.Max(lhs.w, rhs.w));
+        public static Vector4 Min(Vector4 lhs, Vector4 rhs)
+            => new Vector4(Mathf.Min(lhs.x, rhs.x), Mathf.Min(lhs.y, rhs.y), Mathf.Min(lhs.z, rhs.z), Mathf.Min(lhs.w, rhs.w));
+        public static Vector4 Max(Vector4 lhs, Vector4 rhs)
+            => new Vector4(Mathf.Max(lhs.x, rhs.x), Mathf.Max(lhs.y, rhs.y), Mathf.Max(lhs.z, rhs.z), Mathf.Max(lhs.w, rhs.w));
         public static Vector4 Lerp(Vector4 a, Vector4 b, float t) => LerpUnclamped(a, b, Mathf.Clamp01(t));
         public static Vector4 LerpUnclamped(Vector4 a, Vector4 b, float t) => a + (b - a) * t;
 
@@ -95,7 +97,8 @@ namespace UnityEngine
         {
             format = string.IsNullOrEmpty(format) ? "F2" : format;
             formatProvider ??= CultureInfo.InvariantCulture;
-            return $"({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
+            return $"({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, " +
+                $"{z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
         }
     }
 }

@@ -16,21 +16,25 @@ namespace UnityEngine
         public static void Log(object message, Object context) => logger.Log(LogType.Log, message, context);
         public static void LogFormat(string format, params object[] args) => logger.LogFormat(LogType.Log, format, args);
         public static void LogFormat(Object context, string format, params object[] args) => logger.LogFormat(LogType.Log, context, format, args);
-        public static void LogFormat(LogType logType, LogOption logOptions, Object context, string format, params object[] args) => logger.LogFormat(logType, context, format, args);
+        public static void LogFormat(LogType logType, LogOption logOptions, Object context, string format, params object[] args)
+            => logger.LogFormat(logType, context, format, args);
         public static void LogWarning(object message) => logger.Log(LogType.Warning, message);
         public static void LogWarning(object message, Object context) => logger.Log(LogType.Warning, message, context);
         public static void LogWarningFormat(string format, params object[] args) => logger.LogFormat(LogType.Warning, format, args);
-        public static void LogWarningFormat(Object context, string format, params object[] args) => logger.LogFormat(LogType.Warning, context, format, args);
+        public static void LogWarningFormat(Object context, string format, params object[] args)
+            => logger.LogFormat(LogType.Warning, context, format, args);
         public static void LogError(object message) => logger.Log(LogType.Error, message);
         public static void LogError(object message, Object context) => logger.Log(LogType.Error, message, context);
         public static void LogErrorFormat(string format, params object[] args) => logger.LogFormat(LogType.Error, format, args);
-        public static void LogErrorFormat(Object context, string format, params object[] args) => logger.LogFormat(LogType.Error, context, format, args);
+        public static void LogErrorFormat(Object context, string format, params object[] args)
+            => logger.LogFormat(LogType.Error, context, format, args);
         public static void LogException(Exception exception) => logger.LogException(exception, null);
         public static void LogException(Exception exception, Object context) => logger.LogException(exception, context);
         public static void LogAssertion(object message) => logger.Log(LogType.Assert, message);
         public static void LogAssertion(object message, Object context) => logger.Log(LogType.Assert, message, context);
         public static void LogAssertionFormat(string format, params object[] args) => logger.LogFormat(LogType.Assert, format, args);
-        public static void LogAssertionFormat(Object context, string format, params object[] args) => logger.LogFormat(LogType.Assert, context, format, args);
+        public static void LogAssertionFormat(Object context, string format, params object[] args)
+            => logger.LogFormat(LogType.Assert, context, format, args);
 
         public static void Assert(bool condition) { if (!condition) LogAssertion("Assertion failed"); }
         public static void Assert(bool condition, Object context) { if (!condition) LogAssertion("Assertion failed", context); }
@@ -39,7 +43,8 @@ namespace UnityEngine
         public static void Assert(bool condition, object message, Object context) { if (!condition) LogAssertion(message, context); }
         public static void Assert(bool condition, string message, Object context) { if (!condition) LogAssertion(message, context); }
         public static void AssertFormat(bool condition, string format, params object[] args) { if (!condition) LogAssertionFormat(format, args); }
-        public static void AssertFormat(bool condition, Object context, string format, params object[] args) { if (!condition) LogAssertionFormat(context, format, args); }
+        public static void AssertFormat(bool condition, Object context, string format,
+            params object[] args) { if (!condition) LogAssertionFormat(context, format, args); }
 
         // ---- no one looks: lines, pauses and the developer console
         public static void DrawLine(Vector3 start, Vector3 end) { }
@@ -105,9 +110,11 @@ namespace UnityEngine
         };
 
         public void Log(LogType logType, object message) => Log(logType, message, null);
-        public void Log(LogType logType, object message, Object context) { if (IsLogTypeAllowed(logType)) logHandler.LogFormat(logType, context, "{0}", Text(message)); }
+        public void Log(LogType logType, object message,
+            Object context) { if (IsLogTypeAllowed(logType)) logHandler.LogFormat(logType, context, "{0}", Text(message)); }
         public void Log(LogType logType, string tag, object message) => Log(logType, tag, message, null);
-        public void Log(LogType logType, string tag, object message, Object context) { if (IsLogTypeAllowed(logType)) logHandler.LogFormat(logType, context, "{0}: {1}", tag, Text(message)); }
+        public void Log(LogType logType, string tag, object message,
+            Object context) { if (IsLogTypeAllowed(logType)) logHandler.LogFormat(logType, context, "{0}: {1}", tag, Text(message)); }
         public void Log(object message) => Log(LogType.Log, message);
         public void Log(string tag, object message) => Log(LogType.Log, tag, message);
         public void Log(string tag, object message, Object context) => Log(LogType.Log, tag, message, context);
@@ -116,7 +123,8 @@ namespace UnityEngine
         public void LogError(string tag, object message) => Log(LogType.Error, tag, message);
         public void LogError(string tag, object message, Object context) => Log(LogType.Error, tag, message, context);
         public void LogFormat(LogType logType, string format, params object[] args) => LogFormat(logType, null, format, args);
-        public void LogFormat(LogType logType, Object context, string format, params object[] args) { if (IsLogTypeAllowed(logType)) logHandler.LogFormat(logType, context, format, args); }
+        public void LogFormat(LogType logType, Object context, string format,
+            params object[] args) { if (IsLogTypeAllowed(logType)) logHandler.LogFormat(logType, context, format, args); }
         public void LogException(Exception exception) => LogException(exception, null);
         public void LogException(Exception exception, Object context) { if (logEnabled) logHandler.LogException(exception, context); }
     }
@@ -142,13 +150,15 @@ namespace UnityEngine.Headless
         public static Action<LogEntry> Writer = ToConsole;
 
         public void LogFormat(LogType logType, Object context, string format, params object[] args)
-            => Emit(new LogEntry { Type = logType, Message = args.Length == 0 ? format : string.Format(System.Globalization.CultureInfo.InvariantCulture, format, args), StackTrace = "", Context = context });
+            => Emit(new LogEntry { Type = logType, Message = args.Length == 0 ? format
+                : string.Format(System.Globalization.CultureInfo.InvariantCulture, format, args), StackTrace = "", Context = context });
 
         public void LogException(Exception exception, Object context)
         {
             if (exception == null)
                 throw new ArgumentNullException(nameof(exception));
-            Emit(new LogEntry { Type = LogType.Exception, Message = $"{exception.GetType().Name}: {exception.Message}", StackTrace = exception.ToString(), Context = context, Exception = exception });
+            Emit(new LogEntry { Type = LogType.Exception, Message = $"{exception.GetType().Name}: {exception.Message}",
+                StackTrace = exception.ToString(), Context = context, Exception = exception });
         }
 
         static void Emit(LogEntry entry)

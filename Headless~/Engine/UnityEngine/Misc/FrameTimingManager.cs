@@ -28,7 +28,8 @@ namespace UnityEngine
 
         /// <summary>Newest first.</summary>
         /// <returns>How many there are.</returns>
-        public static uint GetLatestTimings(uint numFrames, FrameTiming[] timings) => FrameTimes.Latest(Math.Min(numFrames, (uint)timings.Length), timings);
+        public static uint GetLatestTimings(uint numFrames, FrameTiming[] timings)
+            => FrameTimes.Latest(Math.Min(numFrames, (uint)timings.Length), timings);
 
         public static ulong GetCpuTimerFrequency() => (ulong)Stopwatch.Frequency;
         public static ulong GetGpuTimerFrequency() => 0;

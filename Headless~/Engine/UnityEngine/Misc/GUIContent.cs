@@ -110,7 +110,8 @@ namespace UnityEngine
         public static bool Button(GUIContent content, params GUILayoutOption[] options) => GuiDrawing.Button(content.text);
         public static bool Button(GUIContent content, GUIStyle style, params GUILayoutOption[] options) => GuiDrawing.Button(content.text);
         public static bool Button(Texture image, params GUILayoutOption[] options) => GuiDrawing.Button(image != null ? image.name : "");
-        public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options) => GuiDrawing.Button(image != null ? image.name : "");
+        public static bool Button(Texture image, GUIStyle style, params GUILayoutOption[] options)
+            => GuiDrawing.Button(image != null ? image.name : "");
         public static GUILayoutOption Width(float width) => new GUILayoutOption();
         public static GUILayoutOption Height(float height) => new GUILayoutOption();
 
@@ -167,7 +168,8 @@ namespace UnityEngine
         TouchLeave = 34, TouchStationary = 35,
     }
 
-    [System.Flags] public enum EventModifiers { None = 0, Shift = 1, Control = 2, Alt = 4, Command = 8, Numeric = 16, CapsLock = 32, FunctionKey = 64 }
+    [System.Flags]
+    public enum EventModifiers { None = 0, Shift = 1, Control = 2, Alt = 4, Command = 8, Numeric = 16, CapsLock = 32, FunctionKey = 64 }
     public enum FocusType { Keyboard = 1, Passive = 2 }
     public enum FontStyle { Normal = 0, Bold = 1, Italic = 2, BoldAndItalic = 3 }
     public enum TextAnchor { UpperLeft = 0, UpperCenter, UpperRight, MiddleLeft, MiddleCenter, MiddleRight, LowerLeft, LowerCenter, LowerRight }

@@ -64,7 +64,8 @@ namespace Unity.Profiling
 
     public enum ProfilerCategoryColor : ushort
     {
-        Render, Scripts, BurstJobs, Other, Physics, Animation, Audio, AudioJob, AudioUpdateJob, Lighting, GC, VSync, Memory, Internal, UI, Build, Input,
+        Render, Scripts, BurstJobs, Other, Physics, Animation, Audio, AudioJob, AudioUpdateJob, Lighting, GC, VSync, Memory, Internal, UI,
+            Build, Input,
     }
 }
 
@@ -77,5 +78,6 @@ namespace Unity.Profiling.LowLevel
         ScriptDeepProfiler = 64, Counter = 128, SampleGPU = 256,
     }
 
-    public enum ProfilerMarkerDataType : byte { InstanceId = 1, Int32 = 2, UInt32 = 3, Int64 = 4, UInt64 = 5, Float = 6, Double = 7, String16 = 9, Blob8 = 11, GfxResourceId = 12 }
+    public enum ProfilerMarkerDataType : byte { InstanceId = 1, Int32 = 2, UInt32 = 3, Int64 = 4, UInt64 = 5, Float = 6, Double = 7,
+        String16 = 9, Blob8 = 11, GfxResourceId = 12 }
 }

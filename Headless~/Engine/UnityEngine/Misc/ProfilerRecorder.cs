@@ -8,12 +8,16 @@ namespace Unity.Profiling
     public struct ProfilerRecorder : IDisposable
     {
         public ProfilerRecorder(string statName, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }
-        public ProfilerRecorder(string categoryName, string statName, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }
-        public ProfilerRecorder(ProfilerCategory category, string statName, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }
+        public ProfilerRecorder(string categoryName, string statName, int capacity = 1,
+            ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }
+        public ProfilerRecorder(ProfilerCategory category, string statName, int capacity = 1,
+            ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }
         public ProfilerRecorder(ProfilerMarker marker, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) { }
 
-        public static ProfilerRecorder StartNew(ProfilerCategory category, string statName, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) => default;
-        public static ProfilerRecorder StartNew(ProfilerMarker marker, int capacity = 1, ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) => default;
+        public static ProfilerRecorder StartNew(ProfilerCategory category, string statName, int capacity = 1,
+            ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) => default;
+        public static ProfilerRecorder StartNew(ProfilerMarker marker, int capacity = 1,
+            ProfilerRecorderOptions options = ProfilerRecorderOptions.Default) => default;
 
         public bool Valid => false;
         public bool IsRunning => false;
@@ -26,7 +30,8 @@ namespace Unity.Profiling
         public double LastValueAsDouble => 0;
         public ProfilerMarkerDataType DataType => ProfilerMarkerDataType.Int64;
         public ProfilerMarkerDataUnit UnitType => ProfilerMarkerDataUnit.Undefined;
-        public ProfilerRecorderSample GetSample(int index) => throw new InvalidOperationException("ProfilerRecorder is not valid: the headless host records no profiler samples.");
+        public ProfilerRecorderSample GetSample(int index)
+            => throw new InvalidOperationException("ProfilerRecorder is not valid: the headless host records no profiler samples.");
         public ProfilerRecorderSample[] ToArray() => Array.Empty<ProfilerRecorderSample>();
         public void CopyTo(List<ProfilerRecorderSample> outSamples, bool reset = false) => outSamples.Clear();
         public void Start() { }

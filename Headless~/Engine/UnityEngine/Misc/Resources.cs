@@ -12,7 +12,8 @@ namespace UnityEngine
         public static Object Load(string path, Type systemTypeInstance) => Player.Assets?.LoadResource(path, systemTypeInstance);
         public static Object[] LoadAll(string path) => LoadAll(path, typeof(Object));
         public static T[] LoadAll<T>(string path) where T : Object => LoadAll(path, typeof(T)).Cast<T>().ToArray();
-        public static Object[] LoadAll(string path, Type systemTypeInstance) => Player.Assets?.LoadAllResources(path, systemTypeInstance).ToArray() ?? Array.Empty<Object>();
+        public static Object[] LoadAll(string path, Type systemTypeInstance)
+            => Player.Assets?.LoadAllResources(path, systemTypeInstance).ToArray() ?? Array.Empty<Object>();
         public static ResourceRequest LoadAsync(string path) => LoadAsync(path, typeof(Object));
         public static ResourceRequest LoadAsync<T>(string path) where T : Object => LoadAsync(path, typeof(T));
 

@@ -16,7 +16,8 @@ namespace UnityEngine
         public static Resolution currentResolution => new Resolution { width = width, height = height };
         public static Resolution[] resolutions => new[] { currentResolution };
 
-        public static void SetResolution(int width, int height, bool fullscreen) => SetResolution(width, height, fullscreen ? FullScreenMode.FullScreenWindow : FullScreenMode.Windowed);
+        public static void SetResolution(int width, int height, bool fullscreen)
+            => SetResolution(width, height, fullscreen ? FullScreenMode.FullScreenWindow : FullScreenMode.Windowed);
 
         public static void SetResolution(int width, int height, FullScreenMode fullscreenMode)
         {

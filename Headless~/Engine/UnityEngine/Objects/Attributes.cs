@@ -106,7 +106,8 @@ namespace UnityEngine
         public readonly int priority;
         public ContextMenu(string itemName) : this(itemName, false) { }
         public ContextMenu(string itemName, bool isValidateFunction) : this(itemName, isValidateFunction, 1000000) { }
-        public ContextMenu(string itemName, bool isValidateFunction, int priority) { menuItem = itemName; validate = isValidateFunction; this.priority = priority; }
+        public ContextMenu(string itemName, bool isValidateFunction, int priority) { menuItem = itemName; validate = isValidateFunction;
+            this.priority = priority; }
     }
 
     [AttributeUsage(AttributeTargets.Class)]
@@ -155,7 +156,8 @@ namespace UnityEngine
         public Type m_Type2;
         public RequireComponent(Type requiredComponent) { m_Type0 = requiredComponent; }
         public RequireComponent(Type requiredComponent, Type requiredComponent2) { m_Type0 = requiredComponent; m_Type1 = requiredComponent2; }
-        public RequireComponent(Type requiredComponent, Type requiredComponent2, Type requiredComponent3) { m_Type0 = requiredComponent; m_Type1 = requiredComponent2; m_Type2 = requiredComponent3; }
+        public RequireComponent(Type requiredComponent, Type requiredComponent2, Type requiredComponent3) { m_Type0 = requiredComponent;
+            m_Type1 = requiredComponent2; m_Type2 = requiredComponent3; }
         internal Type[] Types => Array.FindAll(new[] { m_Type0, m_Type1, m_Type2 }, t => t != null);
     }
 
@@ -173,7 +175,8 @@ namespace UnityEngine
         public RuntimeInitializeLoadType loadType { get; private set; }
     }
 
-    public enum RuntimeInitializeLoadType { AfterSceneLoad = 0, BeforeSceneLoad = 1, AfterAssembliesLoaded = 2, BeforeSplashScreen = 3, SubsystemRegistration = 4 }
+    public enum RuntimeInitializeLoadType { AfterSceneLoad = 0, BeforeSceneLoad = 1, AfterAssembliesLoaded = 2, BeforeSplashScreen = 3,
+        SubsystemRegistration = 4 }
 
     public interface ISerializationCallbackReceiver
     {

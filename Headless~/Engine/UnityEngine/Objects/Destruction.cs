@@ -45,17 +45,20 @@ namespace UnityEngine.Headless
         {
             if (o.IsAsset && !assetsToo)
             {
-                Debug.LogError($"Destroying assets is not permitted to avoid data loss.\nIf you really want to remove an asset use DestroyImmediate (theObject, true); ('{o.NameOf}', a {o.GetType().Name})", o);
+                Debug.LogError($"Destroying assets is not permitted to avoid data loss.\nIf you really want to remove an asset use " +
+                    $"DestroyImmediate (theObject, true); ('{o.NameOf}', a {o.GetType().Name})", o);
                 return false;
             }
             if (o is Transform transform)
             {
-                Debug.LogError($"Can't destroy {o.GetType().Name} component of '{transform.NameOf}'. If you want to destroy the game object, please call 'Destroy' on the game object instead. Destroying the {o.GetType().Name} component is not allowed.", o);
+                Debug.LogError($"Can't destroy {o.GetType().Name} component of '{transform.NameOf}'. If you want to destroy the game " +
+                    $"object, please call 'Destroy' on the game object instead. Destroying the {o.GetType().Name} component is not allowed.", o);
                 return false;
             }
             if (o is Component component && DependentOf(component) is Component dependent)
             {
-                Debug.LogError($"Can't remove {o.GetType().Name} ({o.GetType().Name}) because {dependent.GetType().Name} ({dependent.GetType().Name}) depends on it", o);
+                Debug.LogError($"Can't remove {o.GetType().Name} ({o.GetType().Name}) because {dependent.GetType().Name} " +
+                    $"({dependent.GetType().Name}) depends on it", o);
                 return false;
             }
             return true;

@@ -45,7 +45,8 @@ namespace UnityEngine
         public int layer
         {
             get => m_Layer;
-            set => m_Layer = value >= 0 && value <= 31 ? value : throw new UnityException("A game object can only be in one layer. The layer needs to be in the range [0...31]");
+            set => m_Layer = value >= 0 && value <= 31 ? value
+                : throw new UnityException("A game object can only be in one layer. The layer needs to be in the range [0...31]");
         }
         public bool isStatic { get; set; }
         public ulong sceneCullingMask => ulong.MaxValue;
@@ -89,20 +90,26 @@ namespace UnityEngine
             ThrowIfDestroyed();
             if (componentType == null || !typeof(Component).IsAssignableFrom(componentType))
                 throw new ArgumentException($"AddComponent: {componentType?.FullName ?? "null"} is not a Component.");
-            if (componentType.IsAbstract || componentType.ContainsGenericParameters || componentType == typeof(Component) || componentType == typeof(Behaviour) || componentType == typeof(MonoBehaviour))
+            if (componentType.IsAbstract || componentType.ContainsGenericParameters || componentType == typeof(Component)
+                || componentType == typeof(Behaviour) || componentType == typeof(MonoBehaviour))
             {
                 Debug.LogError($"Can't add component because class '{componentType.Name}' is abstract or an engine base class!", this);
                 return null;
             }
             if (typeof(Transform).IsAssignableFrom(componentType))
             {
-                Debug.LogError($"Can't add component '{componentType.Name}' to {NameOf} because such a component is already added to the game object!", this);
+                Debug.LogError(
+                    $"Can't add component '{componentType.Name}' to {NameOf} because such a component is already added to the game object!",
+                    this);
                 return null;
             }
             foreach (Component other in Components)
-                if (componentType.GetCustomAttribute<DisallowMultipleComponent>(true) != null && (componentType.IsInstanceOfType(other) || other.GetType().IsAssignableFrom(componentType) && other.GetType().GetCustomAttribute<DisallowMultipleComponent>(true) != null))
+                if (componentType.GetCustomAttribute<DisallowMultipleComponent>(true) != null
+                    && (componentType.IsInstanceOfType(other) || other.GetType().IsAssignableFrom(componentType)
+                    && other.GetType().GetCustomAttribute<DisallowMultipleComponent>(true) != null))
                 {
-                    Debug.LogError($"Can't add component '{componentType.Name}' to {NameOf} because such a component is already added to the game object!", this);
+                    Debug.LogError($"Can't add component '{componentType.Name}' to {NameOf} because such a component is already added " +
+                        $"to the game object!", this);
                     return null;
                 }
 
@@ -159,21 +166,25 @@ namespace UnityEngine
         public T GetComponentInChildren<T>() => GetComponentInChildren<T>(false);
         public T GetComponentInChildren<T>(bool includeInactive) => First(Gather<T>(typeof(T), Reach.Children, includeInactive));
         public Component[] GetComponentsInChildren(Type type) => GetComponentsInChildren(type, false);
-        public Component[] GetComponentsInChildren(Type type, bool includeInactive) => Gather<Component>(type, Reach.Children, includeInactive).ToArray();
+        public Component[] GetComponentsInChildren(Type type, bool includeInactive)
+            => Gather<Component>(type, Reach.Children, includeInactive).ToArray();
         public T[] GetComponentsInChildren<T>() => GetComponentsInChildren<T>(false);
         public T[] GetComponentsInChildren<T>(bool includeInactive) => Gather<T>(typeof(T), Reach.Children, includeInactive).ToArray();
         public void GetComponentsInChildren<T>(List<T> results) => GetComponentsInChildren(false, results);
-        public void GetComponentsInChildren<T>(bool includeInactive, List<T> results) => Replace(results, Gather<T>(typeof(T), Reach.Children, includeInactive));
+        public void GetComponentsInChildren<T>(bool includeInactive, List<T> results)
+            => Replace(results, Gather<T>(typeof(T), Reach.Children, includeInactive));
 
         public Component GetComponentInParent(Type type) => GetComponentInParent(type, false);
         public Component GetComponentInParent(Type type, bool includeInactive) => First(Gather<Component>(type, Reach.Parents, includeInactive));
         public T GetComponentInParent<T>() => GetComponentInParent<T>(false);
         public T GetComponentInParent<T>(bool includeInactive) => First(Gather<T>(typeof(T), Reach.Parents, includeInactive));
         public Component[] GetComponentsInParent(Type type) => GetComponentsInParent(type, false);
-        public Component[] GetComponentsInParent(Type type, bool includeInactive) => Gather<Component>(type, Reach.Parents, includeInactive).ToArray();
+        public Component[] GetComponentsInParent(Type type, bool includeInactive)
+            => Gather<Component>(type, Reach.Parents, includeInactive).ToArray();
         public T[] GetComponentsInParent<T>() => GetComponentsInParent<T>(false);
         public T[] GetComponentsInParent<T>(bool includeInactive) => Gather<T>(typeof(T), Reach.Parents, includeInactive).ToArray();
-        public void GetComponentsInParent<T>(bool includeInactive, List<T> results) => Replace(results, Gather<T>(typeof(T), Reach.Parents, includeInactive));
+        public void GetComponentsInParent<T>(bool includeInactive, List<T> results)
+            => Replace(results, Gather<T>(typeof(T), Reach.Parents, includeInactive));
 
         enum Reach { Self, Children, Parents }
 
@@ -221,7 +232,8 @@ namespace UnityEngine
         public void SendMessage(string methodName) => SendMessage(methodName, null, SendMessageOptions.RequireReceiver);
         public void SendMessage(string methodName, SendMessageOptions options) => SendMessage(methodName, null, options);
         public void SendMessage(string methodName, object value) => SendMessage(methodName, value, SendMessageOptions.RequireReceiver);
-        public void SendMessage(string methodName, object value, SendMessageOptions options) => Report(methodName, options, Messages.Broadcast(this, methodName, value));
+        public void SendMessage(string methodName, object value, SendMessageOptions options)
+            => Report(methodName, options, Messages.Broadcast(this, methodName, value));
 
         public void SendMessageUpwards(string methodName) => SendMessageUpwards(methodName, null, SendMessageOptions.RequireReceiver);
         public void SendMessageUpwards(string methodName, SendMessageOptions options) => SendMessageUpwards(methodName, null, options);
@@ -237,7 +249,8 @@ namespace UnityEngine
 
         public void BroadcastMessage(string methodName) => BroadcastMessage(methodName, null, SendMessageOptions.RequireReceiver);
         public void BroadcastMessage(string methodName, SendMessageOptions options) => BroadcastMessage(methodName, null, options);
-        public void BroadcastMessage(string methodName, object parameter) => BroadcastMessage(methodName, parameter, SendMessageOptions.RequireReceiver);
+        public void BroadcastMessage(string methodName, object parameter)
+            => BroadcastMessage(methodName, parameter, SendMessageOptions.RequireReceiver);
 
         public void BroadcastMessage(string methodName, object parameter, SendMessageOptions options)
         {
@@ -290,7 +303,8 @@ namespace UnityEngine
         internal static Func<PrimitiveType, GameObject> PrimitiveFactory;
 
         public static GameObject CreatePrimitive(PrimitiveType type)
-            => PrimitiveFactory != null ? PrimitiveFactory(type) : throw new NotSupportedException($"GameObject.CreatePrimitive({type}): no graphics are attached to this host.");
+            => PrimitiveFactory != null ? PrimitiveFactory(type)
+                : throw new NotSupportedException($"GameObject.CreatePrimitive({type}): no graphics are attached to this host.");
     }
 
     public enum PrimitiveType { Sphere = 0, Capsule = 1, Cylinder = 2, Cube = 3, Plane = 4, Quad = 5 }

@@ -112,7 +112,8 @@ namespace UnityEngine.Headless
         // Open delegates instead of MethodInfo.Invoke: updates run every frame, and exceptions keep their stack.
         static Action<object> Compile(MethodInfo method)
         {
-            MethodInfo maker = typeof(Messages).GetMethod(method.ReturnType == typeof(void) ? nameof(Plain) : nameof(Routine), BindingFlags.Static | BindingFlags.NonPublic);
+            MethodInfo maker = typeof(Messages).GetMethod(method.ReturnType == typeof(void) ? nameof(Plain) : nameof(Routine),
+                BindingFlags.Static | BindingFlags.NonPublic);
             if (method.ReturnType != typeof(void) && !typeof(IEnumerator).IsAssignableFrom(method.ReturnType))
                 return target => method.Invoke(target, null);
             return (Action<object>)maker.MakeGenericMethod(method.DeclaringType).Invoke(null, new object[] { method });

@@ -16,7 +16,8 @@ namespace UnityEngine
         {
             if (ObjectFactory.Constructing)
                 return;
-            Debug.LogWarning("You are trying to create a MonoBehaviour using the 'new' keyword.  This is not allowed.  MonoBehaviours can only be added using AddComponent(). Alternatively, your script can inherit from ScriptableObject or no base class at all");
+            Debug.LogWarning("You are trying to create a MonoBehaviour using the 'new' keyword.  This is not allowed.  MonoBehaviours " +
+                "can only be added using AddComponent(). Alternatively, your script can inherit from ScriptableObject or no base class at all");
             Destroyed = true;
         }
 

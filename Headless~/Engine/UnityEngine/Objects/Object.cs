@@ -51,7 +51,8 @@ namespace UnityEngine
         internal void ThrowIfDestroyed()
         {
             if (Destroyed)
-                throw new MissingReferenceException($"The object of type '{GetType().Name}' has been destroyed but you are still trying to access it.\nYour script should either check if it is null or you should not destroy the object.");
+                throw new MissingReferenceException($"The object of type '{GetType().Name}' has been destroyed but you are still " +
+                    $"trying to access it.\nYour script should either check if it is null or you should not destroy the object.");
         }
 
         /// <summary>Called once when the object is destroyed: gives back what it holds outside of managed memory.</summary>
@@ -72,30 +73,42 @@ namespace UnityEngine
         public static Object Instantiate(Object original) => Instantiation.Clone(original, null, false);
         public static Object Instantiate(Object original, Scene scene) => Instantiation.CloneInto(original, scene);
         public static Object Instantiate(Object original, Transform parent) => Instantiation.Clone(original, parent, false);
-        public static Object Instantiate(Object original, Transform parent, bool instantiateInWorldSpace) => Instantiation.Clone(original, parent, instantiateInWorldSpace);
-        public static Object Instantiate(Object original, Vector3 position, Quaternion rotation) => Instantiation.CloneAt(original, position, rotation, null);
-        public static Object Instantiate(Object original, Vector3 position, Quaternion rotation, Transform parent) => Instantiation.CloneAt(original, position, rotation, parent);
+        public static Object Instantiate(Object original, Transform parent, bool instantiateInWorldSpace)
+            => Instantiation.Clone(original, parent, instantiateInWorldSpace);
+        public static Object Instantiate(Object original, Vector3 position, Quaternion rotation)
+            => Instantiation.CloneAt(original, position, rotation, null);
+        public static Object Instantiate(Object original, Vector3 position, Quaternion rotation, Transform parent)
+            => Instantiation.CloneAt(original, position, rotation, parent);
         public static T Instantiate<T>(T original) where T : Object => (T)Instantiate((Object)original);
         public static T Instantiate<T>(T original, Transform parent) where T : Object => (T)Instantiate((Object)original, parent);
-        public static T Instantiate<T>(T original, Transform parent, bool worldPositionStays) where T : Object => (T)Instantiate((Object)original, parent, worldPositionStays);
-        public static T Instantiate<T>(T original, Vector3 position, Quaternion rotation) where T : Object => (T)Instantiate((Object)original, position, rotation);
-        public static T Instantiate<T>(T original, Vector3 position, Quaternion rotation, Transform parent) where T : Object => (T)Instantiate((Object)original, position, rotation, parent);
+        public static T Instantiate<T>(T original, Transform parent, bool worldPositionStays) where T : Object
+            => (T)Instantiate((Object)original, parent, worldPositionStays);
+        public static T Instantiate<T>(T original, Vector3 position, Quaternion rotation) where T : Object
+            => (T)Instantiate((Object)original, position, rotation);
+        public static T Instantiate<T>(T original, Vector3 position, Quaternion rotation, Transform parent) where T : Object
+            => (T)Instantiate((Object)original, position, rotation, parent);
 
         // ---- search
         public static Object FindAnyObjectByType(Type type) => First(ObjectSearch.InScenes(type, false));
-        public static Object FindAnyObjectByType(Type type, FindObjectsInactive findObjectsInactive) => First(ObjectSearch.InScenes(type, findObjectsInactive == FindObjectsInactive.Include));
+        public static Object FindAnyObjectByType(Type type, FindObjectsInactive findObjectsInactive)
+            => First(ObjectSearch.InScenes(type, findObjectsInactive == FindObjectsInactive.Include));
         public static Object FindFirstObjectByType(Type type) => FindAnyObjectByType(type);
-        public static Object FindFirstObjectByType(Type type, FindObjectsInactive findObjectsInactive) => FindAnyObjectByType(type, findObjectsInactive);
-        public static Object[] FindObjectsByType(Type type, FindObjectsSortMode sortMode) => FindObjectsByType(type, FindObjectsInactive.Exclude, sortMode);
+        public static Object FindFirstObjectByType(Type type, FindObjectsInactive findObjectsInactive)
+            => FindAnyObjectByType(type, findObjectsInactive);
+        public static Object[] FindObjectsByType(Type type, FindObjectsSortMode sortMode)
+            => FindObjectsByType(type, FindObjectsInactive.Exclude, sortMode);
 
         public static Object[] FindObjectsByType(Type type, FindObjectsInactive findObjectsInactive, FindObjectsSortMode sortMode)
             => ObjectSearch.InScenes(type, findObjectsInactive == FindObjectsInactive.Include).ToArray();
 
         public static T FindAnyObjectByType<T>() where T : Object => (T)FindAnyObjectByType(typeof(T));
-        public static T FindAnyObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object => (T)FindAnyObjectByType(typeof(T), findObjectsInactive);
+        public static T FindAnyObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object
+            => (T)FindAnyObjectByType(typeof(T), findObjectsInactive);
         public static T FindFirstObjectByType<T>() where T : Object => (T)FindAnyObjectByType(typeof(T));
-        public static T FindFirstObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object => (T)FindAnyObjectByType(typeof(T), findObjectsInactive);
-        public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode) where T : Object => FindObjectsByType<T>(FindObjectsInactive.Exclude, sortMode);
+        public static T FindFirstObjectByType<T>(FindObjectsInactive findObjectsInactive) where T : Object
+            => (T)FindAnyObjectByType(typeof(T), findObjectsInactive);
+        public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode) where T : Object
+            => FindObjectsByType<T>(FindObjectsInactive.Exclude, sortMode);
         public static T[] FindObjectsByType<T>(FindObjectsInactive findObjectsInactive, FindObjectsSortMode sortMode) where T : Object
             => Array.ConvertAll(FindObjectsByType(typeof(T), findObjectsInactive, sortMode), o => (T)o);
 
@@ -106,7 +119,8 @@ namespace UnityEngine
         public static T FindObjectOfType<T>() where T : Object => (T)FindObjectOfType(typeof(T));
         public static T FindObjectOfType<T>(bool includeInactive) where T : Object => (T)FindObjectOfType(typeof(T), includeInactive);
         public static T[] FindObjectsOfType<T>() where T : Object => FindObjectsOfType<T>(false);
-        public static T[] FindObjectsOfType<T>(bool includeInactive) where T : Object => Array.ConvertAll(FindObjectsOfType(typeof(T), includeInactive), o => (T)o);
+        public static T[] FindObjectsOfType<T>(bool includeInactive) where T : Object
+            => Array.ConvertAll(FindObjectsOfType(typeof(T), includeInactive), o => (T)o);
 
         static Object First(List<Object> found) => found.Count > 0 ? found[0] : null;
     }

@@ -70,7 +70,8 @@ namespace UnityEngine.Headless
             }
         }
 
-        /// <summary>Ends the sleep of whole trees: OnValidate for all as the Editor does, then Awake and OnEnable, object by object in execution order.</summary>
+        /// <summary>Ends the sleep of whole trees: OnValidate for all as the Editor does, then Awake and OnEnable, object by object in
+        /// execution order.</summary>
         public static void Wake(IEnumerable<GameObject> roots)
         {
             var tree = new List<GameObject>();

@@ -10,7 +10,8 @@ namespace UnityEngine
         public ScriptableObject()
         {
             if (!ObjectFactory.Constructing)
-                Debug.LogWarning($"{GetType().Name} must be instantiated using the ScriptableObject.CreateInstance method instead of new {GetType().Name}.");
+                Debug.LogWarning($"{GetType().Name} must be instantiated using the ScriptableObject.CreateInstance method instead of " +
+                    $"new {GetType().Name}.");
         }
 
         public static T CreateInstance<T>() where T : ScriptableObject => (T)CreateInstance(typeof(T));
@@ -27,7 +28,9 @@ namespace UnityEngine
         public static ScriptableObject CreateInstance(Type type)
         {
             if (type == null || !typeof(ScriptableObject).IsAssignableFrom(type) || type.IsAbstract)
-                throw new ArgumentException($"ScriptableObject.CreateInstance: {type?.FullName ?? "null"} is not a ScriptableObject that can be created.", nameof(type));
+                throw new ArgumentException(
+                    $"ScriptableObject.CreateInstance: {type?.FullName ?? "null"} is not a ScriptableObject that can be created.",
+                    nameof(type));
             ScriptableObject made = ObjectFactory.CreateScriptableObject(type);
             Lifecycle.Wake(made);
             return made;

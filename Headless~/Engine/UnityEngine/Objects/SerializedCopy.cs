@@ -31,7 +31,8 @@ namespace UnityEngine.Headless
                     field.SetValue(to, CopyField(field, field.GetValue(from)));
             }
 
-            public object CopyField(FieldInfo field, object value) => field.IsDefined(typeof(SerializeReference)) ? CopyReference(value) : CopyValue(value, field.FieldType);
+            public object CopyField(FieldInfo field, object value) => field.IsDefined(typeof(SerializeReference)) ? CopyReference(value)
+                : CopyValue(value, field.FieldType);
 
             object CopyValue(object value, Type type)
             {
@@ -108,7 +109,8 @@ namespace UnityEngine.Headless
 
             static object Make(Type type)
             {
-                if (type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, Type.EmptyTypes, null) != null)
+                if (type.IsValueType || type.GetConstructor(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null,
+                    Type.EmptyTypes, null) != null)
                     return Activator.CreateInstance(type, true);
                 return System.Runtime.Serialization.FormatterServices.GetUninitializedObject(type);
             }
@@ -117,7 +119,8 @@ namespace UnityEngine.Headless
         static bool ContainsReferences(Type type)
         {
             foreach (FieldInfo field in type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic))
-                if (!field.FieldType.IsPrimitive && !field.FieldType.IsEnum && !field.FieldType.IsPointer && (!field.FieldType.IsValueType || ContainsReferences(field.FieldType)))
+                if (!field.FieldType.IsPrimitive && !field.FieldType.IsEnum && !field.FieldType.IsPointer
+                    && (!field.FieldType.IsValueType || ContainsReferences(field.FieldType)))
                     return true;
             return false;
         }

@@ -44,7 +44,8 @@ namespace UnityEngine.Headless
         {
             if (ElementType(type) is Type element)
                 return IsState(element);
-            return type.IsValueType || type == typeof(string) || type == typeof(AnimationCurve) || type == typeof(Gradient) || typeof(Object).IsAssignableFrom(type);
+            return type.IsValueType || type == typeof(string) || type == typeof(AnimationCurve) || type == typeof(Gradient)
+                || typeof(Object).IsAssignableFrom(type);
         }
 
         public static bool CanStore(Type type)
@@ -55,7 +56,8 @@ namespace UnityEngine.Headless
                 return type != typeof(IntPtr) && type != typeof(UIntPtr);
             if (typeof(Object).IsAssignableFrom(type))
                 return true;
-            if (type.IsArray || type.IsAbstract || type.IsInterface || typeof(Delegate).IsAssignableFrom(type) || type == typeof(decimal) || type.IsPointer)
+            if (type.IsArray || type.IsAbstract || type.IsInterface || typeof(Delegate).IsAssignableFrom(type) || type == typeof(decimal)
+                || type.IsPointer)
                 return false;
             return engineTypes.Contains(type) || type.IsSerializable && !IsFramework(type.Assembly);
         }
@@ -64,7 +66,8 @@ namespace UnityEngine.Headless
         static readonly HashSet<Type> engineTypes = new HashSet<Type>
         {
             typeof(Vector2), typeof(Vector3), typeof(Vector4), typeof(Vector2Int), typeof(Vector3Int), typeof(Quaternion), typeof(Matrix4x4),
-            typeof(Color), typeof(Color32), typeof(Rect), typeof(Bounds), typeof(LayerMask), typeof(AnimationCurve), typeof(Gradient), typeof(GUIStyle),
+            typeof(Color), typeof(Color32), typeof(Rect), typeof(Bounds), typeof(LayerMask), typeof(AnimationCurve), typeof(Gradient),
+                typeof(GUIStyle),
         };
 
         // List is the one collection that Unity stores, whatever else is marked [Serializable] there.

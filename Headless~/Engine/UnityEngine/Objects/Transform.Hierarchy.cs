@@ -63,7 +63,8 @@ namespace UnityEngine
             }
             if (target is object && target.Owner.SceneOf == null && Owner.SceneOf != null)
             {
-                Debug.LogError("Setting the parent of a transform which resides in a Prefab Asset is disabled to prevent data corruption " + $"(GameObject: '{NameOf}').", this);
+                Debug.LogError("Setting the parent of a transform which resides in a Prefab Asset is disabled to prevent data corruption "
+                    + $"(GameObject: '{NameOf}').", this);
                 return;
             }
 

@@ -20,8 +20,10 @@ namespace UnityEngine
         public bool hasChanged { get; set; } = true;
 
         // ---- local
-        public Vector3 localPosition { get { ThrowIfDestroyed(); return m_LocalPosition; } set { ThrowIfDestroyed(); if (IsPlace(nameof(localPosition), value)) { m_LocalPosition = value; Moved(); } } }
-        public Quaternion localRotation { get { ThrowIfDestroyed(); return m_LocalRotation; } set { ThrowIfDestroyed(); m_LocalRotation = Quaternion.Normalize(value); Moved(); } }
+        public Vector3 localPosition { get { ThrowIfDestroyed(); return m_LocalPosition; } set { ThrowIfDestroyed();
+            if (IsPlace(nameof(localPosition), value)) { m_LocalPosition = value; Moved(); } } }
+        public Quaternion localRotation { get { ThrowIfDestroyed(); return m_LocalRotation; } set { ThrowIfDestroyed();
+            m_LocalRotation = Quaternion.Normalize(value); Moved(); } }
         public Vector3 localScale { get { ThrowIfDestroyed(); return m_LocalScale; } set { ThrowIfDestroyed(); m_LocalScale = value; Moved(); } }
         public Vector3 localEulerAngles { get => localRotation.eulerAngles; set => localRotation = Quaternion.Euler(value); }
 
@@ -67,7 +69,8 @@ namespace UnityEngine
         {
             if (float.IsFinite(value.x) && float.IsFinite(value.y) && float.IsFinite(value.z))
                 return true;
-            Debug.LogError(FormattableString.Invariant($"transform.{property} assign attempt for '{name}' is not valid. Input {property} is {{ {value.x:F6}, {value.y:F6}, {value.z:F6} }}."), this);
+            Debug.LogError(FormattableString.Invariant(
+                $"transform.{property} assign attempt for '{name}' is not valid. Input {property} is {{ {value.x:F6}, {value.y:F6}, {value.z:F6} }}."), this);
             return false;
         }
 
@@ -139,8 +142,10 @@ namespace UnityEngine
 
         // ---- motion
         public void Translate(Vector3 translation) => Translate(translation, Space.Self);
-        public void Translate(Vector3 translation, Space relativeTo) => position += relativeTo == Space.World ? translation : TransformDirection(translation);
-        public void Translate(Vector3 translation, Transform relativeTo) => position += relativeTo ? relativeTo.TransformDirection(translation) : translation;
+        public void Translate(Vector3 translation, Space relativeTo) => position += relativeTo == Space.World ? translation
+            : TransformDirection(translation);
+        public void Translate(Vector3 translation, Transform relativeTo)
+            => position += relativeTo ? relativeTo.TransformDirection(translation) : translation;
         public void Translate(float x, float y, float z) => Translate(new Vector3(x, y, z));
         public void Translate(float x, float y, float z, Space relativeTo) => Translate(new Vector3(x, y, z), relativeTo);
         public void Translate(float x, float y, float z, Transform relativeTo) => Translate(new Vector3(x, y, z), relativeTo);

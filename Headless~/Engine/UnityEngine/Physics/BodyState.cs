@@ -1,6 +1,7 @@
 namespace UnityEngine.Headless
 {
-    /// <summary>Where a body is, how it moves, what acts on it in the coming step. Its object shows a place between the last two steps where the body interpolates.</summary>
+    /// <summary>Where a body is, how it moves, what acts on it in the coming step. Its object shows a place between the last two steps
+    /// where the body interpolates.</summary>
     internal struct BodyState
     {
         public Vector3 Position, Velocity, AngularVelocity;
@@ -49,7 +50,8 @@ namespace UnityEngine.Headless
             Show(transform, Position, Rotation);
         }
 
-        public void ShowBetween(Transform transform, float fraction) => Show(transform, Vector3.Lerp(lastPosition, Position, fraction), Quaternion.Slerp(lastRotation, Rotation, fraction));
+        public void ShowBetween(Transform transform, float fraction)
+            => Show(transform, Vector3.Lerp(lastPosition, Position, fraction), Quaternion.Slerp(lastRotation, Rotation, fraction));
 
         void Show(Transform transform, Vector3 position, Quaternion rotation)
         {
@@ -93,7 +95,8 @@ namespace UnityEngine.Headless
             Vector3 acceleration = Force / body.mass + (body.useGravity ? PhysicsWorld.Gravity : Vector3.zero);
             Velocity = (Velocity + acceleration * time + VelocityChange) * Mathf.Max(1f - body.drag * time, 0f);
             Velocity = Vector3.ClampMagnitude(Velocity, body.maxLinearVelocity);
-            AngularVelocity = (AngularVelocity + (body.TurnedBy(Torque) + AngularAcceleration) * time + AngularVelocityChange) * Mathf.Max(1f - body.angularDrag * time, 0f);
+            AngularVelocity = (AngularVelocity + (body.TurnedBy(Torque) + AngularAcceleration) * time + AngularVelocityChange)
+                * Mathf.Max(1f - body.angularDrag * time, 0f);
             AngularVelocity = Vector3.ClampMagnitude(AngularVelocity, body.maxAngularVelocity);
             Freeze(body.constraints);
 

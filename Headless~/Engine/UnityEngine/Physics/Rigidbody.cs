@@ -50,16 +50,19 @@ namespace UnityEngine
         }
 
         public Vector3 velocity { get => State.Velocity; set { State.Velocity = value; WakeUp(); } }
-        public Vector3 angularVelocity { get => State.AngularVelocity; set { State.AngularVelocity = Vector3.ClampMagnitude(value, maxAngularVelocity); WakeUp(); } }
+        public Vector3 angularVelocity { get => State.AngularVelocity;
+            set { State.AngularVelocity = Vector3.ClampMagnitude(value, maxAngularVelocity); WakeUp(); } }
         public Vector3 position { get { State.Follow(transform); return State.Position; } set => State.Teleport(transform, value, State.Rotation); }
-        public Quaternion rotation { get { State.Follow(transform); return State.Rotation; } set => State.Teleport(transform, State.Position, value); }
+        public Quaternion rotation { get { State.Follow(transform); return State.Rotation; } set => State.Teleport(transform,
+            State.Position, value); }
 
         public Vector3 centerOfMass { get => m_CenterOfMass; set { m_CenterOfMass = value; automaticCenterOfMass = false; } }
         public bool automaticCenterOfMass { get; set; } = true;
         public Vector3 worldCenterOfMass => position + rotation * m_CenterOfMass;
         public Quaternion inertiaTensorRotation { get; set; } = Quaternion.identity;
 
-        /// <summary>Automatic: that of a solid box around the object's mesh with the body's mass; Unity takes the object's colliders, which the host has not.</summary>
+        /// <summary>Automatic: that of a solid box around the object's mesh with the body's mass; Unity takes the object's colliders, which
+        /// the host has not.</summary>
         public Vector3 inertiaTensor
         {
             get

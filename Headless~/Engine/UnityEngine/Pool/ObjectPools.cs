@@ -35,7 +35,8 @@ namespace UnityEngine.Pool
         readonly bool check;
         readonly int most;
 
-        public ObjectPool(Func<T> createFunc, Action<T> actionOnGet = null, Action<T> actionOnRelease = null, Action<T> actionOnDestroy = null, bool collectionCheck = true, int defaultCapacity = 10, int maxSize = 10000)
+        public ObjectPool(Func<T> createFunc, Action<T> actionOnGet = null, Action<T> actionOnRelease = null,
+            Action<T> actionOnDestroy = null, bool collectionCheck = true, int defaultCapacity = 10, int maxSize = 10000)
         {
             create = createFunc ?? throw new ArgumentNullException(nameof(createFunc));
             if (maxSize <= 0)
@@ -101,7 +102,8 @@ namespace UnityEngine.Pool
     {
         readonly ObjectPool<T> pool;
 
-        public LinkedPool(Func<T> createFunc, Action<T> actionOnGet = null, Action<T> actionOnRelease = null, Action<T> actionOnDestroy = null, bool collectionCheck = true, int maxSize = 10000)
+        public LinkedPool(Func<T> createFunc, Action<T> actionOnGet = null, Action<T> actionOnRelease = null,
+            Action<T> actionOnDestroy = null, bool collectionCheck = true, int maxSize = 10000)
             => pool = new ObjectPool<T>(createFunc, actionOnGet, actionOnRelease, actionOnDestroy, collectionCheck, 0, maxSize);
 
         public int CountInactive => pool.CountInactive;

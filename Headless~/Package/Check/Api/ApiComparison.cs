@@ -49,7 +49,8 @@ namespace Host.Check.Api
 
         public static bool Fits(ApiMember listed, CompiledMember compiled)
         {
-            if (listed.Kind != ApiKind.Constructor && compiled.IsStatic is { } isStatic && listed.Static != isStatic || listed.Name != compiled.SourceName)
+            if (listed.Kind != ApiKind.Constructor && compiled.IsStatic is { } isStatic && listed.Static != isStatic
+                || listed.Name != compiled.SourceName)
                 return false;
             if (compiled.IsField)
                 return listed.Kind is ApiKind.Field or ApiKind.Value && (listed.Kind == ApiKind.Value || Same(listed.Type, compiled.Returns));
@@ -66,7 +67,8 @@ namespace Host.Check.Api
                 case ApiKind.Constructor:
                     return SameAll(listed.Parameters, parameters);
                 case ApiKind.Method or ApiKind.Operator or ApiKind.Conversion:
-                    return listed.TypeParameters.Count == compiled.Arity && SameAll(listed.Parameters, parameters) && Same(listed.ReturnsReference, listed.Type, compiled.Returns);
+                    return listed.TypeParameters.Count == compiled.Arity && SameAll(listed.Parameters, parameters)
+                        && Same(listed.ReturnsReference, listed.Type, compiled.Returns);
                 default:
                     return false;
             }

@@ -8,7 +8,8 @@ namespace Host.Check.Api
     /// <summary>Looks compiled members and types up in one version's lists.</summary>
     static class ApiLookup
     {
-        /// <summary>What a reference meets in a version. Null: the member is there, and not obsolete; or its type is not, which is told of the type.</summary>
+        /// <summary>What a reference meets in a version. Null: the member is there, and not obsolete; or its type is not, which is told of
+        /// the type.</summary>
         /// <param name="arguments">For a member whose signature names the arguments of its generic type; a reference names the parameters.</param>
         public static string Complaint(ApiCatalogue unity, CompiledMember member, IReadOnlyList<ApiTypeName> arguments = null)
         {
@@ -65,7 +66,8 @@ namespace Host.Check.Api
 
         static string Others(ApiCatalogue unity, ApiType type, CompiledMember member)
         {
-            string[] others = unity.Lineage(type).SelectMany(inherited => inherited.Type.Named(member.SourceName)).Select(listed => listed.Line.Signature).Distinct().Take(3).ToArray();
+            string[] others = unity.Lineage(type).SelectMany(inherited => inherited.Type.Named(member.SourceName))
+                .Select(listed => listed.Line.Signature).Distinct().Take(3).ToArray();
             return others.Length == 0 ? "" : $" (but {string.Join("; ", others)})";
         }
     }

@@ -28,7 +28,8 @@ namespace Host.Check.Api
 
         public void Dispose() => file.Dispose();
 
-        public IEnumerable<string> References => Metadata.AssemblyReferences.Select(handle => Metadata.GetString(Metadata.GetAssemblyReference(handle).Name));
+        public IEnumerable<string> References
+            => Metadata.AssemblyReferences.Select(handle => Metadata.GetString(Metadata.GetAssemblyReference(handle).Name));
 
         /// <summary>Every type of another assembly that this one names, with that assembly.</summary>
         public IEnumerable<(string Assembly, ApiTypeName Type)> TypesUsed =>
@@ -55,10 +56,12 @@ namespace Host.Check.Api
         /// <summary>The first method whose code names a member: "FluidSimulation.Update". Null: none does, it is named by an attribute.</summary>
         public string FirstUser(MemberReferenceHandle member)
         {
-            List<byte[]> tokens = Enumerable.Range(1, Metadata.GetTableRowCount(TableIndex.MethodSpec)).Select(MetadataTokens.MethodSpecificationHandle)
+            List<byte[]> tokens = Enumerable.Range(1, Metadata.GetTableRowCount(TableIndex.MethodSpec))
+                .Select(MetadataTokens.MethodSpecificationHandle)
                 .Where(handle => Metadata.GetMethodSpecification(handle).Method == member).Select(handle => (EntityHandle)handle).Append(member)
                 .Select(handle => BitConverter.GetBytes(MetadataTokens.GetToken(handle))).ToList();
-            foreach (MethodDefinition method in Metadata.MethodDefinitions.Select(Metadata.GetMethodDefinition).Where(method => method.RelativeVirtualAddress != 0))
+            foreach (MethodDefinition method in Metadata.MethodDefinitions.Select(Metadata.GetMethodDefinition)
+                .Where(method => method.RelativeVirtualAddress != 0))
             {
                 byte[] code = file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes();
                 if (tokens.Any(token => code.AsSpan().IndexOf(token) >= 0))
@@ -85,7 +88,8 @@ namespace Host.Check.Api
                 foreach (CustomAttributeNamedArgument<ApiTypeName> argument in attribute.DecodeValue(names).NamedArguments)
                     yield return argument.Kind == CustomAttributeNamedArgumentKind.Field
                         ? new CompiledMember(owner, argument.Name, true, false, 0, argument.Type, Array.Empty<ApiTypeName>())
-                        : new CompiledMember(owner, "set_" + argument.Name, false, false, 0, ApiTypeName.Named(new[] { "System", "Void" }), new[] { argument.Type });
+                        : new CompiledMember(owner, "set_" + argument.Name, false, false, 0, ApiTypeName.Named(new[] { "System", "Void" }),
+                            new[] { argument.Type });
             }
         }
 
@@ -101,7 +105,8 @@ namespace Host.Check.Api
         {
             string name = Metadata.GetString(reference.Name);
             return reference.GetKind() == MemberReferenceKind.Field
-                ? new CompiledMember(owner, name, true, null, 0, reference.DecodeFieldSignature(CompiledTypeNames.Instance, null), Array.Empty<ApiTypeName>())
+                ? new CompiledMember(owner, name, true, null, 0, reference.DecodeFieldSignature(CompiledTypeNames.Instance, null),
+                Array.Empty<ApiTypeName>())
                 : Method(owner, name, reference.DecodeMethodSignature(CompiledTypeNames.Instance, null));
         }
 

@@ -7,7 +7,8 @@ namespace Host.Check.Api
     /// <param name="Owner">The type that it is a member of.</param>
     /// <param name="IsStatic">Null: a reference to a field, which does not say.</param>
     /// <param name="Returns">What a method returns, what a field is.</param>
-    sealed record CompiledMember(ApiTypeName Owner, string Name, bool IsField, bool? IsStatic, int Arity, ApiTypeName Returns, IReadOnlyList<ApiTypeName> Parameters)
+    sealed record CompiledMember(ApiTypeName Owner, string Name, bool IsField, bool? IsStatic, int Arity, ApiTypeName Returns,
+        IReadOnlyList<ApiTypeName> Parameters)
     {
         static readonly string[] Accessors = { "get_", "set_", "add_", "remove_" };
 
@@ -26,7 +27,8 @@ namespace Host.Check.Api
         public override string ToString()
         {
             string arity = Arity == 0 ? "" : $"<{new string(',', Arity - 1)}>";
-            return IsField ? $"{Owner}.{Name} ({Returns})" : $"{Owner}.{Name}{arity}({string.Join(", ", Parameters)}){(Name == ".ctor" || Returns.IsVoid ? "" : $" : {Returns}")}";
+            return IsField ? $"{Owner}.{Name} ({Returns})"
+                : $"{Owner}.{Name}{arity}({string.Join(", ", Parameters)}){(Name == ".ctor" || Returns.IsVoid ? "" : $" : {Returns}")}";
         }
     }
 }

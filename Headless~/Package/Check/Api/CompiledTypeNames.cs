@@ -7,7 +7,8 @@ using Host.UnityApi;
 
 namespace Host.Check.Api
 {
-    /// <summary>Types of a compiled assembly in the form in which the lists' types are compared. Generic methods' parameters are "!!0", types' "!0".</summary>
+    /// <summary>Types of a compiled assembly in the form in which the lists' types are compared. Generic methods' parameters are "!!0",
+    /// types' "!0".</summary>
     sealed class CompiledTypeNames : ISignatureTypeProvider<ApiTypeName, object>, ICustomAttributeTypeProvider<ApiTypeName>
     {
         public static readonly CompiledTypeNames Instance = new(null);
@@ -52,11 +53,14 @@ namespace Host.Check.Api
             }
         }
 
-        static IEnumerable<string> Split(MetadataReader reader, StringHandle space) => space.IsNil ? Enumerable.Empty<string>() : reader.GetString(space).Split('.');
+        static IEnumerable<string> Split(MetadataReader reader, StringHandle space) => space.IsNil ? Enumerable.Empty<string>()
+            : reader.GetString(space).Split('.');
 
-        public ApiTypeName GetTypeFromSpecification(MetadataReader reader, object context, TypeSpecificationHandle handle, byte rawTypeKind) => reader.GetTypeSpecification(handle).DecodeSignature(this, context);
+        public ApiTypeName GetTypeFromSpecification(MetadataReader reader, object context, TypeSpecificationHandle handle, byte rawTypeKind)
+            => reader.GetTypeSpecification(handle).DecodeSignature(this, context);
         public ApiTypeName GetPrimitiveType(PrimitiveTypeCode code) => ApiTypeName.Named(new[] { "System", code.ToString() });
-        public ApiTypeName GetGenericInstantiation(ApiTypeName type, ImmutableArray<ApiTypeName> arguments) => ApiTypeName.Named(type.Path, arguments);
+        public ApiTypeName GetGenericInstantiation(ApiTypeName type, ImmutableArray<ApiTypeName> arguments)
+            => ApiTypeName.Named(type.Path, arguments);
         public ApiTypeName GetGenericTypeParameter(object context, int index) => ApiTypeName.Parameter("!" + index);
         public ApiTypeName GetGenericMethodParameter(object context, int index) => ApiTypeName.Parameter("!!" + index);
         public ApiTypeName GetSZArrayType(ApiTypeName element) => ApiTypeName.ArrayOf(element);
@@ -66,12 +70,14 @@ namespace Host.Check.Api
         // 'in' and 'volatile' are no part of the type; parameters' own flags tell 'in'.
         public ApiTypeName GetModifiedType(ApiTypeName modifier, ApiTypeName type, bool isRequired) => type;
         public ApiTypeName GetPinnedType(ApiTypeName element) => element;
-        public ApiTypeName GetFunctionPointerType(MethodSignature<ApiTypeName> signature) => ApiTypeName.Named(new[] { "delegate*" }, signature.ParameterTypes.Append(signature.ReturnType).ToList());
+        public ApiTypeName GetFunctionPointerType(MethodSignature<ApiTypeName> signature)
+            => ApiTypeName.Named(new[] { "delegate*" }, signature.ParameterTypes.Append(signature.ReturnType).ToList());
 
         public ApiTypeName GetSystemType() => ApiTypeName.Named(new[] { "System", "Type" });
         public bool IsSystemType(ApiTypeName type) => type.Key == "System.Type";
         public ApiTypeName GetTypeFromSerializedName(string name) => ApiTypeName.Named(name.Split(',')[0].Replace('+', '.').Split('.'));
         public PrimitiveTypeCode GetUnderlyingEnumType(ApiTypeName type) =>
-            unity?.Find(type.Key)?.Declaration?.Type is { } stored && Enum.TryParse(stored.Name, out PrimitiveTypeCode code) ? code : PrimitiveTypeCode.Int32;
+            unity?.Find(type.Key)?.Declaration?.Type is { } stored && Enum.TryParse(stored.Name, out PrimitiveTypeCode code) ? code
+            : PrimitiveTypeCode.Int32;
     }
 }

@@ -29,7 +29,8 @@ namespace Host.Check.Api
             ApiCatalogue unity = UnityCatalogues.All.FirstOrDefault(catalogue => catalogue.Version == version);
             if (unity == null)
             {
-                findings.Fault($"The host says it is Unity {version}, of which there is no list; there are {string.Join(", ", UnityCatalogues.All.Select(catalogue => catalogue.Version))}.");
+                findings.Fault($"The host says it is Unity {version}, of which there is no list; there are " +
+                    $"{string.Join(", ", UnityCatalogues.All.Select(catalogue => catalogue.Version))}.");
                 return findings;
             }
             int types = 0, members = 0;
@@ -67,8 +68,11 @@ namespace Host.Check.Api
                 return $"has it as {listed.Kind.ToString().ToLowerInvariant()}, not as {type.Kind.ToString().ToLowerInvariant()}";
             if (listed.WithinObsolete && !type.Obsolete)
                 return "has it as obsolete: mark it [Obsolete] here as well";
-            List<ApiTypeName> bases = unity.Lineage(listed).SelectMany(inherited => inherited.Type.Bases.Select(parent => ApiCatalogue.Substitute(parent, inherited.Arguments))).ToList();
-            List<ApiTypeName> extra = type.Bases.Where(parent => !bases.Any(known => ApiComparison.Same(known, parent)) && !ImpliedInterfaces.Contains(bases, parent)).ToList();
+            List<ApiTypeName> bases = unity.Lineage(listed)
+                .SelectMany(inherited => inherited.Type.Bases.Select(parent => ApiCatalogue.Substitute(parent, inherited.Arguments)))
+                .ToList();
+            List<ApiTypeName> extra = type.Bases.Where(parent => !bases.Any(known => ApiComparison.Same(known, parent))
+                && !ImpliedInterfaces.Contains(bases, parent)).ToList();
             return extra.Count == 0 ? null : $"has it without {string.Join(", ", extra)}";
         }
 
@@ -80,7 +84,8 @@ namespace Host.Check.Api
             ApiMember found = ApiLookup.Find(unity, listed, offered.Member);
             if (found == null)
             {
-                IEnumerable<string> later = UnityCatalogues.All.Where(other => other.Find(listed.Key) is { } type && ApiLookup.Find(other, type, offered.Member) != null).Select(other => other.Version);
+                IEnumerable<string> later = UnityCatalogues.All.Where(other => other.Find(listed.Key) is { } type
+                    && ApiLookup.Find(other, type, offered.Member) != null).Select(other => other.Version);
                 return later.Any() ? $"has no such member, {string.Join(" and ", later)} have" : ApiLookup.Complaint(unity, offered.Member);
             }
             if (found.Obsolete && !listed.WithinObsolete && !offered.Obsolete)

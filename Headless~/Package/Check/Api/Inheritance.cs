@@ -7,7 +7,8 @@ using Host.UnityApi;
 
 namespace Host.Check.Api
 {
-    /// <summary>A type of the package that derives from a type of Unity's or implements its interfaces: what it overrides must be there to override, what is abstract must be overridden.</summary>
+    /// <summary>A type of the package that derives from a type of Unity's or implements its interfaces: what it overrides must be there to
+    /// override, what is abstract must be overridden.</summary>
     sealed class Inheritance
     {
         readonly CompiledAssembly assembly;
@@ -49,7 +50,8 @@ namespace Host.Check.Api
         bool IsUnity(EntityHandle other) => assembly.AssemblyOf(other) is { } name && UnityMembersRule.IsUnity(name);
 
         public static IEnumerable<Inheritance> Of(CompiledAssembly assembly) =>
-            assembly.Metadata.TypeDefinitions.Select(handle => new Inheritance(assembly, handle)).Where(inheritance => inheritance.unityBase != null || inheritance.interfaces.Count > 0);
+            assembly.Metadata.TypeDefinitions.Select(handle => new Inheritance(assembly, handle))
+            .Where(inheritance => inheritance.unityBase != null || inheritance.interfaces.Count > 0);
 
         /// <param name="members">Gets what was looked up.</param>
         public void Examine(IReadOnlyList<ApiCatalogue> versions, ISet<string> members, Action<string, Func<ApiCatalogue, string>> report)
@@ -69,12 +71,14 @@ namespace Host.Check.Api
                 report(type.ToString(), unity => MissingComplaint(unity, implemented, _ => true));
         }
 
-        static bool Overrides(MethodDefinition method) => (method.Attributes & (MethodAttributes.Virtual | MethodAttributes.NewSlot)) == MethodAttributes.Virtual;
+        static bool Overrides(MethodDefinition method)
+            => (method.Attributes & (MethodAttributes.Virtual | MethodAttributes.NewSlot)) == MethodAttributes.Virtual;
 
         static bool IsObjects(CompiledMember member) => member.Name is "ToString" or "GetHashCode" or "Finalize" && member.Parameters.Count == 0
             || member.Name == "Equals" && member.Parameters.Count == 1 && member.Parameters[0].Key == "System.Object";
 
-        bool SameSlot(MethodDefinition a, MethodDefinition b) => (a.Attributes & MethodAttributes.Virtual) != 0 && assembly.Member(type, a).ToString() == assembly.Member(type, b).ToString();
+        bool SameSlot(MethodDefinition a, MethodDefinition b) => (a.Attributes & MethodAttributes.Virtual) != 0
+            && assembly.Member(type, a).ToString() == assembly.Member(type, b).ToString();
 
         static string OverrideComplaint(ApiCatalogue unity, CompiledMember member)
         {
@@ -108,7 +112,8 @@ namespace Host.Check.Api
         }
 
         bool InheritedFromUnity(ApiCatalogue unity, ApiMember wanted) =>
-            unity.Find(unityBase.Key) is { } found && unity.Lineage(found).Any(inherited => inherited.Type.Kind != ApiKind.Interface && inherited.Type.Named(wanted.Name).Any(member => !member.Abstract && member.Parameters.Count == wanted.Parameters.Count));
+            unity.Find(unityBase.Key) is { } found && unity.Lineage(found).Any(inherited => inherited.Type.Kind != ApiKind.Interface
+            && inherited.Type.Named(wanted.Name).Any(member => !member.Abstract && member.Parameters.Count == wanted.Parameters.Count));
 
         bool Implements(ApiMember wanted) => methods.Any(method =>
         {

@@ -12,7 +12,8 @@ namespace Host.Check.Api
     /// </summary>
     sealed class ModulesRule : Rule
     {
-        const string TestManifest = "TestProject~/Packages/manifest.json", Mathematics = "com.unity.mathematics", List = "Headless~/Engine/data/unity-api/modules.txt", BuiltIn = "com.unity.modules.";
+        const string TestManifest = "TestProject~/Packages/manifest.json", Mathematics = "com.unity.mathematics",
+            List = "Headless~/Engine/data/unity-api/modules.txt", BuiltIn = "com.unity.modules.";
         // Its scripts are compiled in the user's project, once imported.
         const string Samples = "Rill.Samples";
 
@@ -36,7 +37,8 @@ namespace Host.Check.Api
             if (manifest == null || inTestProject == null)
                 return findings;
             HashSet<string> dependencies = manifest.Dependencies.Select(dependency => dependency.Key).ToHashSet();
-            HashSet<string> optional = definitions.Where(d => !d.IsTest).SelectMany(d => d.VersionDefines.Select(define => define.Package)).ToHashSet();
+            HashSet<string> optional = definitions.Where(d => !d.IsTest).SelectMany(d => d.VersionDefines.Select(define => define.Package))
+                .ToHashSet();
             UnityModules modules = list();
 
             var used = new SortedSet<string>(StringComparer.Ordinal);
@@ -50,13 +52,18 @@ namespace Host.Check.Api
                         if (dependencies.Contains(module))
                             continue;
                         // Tests are compiled in projects with the Test Framework alone.
-                        bool isOptional = definition != null && definition.NeedsPresent(module) || assembly.Name == Samples && optional.Contains(module) || isTest && !module.StartsWith(BuiltIn, StringComparison.Ordinal);
+                        bool isOptional = definition != null && definition.NeedsPresent(module) || assembly.Name == Samples
+                            && optional.Contains(module) || isTest && !module.StartsWith(BuiltIn, StringComparison.Ordinal);
                         if (!isOptional)
-                            findings.Fault($"{assembly.Name}.dll uses {type} of {module}, which is no dependency of package.json: a project without that module does not compile it. Add \"{module}\", or a version define and a define constraint to the .asmdef");
+                            findings.Fault($"{assembly.Name}.dll uses {type} of {module}, which is no dependency of package.json: a " +
+                                $"project without that module does not compile it. Add \"{module}\", or a version define and a define " +
+                                $"constraint to the .asmdef");
                         else if (isTest && !inTestProject.Contains(module))
-                            findings.Fault($"{assembly.Name}.dll uses {type} of {module}, which {TestManifest} lacks, so that the Test Runner would not show its tests there: add it");
+                            findings.Fault($"{assembly.Name}.dll uses {type} of {module}, which {TestManifest} lacks, so that the Test " +
+                                $"Runner would not show its tests there: add it");
                     }
-            foreach (string dependency in dependencies.Where(dependency => dependency.StartsWith(BuiltIn, StringComparison.Ordinal) && !used.Contains(dependency)))
+            foreach (string dependency in dependencies.Where(dependency => dependency.StartsWith(BuiltIn, StringComparison.Ordinal)
+                && !used.Contains(dependency)))
                 findings.Fault($"package.json depends on {dependency}, of which no assembly uses a type: remove it");
             findings.Looked = $"{used.Count} modules and packages: {string.Join(", ", used)}";
             return findings;

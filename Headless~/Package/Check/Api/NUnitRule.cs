@@ -8,12 +8,14 @@ namespace Host.Check.Api
     sealed class NUnitRule : Rule
     {
         // What 3.6 brought, by NUnit's change log: multiple asserts, warnings, the mark of assemblies without tests.
-        static readonly HashSet<string> NewTypes = new() { "NUnit.Framework.Warn", "NUnit.Framework.MultipleAssertException", "NUnit.Framework.NonTestAssemblyAttribute" };
+        static readonly HashSet<string> NewTypes = new() { "NUnit.Framework.Warn", "NUnit.Framework.MultipleAssertException",
+            "NUnit.Framework.NonTestAssemblyAttribute" };
         static readonly HashSet<string> NewMembers = new() { "NUnit.Framework.Assert.Multiple", "NUnit.Framework.Assert.Warn" };
 
         readonly IReadOnlyList<string> names;
 
-        public NUnitRule(IReadOnlyList<string> assemblies = null) => names = assemblies ?? PackageAssemblies.Package.Where(name => name.EndsWith(".Tests")).ToList();
+        public NUnitRule(IReadOnlyList<string> assemblies = null)
+            => names = assemblies ?? PackageAssemblies.Package.Where(name => name.EndsWith(".Tests")).ToList();
 
         public override string Name => "API: the tests use nothing of NUnit beyond 3.5";
 
@@ -24,7 +26,8 @@ namespace Host.Check.Api
             foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, names, findings))
                 using (assembly)
                 {
-                    foreach (ApiTypeName type in assembly.TypesUsed.Where(use => IsNUnit(use.Assembly) && NewTypes.Contains(use.Type.Key)).Select(use => use.Type))
+                    foreach (ApiTypeName type in assembly.TypesUsed.Where(use => IsNUnit(use.Assembly) && NewTypes.Contains(use.Type.Key))
+                        .Select(use => use.Type))
                         findings.Fault($"{assembly.Name}.dll uses {type}: NUnit 3.5 has no such type, 3.6 brought it.");
                     foreach (CompiledMember member in assembly.MembersUsed.Where(use => IsNUnit(use.Assembly)).Select(use => use.Member))
                     {

@@ -34,13 +34,17 @@ namespace Host.Check.Api
                 types[name.Key] = type;
                 if (!definition.BaseType.IsNil)
                     type.Bases.Add(CompiledTypeNames.Of(metadata, definition.BaseType));
-                type.Bases.AddRange(definition.GetInterfaceImplementations().Select(i => CompiledTypeNames.Of(metadata, metadata.GetInterfaceImplementation(i).Interface)));
+                type.Bases.AddRange(definition.GetInterfaceImplementations()
+                    .Select(i => CompiledTypeNames.Of(metadata, metadata.GetInterfaceImplementation(i).Interface)));
                 foreach (MethodDefinition method in definition.GetMethods().Select(metadata.GetMethodDefinition))
-                    if ((method.Attributes & MethodAttributes.MemberAccessMask) is MethodAttributes.Public or MethodAttributes.Family or MethodAttributes.FamORAssem)
+                    if ((method.Attributes
+                        & MethodAttributes.MemberAccessMask) is MethodAttributes.Public or MethodAttributes.Family or MethodAttributes.FamORAssem)
                         type.Members.Add(Key(assembly.Member(name, method)));
                 foreach (FieldDefinition field in definition.GetFields().Select(metadata.GetFieldDefinition))
-                    if ((field.Attributes & FieldAttributes.FieldAccessMask) is FieldAttributes.Public or FieldAttributes.Family or FieldAttributes.FamORAssem)
-                        type.Members.Add(Key(new CompiledMember(name, metadata.GetString(field.Name), true, null, 0, field.DecodeSignature(CompiledTypeNames.Instance, null), Array.Empty<ApiTypeName>())));
+                    if ((field.Attributes
+                        & FieldAttributes.FieldAccessMask) is FieldAttributes.Public or FieldAttributes.Family or FieldAttributes.FamORAssem)
+                        type.Members.Add(Key(new CompiledMember(name, metadata.GetString(field.Name), true, null, 0,
+                            field.DecodeSignature(CompiledTypeNames.Instance, null), Array.Empty<ApiTypeName>())));
             }
         }
 
@@ -51,6 +55,7 @@ namespace Host.Check.Api
             && (type.Members.Contains(Key(member)) || member.Name != ".ctor" && type.Bases.Any(parent => Has(member with { Owner = parent })));
 
         static string Key(CompiledMember member) =>
-            $"{(member.IsField ? "field" : member.IsStatic == true ? "static" : "")} {member.Name}`{member.Arity}({string.Join(", ", member.Parameters)}) {member.Returns}";
+            $"{(member.IsField ? "field" : member.IsStatic == true ? "static" : "")} " +
+            $"{member.Name}`{member.Arity}({string.Join(", ", member.Parameters)}) {member.Returns}";
     }
 }

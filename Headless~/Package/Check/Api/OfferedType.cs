@@ -48,9 +48,11 @@ namespace Host.Check.Api
         }
 
         public static IEnumerable<OfferedType> Of(CompiledAssembly assembly) =>
-            assembly.Metadata.TypeDefinitions.Where(handle => IsVisible(assembly.Metadata, handle)).Select(handle => new OfferedType(assembly, handle));
+            assembly.Metadata.TypeDefinitions.Where(handle => IsVisible(assembly.Metadata, handle))
+            .Select(handle => new OfferedType(assembly, handle));
 
-        public IEnumerable<OfferedMember> Members => Kind == ApiKind.Delegate ? Methods().Where(method => method.Member.Name == "Invoke") : Fields().Concat(Methods()).Concat(Properties()).Concat(Events());
+        public IEnumerable<OfferedMember> Members => Kind == ApiKind.Delegate ? Methods().Where(method => method.Member.Name == "Invoke")
+            : Fields().Concat(Methods()).Concat(Properties()).Concat(Events());
 
         IEnumerable<OfferedMember> Fields()
         {
@@ -60,7 +62,9 @@ namespace Host.Check.Api
                 if (access is FieldAttributes.Public or FieldAttributes.Family or FieldAttributes.FamORAssem)
                     yield return new OfferedMember
                     {
-                        Member = new CompiledMember(Name, metadata.GetString(field.Name), true, (field.Attributes & FieldAttributes.Static) != 0, 0, field.DecodeSignature(CompiledTypeNames.Instance, null), new ApiTypeName[0]),
+                        Member = new CompiledMember(Name, metadata.GetString(field.Name), true,
+                            (field.Attributes & FieldAttributes.Static) != 0, 0, field.DecodeSignature(CompiledTypeNames.Instance, null),
+                            new ApiTypeName[0]),
                         Protected = access != FieldAttributes.Public,
                         Constant = (field.Attributes & FieldAttributes.Literal) != 0,
                         ReadOnly = (field.Attributes & FieldAttributes.InitOnly) != 0,
@@ -71,8 +75,10 @@ namespace Host.Check.Api
 
         IEnumerable<OfferedMember> Methods()
         {
-            HashSet<MethodDefinitionHandle> accessors = definition.GetProperties().Select(p => metadata.GetPropertyDefinition(p).GetAccessors()).SelectMany(a => new[] { a.Getter, a.Setter })
-                .Concat(definition.GetEvents().Select(e => metadata.GetEventDefinition(e).GetAccessors()).SelectMany(a => new[] { a.Adder, a.Remover })).ToHashSet();
+            HashSet<MethodDefinitionHandle> accessors = definition.GetProperties()
+                .Select(p => metadata.GetPropertyDefinition(p).GetAccessors()).SelectMany(a => new[] { a.Getter, a.Setter })
+                .Concat(definition.GetEvents().Select(e => metadata.GetEventDefinition(e).GetAccessors())
+                    .SelectMany(a => new[] { a.Adder, a.Remover })).ToHashSet();
             foreach (MethodDefinitionHandle handle in definition.GetMethods().Where(handle => !accessors.Contains(handle)))
                 if (Method(handle, Enumerable.Empty<CustomAttributeHandle>()) is { } method)
                 {
@@ -102,13 +108,15 @@ namespace Host.Check.Api
         {
             MethodDefinition method = metadata.GetMethodDefinition(handle);
             MethodAttributes access = method.Attributes & MethodAccess;
-            if (access is not (MethodAttributes.Public or MethodAttributes.Family or MethodAttributes.FamORAssem) || metadata.GetString(method.Name) == ".cctor" || OverridesForeign(method))
+            if (access is not (MethodAttributes.Public or MethodAttributes.Family or MethodAttributes.FamORAssem)
+                || metadata.GetString(method.Name) == ".cctor" || OverridesForeign(method))
                 return null;
             return new OfferedMember
             {
                 Member = assembly.Member(Name, method),
                 Protected = access != MethodAttributes.Public,
-                Virtual = (method.Attributes & (MethodAttributes.Virtual | MethodAttributes.NewSlot | MethodAttributes.Final)) == (MethodAttributes.Virtual | MethodAttributes.NewSlot),
+                Virtual = (method.Attributes & (MethodAttributes.Virtual | MethodAttributes.NewSlot | MethodAttributes.Final))
+                    == (MethodAttributes.Virtual | MethodAttributes.NewSlot),
                 Obsolete = Has(method.GetCustomAttributes(), "System.ObsoleteAttribute") || Has(attributes, "System.ObsoleteAttribute"),
             };
         }
@@ -123,7 +131,9 @@ namespace Host.Check.Api
             while (parent.Kind == HandleKind.TypeDefinition)
             {
                 TypeDefinition type = metadata.GetTypeDefinition((TypeDefinitionHandle)parent);
-                if (type.GetMethods().Select(metadata.GetMethodDefinition).Any(inherited => (inherited.Attributes & MethodAttributes.NewSlot) != 0 && assembly.Member(Name, inherited).ToString() == slot))
+                if (type.GetMethods().Select(metadata.GetMethodDefinition)
+                    .Any(inherited => (inherited.Attributes & MethodAttributes.NewSlot) != 0
+                    && assembly.Member(Name, inherited).ToString() == slot))
                     return false;
                 parent = type.BaseType;
             }
@@ -132,7 +142,8 @@ namespace Host.Check.Api
 
         IReadOnlyList<ApiParameter> ParametersOf(MethodDefinition method, CompiledMember member)
         {
-            var parameters = member.Parameters.Select(type => new ApiParameter("", type, type.Form == ApiTypeForm.Reference ? ApiPass.Ref : ApiPass.ByValue, false, false, null)).ToList();
+            var parameters = member.Parameters.Select(type => new ApiParameter("", type, type.Form == ApiTypeForm.Reference ? ApiPass.Ref
+                : ApiPass.ByValue, false, false, null)).ToList();
             foreach (Parameter parameter in method.GetParameters().Select(metadata.GetParameter).Where(parameter => parameter.SequenceNumber > 0))
             {
                 int i = parameter.SequenceNumber - 1;
@@ -154,10 +165,13 @@ namespace Host.Check.Api
             return parameters;
         }
 
-        bool Has(IEnumerable<CustomAttributeHandle> attributes, string name) => attributes.Select(metadata.GetCustomAttribute).Any(attribute => attribute.Constructor.Kind switch
+        bool Has(IEnumerable<CustomAttributeHandle> attributes, string name)
+            => attributes.Select(metadata.GetCustomAttribute).Any(attribute => attribute.Constructor.Kind switch
         {
-            HandleKind.MemberReference => CompiledTypeNames.Of(metadata, metadata.GetMemberReference((MemberReferenceHandle)attribute.Constructor).Parent).Key == name,
-            _ => CompiledTypeNames.Of(metadata, metadata.GetMethodDefinition((MethodDefinitionHandle)attribute.Constructor).GetDeclaringType()).Key == name,
+            HandleKind.MemberReference => CompiledTypeNames.Of(metadata,
+                metadata.GetMemberReference((MemberReferenceHandle)attribute.Constructor).Parent).Key == name,
+            _ => CompiledTypeNames.Of(metadata, metadata.GetMethodDefinition((MethodDefinitionHandle)attribute.Constructor)
+                .GetDeclaringType()).Key == name,
         });
 
         // Interfaces of the assembly's own that no one outside sees offer nothing.
@@ -173,7 +187,9 @@ namespace Host.Check.Api
         {
             TypeDefinition type = metadata.GetTypeDefinition(handle);
             TypeAttributes access = type.Attributes & TypeAttributes.VisibilityMask;
-            return access == TypeAttributes.Public || access is TypeAttributes.NestedPublic or TypeAttributes.NestedFamily or TypeAttributes.NestedFamORAssem && IsVisible(metadata, type.GetDeclaringType());
+            return access == TypeAttributes.Public
+                || access is TypeAttributes.NestedPublic or TypeAttributes.NestedFamily or TypeAttributes.NestedFamORAssem
+                && IsVisible(metadata, type.GetDeclaringType());
         }
     }
 }

@@ -6,6 +6,7 @@ namespace Host.Check.Api
     static class PipelineAdapters
     {
         /// <summary>The assembly definition, from the package's root.</summary>
-        public static string FileOf(PipelineKind kind) => kind == PipelineKind.Universal ? "Runtime/Rendering.Universal/Rill.Universal.asmdef" : "Runtime/Rendering.HighDefinition/Rill.HighDefinition.asmdef";
+        public static string FileOf(PipelineKind kind) => kind == PipelineKind.Universal
+            ? "Runtime/Rendering.Universal/Rill.Universal.asmdef" : "Runtime/Rendering.HighDefinition/Rill.HighDefinition.asmdef";
     }
 }

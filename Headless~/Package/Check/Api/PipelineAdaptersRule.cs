@@ -18,7 +18,8 @@ namespace Host.Check.Api
     sealed class PipelineAdaptersRule : Rule
     {
         /// <summary>Members of the path that URP calls obsolete and runs all the same until 6000.3: upgraded projects start with it.</summary>
-        static readonly string[] CompatibilityPath = { "ScriptableRenderPass.Execute(", "ScriptableRenderer.get_cameraColorTargetHandle()", "ScriptableRenderer.get_cameraDepthTargetHandle()" };
+        static readonly string[] CompatibilityPath = { "ScriptableRenderPass.Execute(", "ScriptableRenderer.get_cameraColorTargetHandle()",
+            "ScriptableRenderer.get_cameraDepthTargetHandle()" };
 
         readonly IReadOnlyList<PipelineKind> kinds;
 
@@ -34,7 +35,10 @@ namespace Host.Check.Api
             var members = new HashSet<string>();
             foreach (PipelineKind kind in kinds)
                 Examine(package, kind, types, members, findings);
-            findings.Looked = $"{string.Join(" and ", kinds.Select(kind => Path.GetFileNameWithoutExtension(PipelineAdapters.FileOf(kind))))} compiled {2 * PipelineVersion.All.Count} times each, as player and for the editor, in {string.Join(", ", PipelineVersion.All)}: {types.Count} types and {members.Count} members";
+            findings.Looked =
+                $"{string.Join(" and ", kinds.Select(kind => Path.GetFileNameWithoutExtension(PipelineAdapters.FileOf(kind))))} " +
+                $"compiled {2 * PipelineVersion.All.Count} times each, as player and for the editor, in " +
+                $"{string.Join(", ", PipelineVersion.All)}: {types.Count} types and {members.Count} members";
             return findings;
         }
 
@@ -47,13 +51,15 @@ namespace Host.Check.Api
             }
             AdapterDefinition adapter = AdapterDefinition.Read(package.FullPath(PipelineAdapters.FileOf(kind)));
             if (adapter.Defines(null, false) != null)
-                findings.Fault($"{PipelineAdapters.FileOf(kind)}: without {kind.Package} it is compiled all the same, and its references are missing: add a define constraint that a version define of that package meets");
+                findings.Fault($"{PipelineAdapters.FileOf(kind)}: without {kind.Package} it is compiled all the same, and its " +
+                    $"references are missing: add a define constraint that a version define of that package meets");
             foreach (PipelineVersion version in PipelineVersion.All)
                 foreach (bool editor in new[] { false, true })
                     Examine(adapter, version, editor, types, members, findings);
         }
 
-        static void Examine(AdapterDefinition adapter, PipelineVersion version, bool editor, ISet<string> types, ISet<string> members, Findings findings)
+        static void Examine(AdapterDefinition adapter, PipelineVersion version, bool editor, ISet<string> types, ISet<string> members,
+            Findings findings)
         {
             PipelineAssemblies stands = PipelineAssemblies.Of(version);
             byte[] image = stands.CompileAdapter(adapter, editor, out List<string> errors);
@@ -75,13 +81,16 @@ namespace Host.Check.Api
                 NetStandardRule.Examine(assembly, new HashSet<string>(), new HashSet<string>(), findings);
             }
             var options = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: adapter.Defines(version, editor));
-            IEnumerable<SyntaxTree> trees = adapter.Sources.Select(file => CSharpSyntaxTree.ParseText(SourceText.From(File.ReadAllText(file), Encoding.UTF8), options, file));
-            CSharpCompilation compilation = CSharpCompilation.Create(adapter.Name, trees, stands.ReferencesOf(adapter, editor), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+            IEnumerable<SyntaxTree> trees = adapter.Sources.Select(file =>
+                CSharpSyntaxTree.ParseText(SourceText.From(File.ReadAllText(file), Encoding.UTF8), options, file));
+            CSharpCompilation compilation = CSharpCompilation.Create(adapter.Name, trees, stands.ReferencesOf(adapter, editor),
+                new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
             List<CompiledAssembly> offering = stands.Images.Values.Select(offered => new CompiledAssembly(new MemoryStream(offered))).ToList();
             offering.Add(new CompiledAssembly(typeof(UnityEngine.Object).Assembly.Location));
             SourceNamesRule.Examine(compilation, SourceNamesRule.ConstantNames(offering), unity, new HashSet<string>(), findings);
         }
 
-        static bool IsCompatibilityPath(string what, string complaint) => complaint == "has it as obsolete" && CompatibilityPath.Any(member => what.Contains(member, StringComparison.Ordinal));
+        static bool IsCompatibilityPath(string what, string complaint) => complaint == "has it as obsolete"
+            && CompatibilityPath.Any(member => what.Contains(member, StringComparison.Ordinal));
     }
 }

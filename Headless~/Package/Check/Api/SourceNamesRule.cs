@@ -26,18 +26,25 @@ namespace Host.Check.Api
         public override Findings Examine(PackageTree package)
         {
             var findings = new Findings();
-            var options = new CSharpParseOptions(LanguageVersion.CSharp9, preprocessorSymbols: new[] { "UNITY_5_3_OR_NEWER", "UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_EDITOR", "UNITY_STANDALONE", "UNITY_INCLUDE_TESTS" });
-            List<SyntaxTree> trees = package.WithExtension(".cs").Where(file => Folders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)) && !AdapterFolders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)))
+            var options = new CSharpParseOptions(LanguageVersion.CSharp9,
+                preprocessorSymbols: new[] { "UNITY_5_3_OR_NEWER", "UNITY_2022_3", "UNITY_2022_3_OR_NEWER", "UNITY_EDITOR",
+                "UNITY_STANDALONE", "UNITY_INCLUDE_TESTS" });
+            List<SyntaxTree> trees = package.WithExtension(".cs")
+                .Where(file => Folders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal))
+                && !AdapterFolders.Any(folder => file.StartsWith(folder, StringComparison.Ordinal)))
                 .Select(file => CSharpSyntaxTree.ParseText(SourceText.From(package.Read(file)), options, file)).ToList();
             if (trees.Count == 0)
                 findings.Fault($"no C# source below {string.Join(", ", Folders)} of {package.Root}");
             foreach (SyntaxTree tree in trees)
                 Conditions(tree, findings);
 
-            CSharpCompilation compilation = CSharpCompilation.Create("Sources", trees, References(package), new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
+            CSharpCompilation compilation = CSharpCompilation.Create("Sources", trees, References(package),
+                new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary));
             var constants = new HashSet<string>();
-            int arguments = Examine(compilation, ConstantNames(PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings)), UnityCatalogues.All, constants, findings);
-            findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
+            int arguments = Examine(compilation, ConstantNames(PackageAssemblies.Open(package, PackageAssemblies.StandIns, findings)),
+                UnityCatalogues.All, constants, findings);
+            findings.Looked = $"{constants.Count} constants and enum values, {arguments} arguments passed by name in {trees.Count} " +
+                $"sources, against {string.Join(", ", UnityCatalogues.All.Select(unity => unity.Version))}";
             return findings;
         }
 
@@ -45,7 +52,8 @@ namespace Host.Check.Api
         /// <param name="names">Of constants and values of enums that are there at all.</param>
         /// <param name="constants">Gets those that are used.</param>
         /// <returns>How many arguments were passed by name.</returns>
-        internal static int Examine(CSharpCompilation compilation, ISet<string> names, IReadOnlyList<ApiCatalogue> versions, ISet<string> constants, Findings findings)
+        internal static int Examine(CSharpCompilation compilation, ISet<string> names, IReadOnlyList<ApiCatalogue> versions,
+            ISet<string> constants, Findings findings)
         {
             int arguments = 0;
             foreach (SyntaxTree tree in compilation.SyntaxTrees)
@@ -65,9 +73,11 @@ namespace Host.Check.Api
                             break;
                         case IFieldSymbol { HasConstantValue: true } field when IsUnity(field):
                             constants.Add(field.ToString());
-                            var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0, TypeOf((INamedTypeSymbol)field.Type), Array.Empty<ApiTypeName>());
+                            var member = new CompiledMember(TypeOf(field.ContainingType), field.Name, true, true, 0,
+                                TypeOf((INamedTypeSymbol)field.Type), Array.Empty<ApiTypeName>());
                             // Nothing but the source names a type of which only a value is used.
-                            Report(findings, versions, name, field.ToString(), unity => ApiLookup.Complaint(unity, member.Owner) ?? ApiLookup.Complaint(unity, member));
+                            Report(findings, versions, name, field.ToString(), unity => ApiLookup.Complaint(unity, member.Owner)
+                                ?? ApiLookup.Complaint(unity, member));
                             break;
                     }
                 }
@@ -101,8 +111,10 @@ namespace Host.Check.Api
         // One set of defines is compiled and examined; what another would compile is not.
         static void Conditions(SyntaxTree tree, Findings findings)
         {
-            foreach (ConditionalDirectiveTriviaSyntax condition in tree.GetRoot().DescendantTrivia().Select(trivia => trivia.GetStructure()).OfType<ConditionalDirectiveTriviaSyntax>())
-                findings.Fault($"{Where(condition.GetLocation())}: #if {condition.Condition}: only one set of defines is compiled here, so that the other branch would go unexamined. Do without it, or let the API rules compile both.");
+            foreach (ConditionalDirectiveTriviaSyntax condition in tree.GetRoot().DescendantTrivia().Select(trivia => trivia.GetStructure())
+                .OfType<ConditionalDirectiveTriviaSyntax>())
+                findings.Fault($"{Where(condition.GetLocation())}: #if {condition.Condition}: only one set of defines is compiled " +
+                    $"here, so that the other branch would go unexamined. Do without it, or let the API rules compile both.");
         }
 
         static IEnumerable<MetadataReference> References(PackageTree package)
@@ -111,7 +123,9 @@ namespace Host.Check.Api
                 if (PackageAssemblies.Find(package.Assemblies, name) is { } path)
                     yield return MetadataReference.CreateFromFile(path);
             // The tests' NUnit is compiled for the .NET that runs here.
-            foreach (string path in ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")).Split(Path.PathSeparator).Where(path => Path.GetFileName(path) is var file && (file.StartsWith("System.") || file is "netstandard.dll" or "mscorlib.dll")))
+            foreach (string path in ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")).Split(Path.PathSeparator)
+                .Where(path => Path.GetFileName(path) is var file
+                && (file.StartsWith("System.") || file is "netstandard.dll" or "mscorlib.dll")))
                 yield return MetadataReference.CreateFromFile(path);
         }
 
@@ -124,8 +138,10 @@ namespace Host.Check.Api
                 ApiType type = unity.Find(TypeOf(method.ContainingType).Key);
                 if (type == null)
                     return "has no such type";
-                List<ApiMember> overloads = unity.Lineage(type).SelectMany(inherited => inherited.Type.Named(name)).Where(listed => listed.Parameters.Count == method.Parameters.Length).ToList();
-                return overloads.Any(listed => listed.Parameters.Any(p => p.Name == parameter)) ? null : $"has no parameter of that name{string.Concat(overloads.Take(2).Select(listed => $" ({listed.Line.Signature})"))}";
+                List<ApiMember> overloads = unity.Lineage(type).SelectMany(inherited => inherited.Type.Named(name))
+                    .Where(listed => listed.Parameters.Count == method.Parameters.Length).ToList();
+                return overloads.Any(listed => listed.Parameters.Any(p => p.Name == parameter)) ? null
+                    : $"has no parameter of that name{string.Concat(overloads.Take(2).Select(listed => $" ({listed.Line.Signature})"))}";
             });
         }
 
@@ -145,7 +161,8 @@ namespace Host.Check.Api
 
         static void Report(Findings findings, IReadOnlyList<ApiCatalogue> versions, SyntaxNode node, string what, Func<ApiCatalogue, string> complain)
         {
-            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
+            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity)))
+                .Where(v => v.complaint != null).GroupBy(v => v.complaint, v => v.Version))
                 findings.Fault($"{Where(node.GetLocation())}: {what}: Unity {string.Join(", ", same)} {same.Key}");
         }
     }

@@ -9,7 +9,8 @@ namespace Host.Check.Api
     static class UnityCatalogues
     {
         // Comments to a line's end stand inside of these two, on one line with what follows: not to be told from code any more.
-        static readonly string[] Garbled = { "UnityEditor.TerrainTools.TerrainPaintUtilityEditor | static void DrawBrushPreview(", "UnityEngine.TerrainTools.TerrainPaintUtility | static void SetupTerrainToolMaterialProperties(" };
+        static readonly string[] Garbled = { "UnityEditor.TerrainTools.TerrainPaintUtilityEditor | static void DrawBrushPreview(",
+            "UnityEngine.TerrainTools.TerrainPaintUtility | static void SetupTerrainToolMaterialProperties(" };
 
         static readonly Lazy<IReadOnlyList<ApiCatalogue>> all = new(() => Make(UnityApiLists.Load(), UnityApiLists.LoadPipelines()));
 

@@ -6,7 +6,8 @@ using Host.UnityApi;
 
 namespace Host.Check.Api
 {
-    /// <summary>Whatever the package's assemblies name in Unity's is there in every supported version, with that signature, and not obsolete.</summary>
+    /// <summary>Whatever the package's assemblies name in Unity's is there in every supported version, with that signature, and not
+    /// obsolete.</summary>
     sealed class UnityMembersRule : Rule
     {
         readonly IReadOnlyList<string> names;
@@ -32,13 +33,15 @@ namespace Host.Check.Api
             foreach (CompiledAssembly assembly in PackageAssemblies.Open(package, names, findings))
                 using (assembly)
                     Examine(assembly, versions, types, members, findings);
-            findings.Looked = $"{types.Count} types and {members.Count} members of Unity against {string.Join(", ", versions.Select(unity => $"{unity.Version} ({unity.Types.Count} types, {unity.MemberCount} members)"))}";
+            findings.Looked = $"{types.Count} types and {members.Count} members of Unity against " +
+                $"{string.Join(", ", versions.Select(unity => $"{unity.Version} ({unity.Types.Count} types, {unity.MemberCount} members)"))}";
             return findings;
         }
 
         /// <summary>What one assembly names, against these versions.</summary>
         /// <param name="isKnown">Faults that are meant so: what is named, and the complaint. Null: none.</param>
-        internal static void Examine(CompiledAssembly assembly, IReadOnlyList<ApiCatalogue> versions, ISet<string> types, ISet<string> members, Findings findings, Func<string, string, bool> isKnown = null)
+        internal static void Examine(CompiledAssembly assembly, IReadOnlyList<ApiCatalogue> versions, ISet<string> types,
+            ISet<string> members, Findings findings, Func<string, string, bool> isKnown = null)
         {
             foreach (ApiTypeName type in assembly.TypesUsed.Where(use => IsUnity(use.Assembly)).Select(use => use.Type))
             {
@@ -59,14 +62,19 @@ namespace Host.Check.Api
                 inheritance.Examine(versions, members, (what, complaint) => Report(findings, assembly, what, versions, complaint, isKnown));
         }
 
-        public static bool IsUnity(string assembly) => assembly.StartsWith("UnityEngine", StringComparison.Ordinal) || assembly.StartsWith("UnityEditor", StringComparison.Ordinal) || assembly.StartsWith("Unity.", StringComparison.Ordinal);
+        public static bool IsUnity(string assembly) => assembly.StartsWith("UnityEngine", StringComparison.Ordinal)
+            || assembly.StartsWith("UnityEditor", StringComparison.Ordinal) || assembly.StartsWith("Unity.", StringComparison.Ordinal);
 
-        static string User(CompiledAssembly assembly, MemberReferenceHandle reference) => !reference.IsNil && assembly.FirstUser(reference) is { } user ? $"; first used in {user}" : "";
+        static string User(CompiledAssembly assembly, MemberReferenceHandle reference)
+            => !reference.IsNil && assembly.FirstUser(reference) is { } user ? $"; first used in {user}" : "";
 
         // One line for all versions that say the same.
-        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions, Func<ApiCatalogue, string> complain, Func<string, string, bool> isKnown, MemberReferenceHandle reference = default)
+        static void Report(Findings findings, CompiledAssembly assembly, string what, IReadOnlyList<ApiCatalogue> versions,
+            Func<ApiCatalogue, string> complain, Func<string, string, bool> isKnown, MemberReferenceHandle reference = default)
         {
-            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity))).Where(v => v.complaint != null && !(isKnown != null && isKnown(what, v.complaint))).GroupBy(v => v.complaint, v => v.Version))
+            foreach (IGrouping<string, string> same in versions.Select(unity => (unity.Version, complaint: complain(unity)))
+                .Where(v => v.complaint != null && !(isKnown != null && isKnown(what, v.complaint)))
+                .GroupBy(v => v.complaint, v => v.Version))
                 findings.Fault($"{assembly.Name}.dll: {what}: Unity {string.Join(", ", same)} {same.Key}{User(assembly, reference)}");
         }
     }

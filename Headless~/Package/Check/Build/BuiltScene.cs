@@ -31,7 +31,8 @@ namespace Host.Check.Build
         {
             EditorInitializers.Run();
             Scene scene = project.ReadScene(entry);
-            List<MonoBehaviour> components = scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<MonoBehaviour>(true)).Where(component => component != null).ToList();
+            List<MonoBehaviour> components = scene.GetRootGameObjects()
+                .SelectMany(root => root.GetComponentsInChildren<MonoBehaviour>(true)).Where(component => component != null).ToList();
             List<List<(string[] path, Object[] references)>> before = components.ConvertAll(Lists);
             foreach (IProcessSceneWithReport step in Steps(scripts))
                 step.OnProcessScene(scene, null);
@@ -70,7 +71,8 @@ namespace Host.Check.Build
                     if (typeof(Object).IsAssignableFrom(element))
                         lists.Add((here, ((IList)value)?.Cast<Object>().ToArray() ?? Array.Empty<Object>()));
                 }
-                else if (value != null && field.Type.IsDefined(typeof(SerializableAttribute), false) && field.Type.IsClass && field.Type != typeof(string) && !FieldMap.IsEngine(field.Type))
+                else if (value != null && field.Type.IsDefined(typeof(SerializableAttribute), false) && field.Type.IsClass
+                    && field.Type != typeof(string) && !FieldMap.IsEngine(field.Type))
                 {
                     Collect(value, here, lists);
                 }

@@ -14,11 +14,13 @@ namespace Host.Check.Build
             var findings = new Findings();
             int files = 0;
             // Samples are imported into the project's Assets; the host's own test projects never are.
-            foreach (string file in package.Files.Where(file => !file.StartsWith("Headless~/", StringComparison.Ordinal) && !file.EndsWith(".meta", StringComparison.Ordinal)))
+            foreach (string file in package.Files.Where(file => !file.StartsWith("Headless~/", StringComparison.Ordinal)
+                && !file.EndsWith(".meta", StringComparison.Ordinal)))
             {
                 files++;
                 if (Path.GetDirectoryName(file).Split('/', '\\').Any(folder => folder.Equals("Resources", StringComparison.OrdinalIgnoreCase)))
-                    findings.Fault($"{file} lies in a Resources folder, so every build contains it: put it elsewhere and let what uses it refer to it");
+                    findings.Fault(
+                        $"{file} lies in a Resources folder, so every build contains it: put it elsewhere and let what uses it refer to it");
             }
             findings.Looked = $"{files} files";
             return findings;

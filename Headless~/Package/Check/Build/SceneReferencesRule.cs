@@ -9,7 +9,8 @@ using Object = UnityEngine.Object;
 
 namespace Host.Check.Build
 {
-    /// <summary>A sample's scene is stored as a build of it would be: its components refer to the stages that they use, to all of them and to no others.</summary>
+    /// <summary>A sample's scene is stored as a build of it would be: its components refer to the stages that they use, to all of them and
+    /// to no others.</summary>
     sealed class SceneReferencesRule : Rule
     {
         public override string Name => "build: scenes refer to exactly the assets that a build of them needs";
@@ -30,7 +31,9 @@ namespace Host.Check.Build
                 {
                     scenes++;
                     foreach (ChangedReferences changed in BuiltScene.Process(project, scene, scripts))
-                        findings.Fault($"{scene.Path}: {changed.Component.GetType().Name} '{changed.Component.name}' refers to {Names(changed.Before)} in {string.Join(".", changed.Path)}, and a build to {Names(changed.After)}: run Headless~/rill references --write");
+                        findings.Fault($"{scene.Path}: {changed.Component.GetType().Name} '{changed.Component.name}' refers to " +
+                            $"{Names(changed.Before)} in {string.Join(".", changed.Path)}, and a build to {Names(changed.After)}: run " +
+                            $"Headless~/rill references --write");
                 }
             }
             catch (AssetException e)
@@ -48,6 +51,7 @@ namespace Host.Check.Build
             return findings;
         }
 
-        static string Names(Object[] assets) => assets.Length == 0 ? "nothing" : string.Join(", ", assets.Select(asset => asset == null ? "what is not there" : asset.name));
+        static string Names(Object[] assets) => assets.Length == 0 ? "nothing"
+            : string.Join(", ", assets.Select(asset => asset == null ? "what is not there" : asset.name));
     }
 }

@@ -45,8 +45,10 @@ namespace Host.Check
             ("MeshSdfBaker.Dispose", "WaitForCompletion", "the memory that a read-back fills must outlive it; happens when a bake is cancelled"),
             ("FluidSimulation.MeasureNow", "WaitAllRequests", "for the assertions of Rill.Testing, which nothing of a game calls"),
             ("FluidSimulation.FindFurthestOut", "GetData", "the same"),
-            ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of the package calls it but the Flush of probes and detectors"),
-            ("FluidRecorder.OnDisable", "WaitForCompletion", "ends the file of a recorder that is disabled or destroyed while it records, as its documentation says; Stop does not wait"),
+            ("FluidSimulation.FlushQueries", "WaitAllRequests", "for tests and tools of a user, as its documentation says; nothing of " +
+                "the package calls it but the Flush of probes and detectors"),
+            ("FluidRecorder.OnDisable", "WaitForCompletion",
+                "ends the file of a recorder that is disabled or destroyed while it records, as its documentation says; Stop does not wait"),
             ("Readback.Complete", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
             ("SnapshotCapture.End", "WaitForCompletion", "as play ends or scripts are loaded again, after which nothing comes back"),
         };
@@ -62,10 +64,12 @@ namespace Host.Check
                 using (var file = new PEReader(RuntimeAssemblies.Open(package, definition)))
                 {
                     MetadataReader reader = file.GetMetadataReader();
-                    foreach (MethodDefinition method in reader.MethodDefinitions.Select(reader.GetMethodDefinition).Where(m => m.RelativeVirtualAddress != 0))
+                    foreach (MethodDefinition method in reader.MethodDefinitions.Select(reader.GetMethodDefinition)
+                        .Where(m => m.RelativeVirtualAddress != 0))
                     {
                         methods++;
-                        string caller = $"{reader.GetString(reader.GetTypeDefinition(method.GetDeclaringType()).Name)}.{reader.GetString(method.Name)}";
+                        string caller =
+                            $"{reader.GetString(reader.GetTypeDefinition(method.GetDeclaringType()).Name)}.{reader.GetString(method.Name)}";
                         foreach (EntityHandle called in Code.MethodsCalled(file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes()))
                         {
                             calls++;
@@ -103,7 +107,8 @@ namespace Host.Check
         /// <summary>One that was not built is a fault.</summary>
         public static IEnumerable<AssemblyDefinition> Of(PackageTree package, Findings findings)
         {
-            foreach (AssemblyDefinition definition in AssemblyDefinition.All(package, findings).Where(a => !a.IsTest && a.IncludePlatforms.Length == 0))
+            foreach (AssemblyDefinition definition in AssemblyDefinition.All(package, findings)
+                .Where(a => !a.IsTest && a.IncludePlatforms.Length == 0))
                 if (definition.IsAdapter ? ImageOf(package, definition, findings) != null : File.Exists(PathOf(package, definition)))
                     yield return definition;
                 else
@@ -116,7 +121,8 @@ namespace Host.Check
         // Of the version in which it has both paths.
         static byte[] ImageOf(PackageTree package, AssemblyDefinition definition, Findings findings)
         {
-            byte[] image = PipelineAssemblies.Of(PipelineVersion.Find("17")).CompileAdapter(AdapterDefinition.Read(package.FullPath(definition.File)), false, out List<string> errors);
+            byte[] image = PipelineAssemblies.Of(PipelineVersion.Find("17"))
+                .CompileAdapter(AdapterDefinition.Read(package.FullPath(definition.File)), false, out List<string> errors);
             if (image == null)
                 findings.Fault($"{definition.Name} is not compiled: {string.Join("; ", errors)}");
             return image;

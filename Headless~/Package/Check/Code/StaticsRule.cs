@@ -35,13 +35,18 @@ namespace Host.Check
                         foreach (FieldDefinitionHandle handle in type.GetFields())
                         {
                             FieldDefinition field = reader.GetFieldDefinition(handle);
-                            if ((field.Attributes & FieldAttributes.Static) == 0 || (field.Attributes & FieldAttributes.Literal) != 0 || IsCompilers(reader, type, field))
+                            if ((field.Attributes & FieldAttributes.Static) == 0 || (field.Attributes & FieldAttributes.Literal) != 0
+                                || IsCompilers(reader, type, field))
                                 continue;
                             fields++;
                             bool constant = (field.Attributes & FieldAttributes.InitOnly) != 0 && HoldsNoState(reader, field);
-                            bool isKept = field.GetCustomAttributes().Any(a => AttributeName(reader, reader.GetCustomAttribute(a)) == KeptBetweenPlays);
+                            bool isKept = field.GetCustomAttributes()
+                                .Any(a => AttributeName(reader, reader.GetCustomAttribute(a)) == KeptBetweenPlays);
                             if (!constant && !isKept && !reset.Contains(MetadataTokens.GetToken(handle)))
-                                findings.Fault($"{reader.GetString(type.Namespace)}.{reader.GetString(type.Name)}.{reader.GetString(field.Name)} of {definition.Name} is a static that can change; set it in a method with [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]");
+                                findings.Fault(
+                                    $"{reader.GetString(type.Namespace)}.{reader.GetString(type.Name)}.{reader.GetString(field.Name)} " +
+                                    $"of {definition.Name} is a static that can change; set it in a method with " +
+                                    $"[RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]");
                         }
                 }
             findings.Looked = $"{fields} static fields";
@@ -50,7 +55,8 @@ namespace Host.Check
 
         // Tables of array initializers and cached lambdas.
         static bool IsCompilers(MetadataReader reader, TypeDefinition type, FieldDefinition field) =>
-            reader.GetString(type.Name)[0] == '<' || reader.GetString(field.Name)[0] == '<' && !reader.GetString(field.Name).Contains("k__BackingField");
+            reader.GetString(type.Name)[0] == '<' || reader.GetString(field.Name)[0] == '<'
+            && !reader.GetString(field.Name).Contains("k__BackingField");
 
         static bool HoldsNoState(MetadataReader reader, FieldDefinition field)
         {
@@ -61,7 +67,9 @@ namespace Host.Check
         static HashSet<int> FieldsSetAtStart(MetadataReader reader, PEReader file)
         {
             var set = new HashSet<int>();
-            foreach (MethodDefinition method in reader.MethodDefinitions.Select(reader.GetMethodDefinition).Where(m => m.RelativeVirtualAddress != 0 && m.GetCustomAttributes().Any(a => IsAtStart(reader, reader.GetCustomAttribute(a)))))
+            foreach (MethodDefinition method in reader.MethodDefinitions.Select(reader.GetMethodDefinition)
+                .Where(m => m.RelativeVirtualAddress != 0
+                && m.GetCustomAttributes().Any(a => IsAtStart(reader, reader.GetCustomAttribute(a)))))
                 foreach (int token in Code.FieldsStored(file.GetMethodBody(method.RelativeVirtualAddress).GetILBytes()))
                     set.Add(token);
             return set;
@@ -93,10 +101,14 @@ namespace Host.Check
         sealed class ShortNames : ISignatureTypeProvider<string, object>
         {
             static string Name(string name, byte kind) => kind == (byte)SignatureTypeKind.ValueType ? "value " + name : name;
-            public string GetPrimitiveType(PrimitiveTypeCode code) => code == PrimitiveTypeCode.String ? "String" : code == PrimitiveTypeCode.Object ? "Object" : "value " + code;
-            public string GetTypeFromDefinition(MetadataReader reader, TypeDefinitionHandle handle, byte kind) => Name(reader.GetString(reader.GetTypeDefinition(handle).Name), kind);
-            public string GetTypeFromReference(MetadataReader reader, TypeReferenceHandle handle, byte kind) => Name(reader.GetString(reader.GetTypeReference(handle).Name), kind);
-            public string GetTypeFromSpecification(MetadataReader reader, object context, TypeSpecificationHandle handle, byte kind) => reader.GetTypeSpecification(handle).DecodeSignature(this, context);
+            public string GetPrimitiveType(PrimitiveTypeCode code) => code == PrimitiveTypeCode.String ? "String"
+                : code == PrimitiveTypeCode.Object ? "Object" : "value " + code;
+            public string GetTypeFromDefinition(MetadataReader reader, TypeDefinitionHandle handle, byte kind)
+                => Name(reader.GetString(reader.GetTypeDefinition(handle).Name), kind);
+            public string GetTypeFromReference(MetadataReader reader, TypeReferenceHandle handle, byte kind)
+                => Name(reader.GetString(reader.GetTypeReference(handle).Name), kind);
+            public string GetTypeFromSpecification(MetadataReader reader, object context, TypeSpecificationHandle handle, byte kind)
+                => reader.GetTypeSpecification(handle).DecodeSignature(this, context);
             public string GetGenericInstantiation(string type, System.Collections.Immutable.ImmutableArray<string> arguments) => type;
             public string GetSZArrayType(string element) => element + "[]";
             public string GetArrayType(string element, ArrayShape shape) => element + "[,]";

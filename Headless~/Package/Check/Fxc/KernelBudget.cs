@@ -10,7 +10,8 @@ namespace Host.Check
         // Direct3D 11.0, cs_5_0 (D3D11_PS_CS_UAV_REGISTER_COUNT, D3D11_CS_TGSM_REGISTER_COUNT words, D3D11_CS_THREAD_GROUP_MAX_THREADS_PER_GROUP).
         const int MaxUavs = 8, MaxGroupsharedBytes = 32768, MaxThreads = 1024;
 
-        public static readonly string[] Columns = { "file", "kernel or stage", "keywords", "group", "instructions", "registers", "groupshared B", "UAVs", "buffers", "textures" };
+        public static readonly string[] Columns = { "file", "kernel or stage", "keywords", "group", "instructions", "registers",
+            "groupshared B", "UAVs", "buffers", "textures" };
 
         readonly ShaderVariant variant;
         readonly DxbcStatistics statistics;
@@ -32,7 +33,8 @@ namespace Host.Check
             if (declarations.Uavs > MaxUavs)
                 yield return $"{variant}: {declarations.Uavs} UAVs, but Direct3D 11.0 has {MaxUavs}; pack buffers together or split the kernel";
             if (declarations.GroupsharedBytes > MaxGroupsharedBytes)
-                yield return $"{variant}: {declarations.GroupsharedBytes} bytes of groupshared memory, but Direct3D 11 has {MaxGroupsharedBytes}; use smaller groups or types";
+                yield return $"{variant}: {declarations.GroupsharedBytes} bytes of groupshared memory, but Direct3D 11 has " +
+                    $"{MaxGroupsharedBytes}; use smaller groups or types";
             if (Threads > MaxThreads)
                 yield return $"{variant}: groups of {Threads} threads, but Direct3D 11 has {MaxThreads}";
         }

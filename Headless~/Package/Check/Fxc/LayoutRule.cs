@@ -31,7 +31,8 @@ namespace Host.Check
         {
             var findings = new Findings();
             var cache = new ShaderCache(cacheFolder);
-            IReadOnlyList<ShaderVariant> ours = PackageShaders.Variants(package, cache, findings, out _, host), theirs = PackageShaders.Variants(package, cache, new Findings(), out _, bytecode);
+            IReadOnlyList<ShaderVariant> ours = PackageShaders.Variants(package, cache, findings, out _, host),
+                theirs = PackageShaders.Variants(package, cache, new Findings(), out _, bytecode);
             var compared = ours.Zip(theirs).AsParallel().AsOrdered().Select(pair => Compare(pair.First, pair.Second)).ToList();
             foreach (string fault in compared.SelectMany(c => c.faults))
                 findings.Fault(fault);
@@ -44,7 +45,8 @@ namespace Host.Check
             try
             {
                 ShaderProgram host = ours.Compile().Program, bytecode = theirs.Compile().Program;
-                return (bytecode.Resources.Count(r => r.Stride > 0), bytecode.Resources.Where(r => r.Constants != null).Sum(r => r.Constants.Fields.Length),
+                return (bytecode.Resources.Count(r => r.Stride > 0),
+                    bytecode.Resources.Where(r => r.Constants != null).Sum(r => r.Constants.Fields.Length),
                     Differences(host, bytecode).Select(difference => $"{ours}: {difference}").ToList());
             }
             catch (Exception e) when (e is ShaderCompileException or FxcException)
@@ -57,10 +59,13 @@ namespace Host.Check
         public static IEnumerable<string> Differences(ShaderProgram host, ShaderProgram bytecode)
         {
             if ((host.GroupX, host.GroupY, host.GroupZ) != (bytecode.GroupX, bytecode.GroupY, bytecode.GroupZ))
-                yield return $"groups are of {host.GroupX} x {host.GroupY} x {host.GroupZ} threads here, FXC's of {bytecode.GroupX} x {bytecode.GroupY} x {bytecode.GroupZ}";
+                yield return $"groups are of {host.GroupX} x {host.GroupY} x {host.GroupZ} threads here, FXC's of {bytecode.GroupX} x " +
+                    $"{bytecode.GroupY} x {bytecode.GroupZ}";
             foreach (ShaderResource theirs in bytecode.Resources)
             {
-                ShaderResource ours = host.Resources.FirstOrDefault(r => r.Name == theirs.Name && (r.Kind == ShaderResourceKind.Counter) == (theirs.Kind == ShaderResourceKind.Counter) && (r.Kind == ShaderResourceKind.Sampler) == (theirs.Kind == ShaderResourceKind.Sampler));
+                ShaderResource ours = host.Resources.FirstOrDefault(r => r.Name == theirs.Name
+                    && (r.Kind == ShaderResourceKind.Counter) == (theirs.Kind == ShaderResourceKind.Counter)
+                    && (r.Kind == ShaderResourceKind.Sampler) == (theirs.Kind == ShaderResourceKind.Sampler));
                 if (ours == null)
                     yield return $"FXC's program reads '{theirs.Name}', a {theirs.Kind}, which the host's does not";
                 else if (ours.Kind != theirs.Kind)
@@ -81,13 +86,15 @@ namespace Host.Check
             {
                 List<string> ours = Lines(host, name), theirs = Lines(bytecode, name);
                 if (!ours.SequenceEqual(theirs))
-                    yield return $"{buffer}.{name} is {(ours.Count > 0 ? ours[0] : "missing")} here, FXC's is {(theirs.Count > 0 ? theirs[0] : "missing")}";
+                    yield return $"{buffer}.{name} is {(ours.Count > 0 ? ours[0] : "missing")} here, FXC's is " +
+                        $"{(theirs.Count > 0 ? theirs[0] : "missing")}";
             }
         }
 
         // A bool is a word like a uint.
         static List<string> Lines(ConstantLayout layout, string name) => layout.Fields.Where(f => f.Name == name).Select(f =>
-            $"{(f.Type == ConstantType.Bool ? ConstantType.UInt : f.Type)} {f.Rows} x {f.Columns}{(f.ArrayLength > 0 ? $" [{f.ArrayLength}] every {f.ArrayStride} bytes" : "")}"
+            $"{(f.Type == ConstantType.Bool ? ConstantType.UInt : f.Type)} {f.Rows} x " +
+            $"{f.Columns}{(f.ArrayLength > 0 ? $" [{f.ArrayLength}] every {f.ArrayStride} bytes" : "")}"
             + $"{(f.MatrixStride > 0 ? (f.RowMajor ? " by rows" : " by columns") : "")} of {f.Bytes} bytes at byte {f.Offset}").ToList();
     }
 }

@@ -39,14 +39,16 @@ namespace Host.Check
             Folder = file.Substring(0, file.LastIndexOf('/') + 1);
             Name = root.GetProperty("name").GetString();
             RootNamespace = root.TryGetProperty("rootNamespace", out JsonElement space) ? space.GetString() : "";
-            string[] Strings(string key) => root.TryGetProperty(key, out JsonElement list) ? list.EnumerateArray().Select(e => e.GetString()).ToArray() : Array.Empty<string>();
+            string[] Strings(string key) => root.TryGetProperty(key, out JsonElement list)
+                ? list.EnumerateArray().Select(e => e.GetString()).ToArray() : Array.Empty<string>();
             bool Flag(string key) => root.TryGetProperty(key, out JsonElement flag) && flag.GetBoolean();
             References = Strings("references");
             IncludePlatforms = Strings("includePlatforms");
             PrecompiledReferences = Strings("precompiledReferences");
             DefineConstraints = Strings("defineConstraints");
             VersionDefines = root.TryGetProperty("versionDefines", out JsonElement defines)
-                ? defines.EnumerateArray().Select(d => (d.GetProperty("name").GetString(), d.GetProperty("define").GetString())).ToArray() : Array.Empty<(string, string)>();
+                ? defines.EnumerateArray().Select(d => (d.GetProperty("name").GetString(), d.GetProperty("define").GetString())).ToArray()
+                    : Array.Empty<(string, string)>();
             AllowUnsafeCode = Flag("allowUnsafeCode");
             OverrideReferences = Flag("overrideReferences");
         }
@@ -55,10 +57,12 @@ namespace Host.Check
         public bool IsAdapter => VersionDefines.Any(define => define.Package.StartsWith("com.unity.render-pipelines.", StringComparison.Ordinal));
 
         /// <summary>Whether Unity compiles it only where the package or module is there.</summary>
-        public bool NeedsPresent(string package) => VersionDefines.Any(define => define.Package == package && DefineConstraints.Contains(define.Symbol));
+        public bool NeedsPresent(string package)
+            => VersionDefines.Any(define => define.Package == package && DefineConstraints.Contains(define.Symbol));
 
         /// <summary>The scripts that Unity compiles into this assembly: those below its folder and not below a nested definition's.</summary>
-        public IEnumerable<string> Scripts(PackageTree package, IEnumerable<AssemblyDefinition> all) => package.Visible.Where(f => f.EndsWith(".cs", StringComparison.Ordinal) && Owner(f, all) == this);
+        public IEnumerable<string> Scripts(PackageTree package, IEnumerable<AssemblyDefinition> all)
+            => package.Visible.Where(f => f.EndsWith(".cs", StringComparison.Ordinal) && Owner(f, all) == this);
 
         /// <summary>Null for a script in no definition's folder.</summary>
         public static AssemblyDefinition Owner(string script, IEnumerable<AssemblyDefinition> all) =>

@@ -26,7 +26,8 @@ namespace Host.Check
                 if (!definition.IsAdapter)
                     CheckProject(package, definition, all, findings);
             }
-            foreach (string script in package.Visible.Where(f => f.EndsWith(".cs", StringComparison.Ordinal) && AssemblyDefinition.Owner(f, all) == null))
+            foreach (string script in package.Visible.Where(f => f.EndsWith(".cs", StringComparison.Ordinal)
+                && AssemblyDefinition.Owner(f, all) == null))
                 findings.Fault($"{script} lies in no folder with an .asmdef, so Unity does not compile it: packages need one");
             findings.Looked = $"{all.Count} assembly definitions over {scripts} scripts";
             return findings;
@@ -36,18 +37,24 @@ namespace Host.Check
         {
             void Must(bool holds, string what) { if (!holds) findings.Fault($"{definition.File}: {what}"); }
 
-            Must(Path.GetFileNameWithoutExtension(definition.File) == definition.Name, $"the file should have the assembly's name, {definition.Name}");
-            Must(definition.RootNamespace == definition.Name, $"\"rootNamespace\" is \"{definition.RootNamespace}\", not the assembly's name {definition.Name}");
+            Must(Path.GetFileNameWithoutExtension(definition.File) == definition.Name,
+                $"the file should have the assembly's name, {definition.Name}");
+            Must(definition.RootNamespace == definition.Name,
+                $"\"rootNamespace\" is \"{definition.RootNamespace}\", not the assembly's name {definition.Name}");
             bool editor = definition.Folder.Split('/').Contains("Editor");
             Must(editor == (definition.IncludePlatforms.Length == 1 && definition.IncludePlatforms[0] == "Editor"),
-                editor ? "code in a folder Editor needs \"includePlatforms\": [\"Editor\"], or players do not compile" : "\"includePlatforms\" should be empty, so that it works on every platform");
+                editor ? "code in a folder Editor needs \"includePlatforms\": [\"Editor\"], or players do not compile"
+                    : "\"includePlatforms\" should be empty, so that it works on every platform");
             Must(!definition.AllowUnsafeCode, "\"allowUnsafeCode\" is on; the package promises to do without");
 
             bool tests = definition.Folder.StartsWith("Tests/", StringComparison.Ordinal);
-            Must(tests == definition.IsTest, tests ? "a test assembly needs \"defineConstraints\": [\"UNITY_INCLUDE_TESTS\"], or players contain it" : "UNITY_INCLUDE_TESTS would keep it out of players");
+            Must(tests == definition.IsTest, tests
+                ? "a test assembly needs \"defineConstraints\": [\"UNITY_INCLUDE_TESTS\"], or players contain it"
+                : "UNITY_INCLUDE_TESTS would keep it out of players");
             if (tests)
             {
-                Must(definition.OverrideReferences && definition.PrecompiledReferences.Contains("nunit.framework.dll"), "a test assembly needs \"overrideReferences\" with nunit.framework.dll, or it does not compile");
+                Must(definition.OverrideReferences && definition.PrecompiledReferences.Contains("nunit.framework.dll"),
+                    "a test assembly needs \"overrideReferences\" with nunit.framework.dll, or it does not compile");
                 foreach (string runner in new[] { "UnityEngine.TestRunner", "UnityEditor.TestRunner" })
                     Must(definition.References.Contains(runner), $"a test assembly needs a reference to {runner}");
             }
@@ -74,8 +81,10 @@ namespace Host.Check
             Same("scripts", definition.Scripts(package, all), Compiled(package, project));
             // The engine itself is no reference in Unity; both test runners are one assembly here.
             Same("references", definition.References.Where(r => r != "UnityEditor.TestRunner"),
-                project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value)).Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule" or "UnityEditor")));
-            foreach ((string property, string wanted) in new[] { ("AssemblyName", definition.Name), ("RootNamespace", definition.RootNamespace), ("AllowUnsafeBlocks", definition.AllowUnsafeCode ? "true" : "false") })
+                project.Descendants("ProjectReference").Select(r => Path.GetFileNameWithoutExtension(r.Attribute("Include").Value))
+                    .Where(r => r is not ("UnityEngine" or "UnityEngine.PhysicsModule" or "UnityEngine.TerrainModule" or "UnityEditor")));
+            foreach ((string property, string wanted) in new[] { ("AssemblyName", definition.Name),
+                ("RootNamespace", definition.RootNamespace), ("AllowUnsafeBlocks", definition.AllowUnsafeCode ? "true" : "false") })
                 if (project.Descendants(property).FirstOrDefault()?.Value is var value && value != wanted)
                     findings.Fault($"{file}: {property} is \"{value}\", {definition.File} asks for \"{wanted}\"");
         }

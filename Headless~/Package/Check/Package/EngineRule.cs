@@ -7,7 +7,8 @@ using System.Xml.Linq;
 
 namespace Host.Check
 {
-    /// <summary>The headless engine serves any Unity project: its projects refer to nothing outside of their folder, its code does not name this package.</summary>
+    /// <summary>The headless engine serves any Unity project: its projects refer to nothing outside of their folder, its code does not name
+    /// this package.</summary>
     sealed class EngineRule : Rule
     {
         const string Engine = "Headless~/Engine/", Shared = "Headless~/Directory.Build.props";
@@ -25,7 +26,8 @@ namespace Host.Check
             foreach (string project in projects)
                 foreach (string path in XDocument.Parse(package.Read(project)).Descendants().SelectMany(Paths))
                     if (Resolve(project, path) is var file && file != Shared && !IsEngine(file))
-                        findings.Fault($"{project} refers to {path}, which is not in {Engine}: move what both need into the engine, or what refers to it into Headless~/Package");
+                        findings.Fault($"{project} refers to {path}, which is not in {Engine}: move what both need into the engine, or " +
+                            $"what refers to it into Headless~/Package");
             foreach (string file in code)
             {
                 string[] lines = package.Read(file).Split('\n');
@@ -42,13 +44,17 @@ namespace Host.Check
         static bool IsEngine(string file) => file.StartsWith(Engine, StringComparison.Ordinal);
 
         // What a project takes from files: packages of NuGet and names of assemblies are no paths.
-        static IEnumerable<string> Paths(XElement element) => element.Name.LocalName is "PackageReference" or "PackageDownload" or "InternalsVisibleTo" ? Enumerable.Empty<string>()
-            : element.Attributes().Where(attribute => attribute.Name.LocalName is "Include" or "Project").SelectMany(attribute => attribute.Value.Split(';')).Where(path => !path.StartsWith("$(NuGetPackageRoot)", StringComparison.Ordinal));
+        static IEnumerable<string> Paths(XElement element)
+            => element.Name.LocalName is "PackageReference" or "PackageDownload" or "InternalsVisibleTo" ? Enumerable.Empty<string>()
+            : element.Attributes().Where(attribute => attribute.Name.LocalName is "Include" or "Project")
+                .SelectMany(attribute => attribute.Value.Split(';'))
+                .Where(path => !path.StartsWith("$(NuGetPackageRoot)", StringComparison.Ordinal));
 
         static string Resolve(string project, string path)
         {
             var parts = new List<string>(project.Split('/').SkipLast(1));
-            foreach (string part in path.Replace('\\', '/').Replace("$(PackageRoot)", string.Concat(Enumerable.Repeat("../", parts.Count))).Split('/'))
+            foreach (string part in path.Replace('\\', '/').Replace("$(PackageRoot)", string.Concat(Enumerable.Repeat("../", parts.Count)))
+                .Split('/'))
                 if (part == ".." && parts.Count > 0)
                     parts.RemoveAt(parts.Count - 1);
                 else if (part.Length > 0 && part != ".")

@@ -12,7 +12,9 @@ namespace Host.Check
         // Windows ends paths at 260; a project's own folder and Library/PackageCache/<name>@<hash>/ come before ours.
         const int MaxPath = 140;
         static readonly char[] Forbidden = "<>:\"|?*\\".ToCharArray();
-        static readonly HashSet<string> Reserved = new(new[] { "CON", "PRN", "AUX", "NUL" }.Concat(Enumerable.Range(1, 9).SelectMany(i => new[] { "COM" + i, "LPT" + i })), StringComparer.OrdinalIgnoreCase);
+        static readonly HashSet<string> Reserved =
+            new(new[] { "CON", "PRN", "AUX", "NUL" }.Concat(Enumerable.Range(1, 9).SelectMany(i => new[] { "COM" + i, "LPT" + i })),
+            StringComparer.OrdinalIgnoreCase);
 
         public override string Name => "package: file names suit every system, no file is large";
 
@@ -22,7 +24,8 @@ namespace Host.Check
             foreach (string file in package.Files)
             {
                 foreach (string part in file.Split('/'))
-                    if (part.IndexOfAny(Forbidden) >= 0 || part.Any(char.IsControl) || part.EndsWith('.') || part.EndsWith(' ') || Reserved.Contains(part.Split('.')[0]))
+                    if (part.IndexOfAny(Forbidden) >= 0 || part.Any(char.IsControl) || part.EndsWith('.') || part.EndsWith(' ')
+                        || Reserved.Contains(part.Split('.')[0]))
                         findings.Fault($"{file}: \"{part}\" is no file name on Windows: rename it");
                 if (file.Length > MaxPath)
                     findings.Fault($"{file}: the path has {file.Length} characters, more than {MaxPath}: shorten it, Windows ends at 260 in all");
@@ -30,9 +33,11 @@ namespace Host.Check
                 if (bytes > MaxBytes)
                     findings.Fault($"{file} has {bytes:N0} bytes, more than {MaxBytes:N0}: everybody who installs by git URL downloads it");
             }
-            foreach (IGrouping<string, string> same in package.Files.SelectMany(Parents).Distinct().GroupBy(f => f, StringComparer.OrdinalIgnoreCase).Where(g => g.Count() > 1))
+            foreach (IGrouping<string, string> same in package.Files.SelectMany(Parents).Distinct()
+                .GroupBy(f => f, StringComparer.OrdinalIgnoreCase).Where(g => g.Count() > 1))
                 findings.Fault($"{string.Join(" and ", same)} differ in case alone, and are one file on Windows and macOS");
-            findings.Looked = $"{package.Files.Count} files, largest {package.Files.Select(f => new FileInfo(package.FullPath(f)).Length).DefaultIfEmpty().Max():N0} bytes";
+            findings.Looked = $"{package.Files.Count} files, largest " +
+                $"{package.Files.Select(f => new FileInfo(package.FullPath(f)).Length).DefaultIfEmpty().Max():N0} bytes";
             return findings;
         }
 

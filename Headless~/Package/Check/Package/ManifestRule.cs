@@ -47,7 +47,8 @@ namespace Host.Check
                     findings.Fault($"package.json has no \"{key}\", which the Package Manager shows");
             foreach ((string name, string version) in manifest.Dependencies)
                 if (!SemanticVersion.IsMatch(version))
-                    findings.Fault($"package.json: the dependency {name} has the version \"{version}\"; packages may depend on plain versions only, as in \"1.2.3\"");
+                    findings.Fault($"package.json: the dependency {name} has the version \"{version}\"; packages may depend on plain " +
+                        $"versions only, as in \"1.2.3\"");
         }
 
         static void CheckChangeLog(PackageTree package, PackageManifest manifest, Findings findings)
@@ -58,24 +59,29 @@ namespace Host.Check
                 findings.Fault($"{file} is missing");
                 return;
             }
-            string top = package.Read(file).Split('\n').FirstOrDefault(line => line.StartsWith("## ", StringComparison.Ordinal) && !line.StartsWith("## [Unreleased]", StringComparison.Ordinal));
+            string top = package.Read(file).Split('\n').FirstOrDefault(line => line.StartsWith("## ", StringComparison.Ordinal)
+                && !line.StartsWith("## [Unreleased]", StringComparison.Ordinal));
             Match match = Released.Match((top ?? "").TrimEnd('\r'));
             if (!match.Success)
                 findings.Fault($"{file}: its first version is \"{top}\", not of the form \"## [1.2.3] - 2026-01-31\"");
             else if (match.Groups["version"].Value != manifest.Version)
-                findings.Fault($"{file} begins with version {match.Groups["version"].Value}, package.json has {manifest.Version}: bring them together");
+                findings.Fault(
+                    $"{file} begins with version {match.Groups["version"].Value}, package.json has {manifest.Version}: bring them together");
         }
 
         static void CheckSamples(PackageTree package, PackageManifest manifest, Findings findings)
         {
-            HashSet<string> folders = package.Files.Where(f => f.StartsWith("Samples~/", StringComparison.Ordinal)).Select(f => string.Join('/', f.Split('/').Take(2))).Where(f => Directory.Exists(package.FullPath(f))).ToHashSet();
+            HashSet<string> folders = package.Files.Where(f => f.StartsWith("Samples~/", StringComparison.Ordinal))
+                .Select(f => string.Join('/', f.Split('/').Take(2))).Where(f => Directory.Exists(package.FullPath(f))).ToHashSet();
             foreach (PackageSample sample in manifest.Samples)
             {
                 if (sample.DisplayName.Length == 0 || sample.Description.Length == 0)
                     findings.Fault($"package.json: the sample at \"{sample.Path}\" needs a displayName and a description");
                 if (!folders.Remove(sample.Path))
-                    findings.Fault($"package.json: the sample \"{sample.DisplayName}\" lies at \"{sample.Path}\", but there is no such folder, or it is listed twice");
-                else if (!package.Files.Any(f => f.StartsWith(sample.Path + "/", StringComparison.Ordinal) && f.EndsWith(".unity", StringComparison.Ordinal)))
+                    findings.Fault($"package.json: the sample \"{sample.DisplayName}\" lies at \"{sample.Path}\", but there is no such " +
+                        $"folder, or it is listed twice");
+                else if (!package.Files.Any(f => f.StartsWith(sample.Path + "/", StringComparison.Ordinal)
+                    && f.EndsWith(".unity", StringComparison.Ordinal)))
                     findings.Fault($"{sample.Path} has no scene");
             }
             foreach (string folder in folders.OrderBy(f => f, StringComparer.Ordinal))

@@ -30,7 +30,8 @@ namespace Host.Check
         }
 
         /// <summary>Scenes, prefabs, materials and other assets in Unity's YAML.</summary>
-        public static IEnumerable<AssetEntry> Documents(ProjectIndex index) => index.Entries.Where(entry => !entry.IsFolder && IsYaml(entry.Extension));
+        public static IEnumerable<AssetEntry> Documents(ProjectIndex index)
+            => index.Entries.Where(entry => !entry.IsFolder && IsYaml(entry.Extension));
 
         static bool IsYaml(string extension) => extension is ".unity" or ".prefab" or ".asset" or ".mat" or ".mesh" or ".rendertexture";
     }

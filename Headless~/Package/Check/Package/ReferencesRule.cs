@@ -10,7 +10,8 @@ namespace Host.Check
         // File ids that importers give to the main object (Unity's class id * 100,000).
         static readonly Dictionary<string, long[]> Imported = new()
         {
-            [".cs"] = new[] { 11500000L }, [".shader"] = new[] { 4800000L }, [".compute"] = new[] { 7200000L }, [".png"] = new[] { 2800000L, 21300000L },
+            [".cs"] = new[]
+            { 11500000L }, [".shader"] = new[] { 4800000L }, [".compute"] = new[] { 7200000L }, [".png"] = new[] { 2800000L, 21300000L },
             [".txt"] = new[] { 4900000L }, [".json"] = new[] { 4900000L }, [".csv"] = new[] { 4900000L }, [".bytes"] = new[] { 4900000L },
         };
 
@@ -73,12 +74,14 @@ namespace Host.Check
             if (reference.IsLocal)
                 return from.Find(reference.FileId) == null ? "means an object that this file does not have" : null;
             if (BuiltInAssets.IsBuiltIn(reference.Guid))
-                return BuiltInAssets.IsKnown(reference.FileId) ? null : "means an object of the editor's built-in resources that is not known here: see BuiltInAssets";
+                return BuiltInAssets.IsKnown(reference.FileId) ? null
+                    : "means an object of the editor's built-in resources that is not known here: see BuiltInAssets";
             AssetEntry target = index.ByGuid(reference.Guid);
             if (target == null)
                 return "means an asset that no .meta file of the package has";
             if (Imported.TryGetValue(target.Extension, out long[] ids))
-                return ids.Contains(reference.FileId) ? null : $"means an object of {target.Path} that its importer does not make: {string.Join(" or ", ids)} would do";
+                return ids.Contains(reference.FileId) ? null
+                    : $"means an object of {target.Path} that its importer does not make: {string.Join(" or ", ids)} would do";
             if (target.Extension == ".obj")
                 return ModelProblem(target, reference);
             if (!ProjectView.Documents(index).Contains(target))
@@ -92,7 +95,8 @@ namespace Host.Check
             try
             {
                 long[] ids = ModelReader.FileIds(model).ToArray();
-                return ids.Contains(reference.FileId) ? null : $"means an object of {model.Path} that its importer does not make: {string.Join(" or ", ids)} would do";
+                return ids.Contains(reference.FileId) ? null
+                    : $"means an object of {model.Path} that its importer does not make: {string.Join(" or ", ids)} would do";
             }
             catch (AssetException e)
             {

@@ -19,9 +19,11 @@ namespace Host.Check
             [""] = new[] { new[] { "ForwardBase" }, new[] { "ShadowCaster" }, new[] { "MotionVectors" } },
             ["UniversalPipeline"] = new[]
             {
-                new[] { "UniversalForwardOnly", "UniversalForward" }, new[] { "DepthOnly" }, new[] { "DepthNormalsOnly", "DepthNormals" }, new[] { "ShadowCaster" }, new[] { "MotionVectors" },
+                new[] { "UniversalForwardOnly", "UniversalForward" }, new[] { "DepthOnly" }, new[] { "DepthNormalsOnly", "DepthNormals" },
+                    new[] { "ShadowCaster" }, new[] { "MotionVectors" },
             },
-            ["HDRenderPipeline"] = new[] { new[] { "ForwardOnly" }, new[] { "DepthForwardOnly" }, new[] { "ShadowCaster" }, new[] { "MotionVectors" } },
+            ["HDRenderPipeline"] = new[]
+            { new[] { "ForwardOnly" }, new[] { "DepthForwardOnly" }, new[] { "ShadowCaster" }, new[] { "MotionVectors" } },
         };
 
         public override string Name => "package: shaders that write depth have every pipeline's passes";
@@ -60,7 +62,8 @@ namespace Host.Check
                 foreach (ParsedSubShader subShader in own)
                     foreach (string[] modes in IsTransparent(subShader) ? wanted.Take(1) : wanted)
                         if (!subShader.Passes.Any(pass => modes.Contains(Tag(pass.Tags, "LightMode"))))
-                            yield return $"it writes depth but its SubShader for {name} has no pass with LightMode {string.Join(" or ", modes)}; add one";
+                            yield return $"it writes depth but its SubShader for {name} has no pass with LightMode " +
+                                $"{string.Join(" or ", modes)}; add one";
             }
         }
 

@@ -18,7 +18,8 @@ namespace Host.Check
             // On any system's file system, "packages" is the same folder.
             string[] folders = Directory.GetDirectories(package.Root).Select(Path.GetFileName).ToArray();
             foreach (string folder in folders.Where(folder => OfProjects.Contains(folder, StringComparer.OrdinalIgnoreCase)))
-                findings.Fault($"{folder}/ at the root makes the package a project of its own, and opening it puts Library/ inside of the package: remove the folder and open TestProject~");
+                findings.Fault($"{folder}/ at the root makes the package a project of its own, and opening it puts Library/ inside of " +
+                    $"the package: remove the folder and open TestProject~");
             findings.Looked = $"{folders.Length} folders at the root";
             return findings;
         }

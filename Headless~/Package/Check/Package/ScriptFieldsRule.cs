@@ -11,7 +11,8 @@ using UnityEngine.SceneManagement;
 
 namespace Host.Check
 {
-    /// <summary>What scenes and assets store is read by a field of the class: a renamed field without [FormerlySerializedAs] loses its values in silence.</summary>
+    /// <summary>What scenes and assets store is read by a field of the class: a renamed field without [FormerlySerializedAs] loses its
+    /// values in silence.</summary>
     sealed class ScriptFieldsRule : Rule
     {
         public override string Name => "package: fields stored in scenes and assets exist in their classes";

@@ -20,8 +20,10 @@ namespace Host.Check
             {
                 classes++;
                 string assembly = type.Assembly.GetName().Name;
-                if (type.IsGenericType || !package.Visible.Concat(package.Files.Where(f => f.StartsWith("Samples~/", StringComparison.Ordinal))).Any(f => Path.GetFileName(f) == type.Name + ".cs"))
-                    findings.Fault($"{type.FullName} of {assembly} lies in no file {type.Name}.cs: Unity would not find it, and scenes that use it would lose it");
+                if (type.IsGenericType || !package.Visible.Concat(package.Files.Where(f => f.StartsWith("Samples~/",
+                    StringComparison.Ordinal))).Any(f => Path.GetFileName(f) == type.Name + ".cs"))
+                    findings.Fault($"{type.FullName} of {assembly} lies in no file {type.Name}.cs: Unity would not find it, and scenes " +
+                        $"that use it would lose it");
             }
             findings.Looked = $"{classes} classes";
             return findings;

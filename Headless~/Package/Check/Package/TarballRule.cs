@@ -21,7 +21,8 @@ namespace Host.Check
             List<string> packed = Pack(package, findings);
             if (packed == null)
                 return findings;
-            HashSet<string> wanted = package.Visible.Concat(package.Files.Where(f => Shipped.Any(folder => f.StartsWith(folder, StringComparison.Ordinal)))).ToHashSet();
+            HashSet<string> wanted = package.Visible.Concat(
+                package.Files.Where(f => Shipped.Any(folder => f.StartsWith(folder, StringComparison.Ordinal)))).ToHashSet();
             foreach (string file in packed.Where(f => !wanted.Contains(f)).OrderBy(f => f, StringComparer.Ordinal))
                 findings.Fault($"{file} would be shipped, and no user needs it: name it in .npmignore");
             foreach (string file in wanted.Except(packed).OrderBy(f => f, StringComparer.Ordinal))
@@ -32,7 +33,8 @@ namespace Host.Check
 
         static List<string> Pack(PackageTree package, Findings findings)
         {
-            var start = new ProcessStartInfo("npm", new[] { "pack", "--dry-run", "--json", "--ignore-scripts" }) { WorkingDirectory = package.Root, RedirectStandardOutput = true, RedirectStandardError = true };
+            var start = new ProcessStartInfo("npm", new[] { "pack", "--dry-run", "--json", "--ignore-scripts" }) {
+                WorkingDirectory = package.Root, RedirectStandardOutput = true, RedirectStandardError = true };
             try
             {
                 using Process process = Process.Start(start);

@@ -8,7 +8,8 @@ namespace Host.Check
     /// <summary>The project in which a user runs the package's tests opens with one click.</summary>
     sealed class TestProjectRule : Rule
     {
-        const string Folder = "TestProject~/", Manifest = Folder + "Packages/manifest.json", EditorVersion = Folder + "ProjectSettings/ProjectVersion.txt";
+        const string Folder = "TestProject~/", Manifest = Folder + "Packages/manifest.json",
+            EditorVersion = Folder + "ProjectSettings/ProjectVersion.txt";
         // 2022.3 carries 1.1; the tests are written for 1.4.
         const string Framework = "com.unity.test-framework";
         static readonly Version MinFramework = new(1, 4);
@@ -44,10 +45,12 @@ namespace Host.Check
 
         static void Check(JsonElement root, PackageTree package, PackageManifest manifest, Findings findings)
         {
-            string Dependency(string name) => root.TryGetProperty("dependencies", out JsonElement all) && all.TryGetProperty(name, out JsonElement one) ? one.GetString() : null;
+            string Dependency(string name) => root.TryGetProperty("dependencies", out JsonElement all)
+                && all.TryGetProperty(name, out JsonElement one) ? one.GetString() : null;
 
             string source = Dependency(manifest.Name);
-            if (source == null || !source.StartsWith("file:", StringComparison.Ordinal) || Path.GetFullPath(Path.Combine(package.FullPath(Folder + "Packages"), source.Substring(5))) != package.Root)
+            if (source == null || !source.StartsWith("file:", StringComparison.Ordinal)
+                || Path.GetFullPath(Path.Combine(package.FullPath(Folder + "Packages"), source.Substring(5))) != package.Root)
                 findings.Fault($"{Manifest}: {manifest.Name} is at \"{source}\", not at \"file:../..\", this package");
             if (!root.TryGetProperty("testables", out JsonElement testables) || testables.EnumerateArray().All(t => t.GetString() != manifest.Name))
                 findings.Fault($"{Manifest}: \"testables\" does not name {manifest.Name}, so the Test Runner shows none of its tests");

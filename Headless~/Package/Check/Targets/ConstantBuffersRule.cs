@@ -39,18 +39,21 @@ namespace Host.Check
             foreach ((string key, (ConstantLayout layout, ShaderVariant variant)) in buffers)
                 foreach (string fault in Faults(layout))
                     findings.Fault($"{variant}: {key.Substring(0, key.IndexOf(' '))}{fault}");
-            findings.Looked = $"{buffers.Values.Sum(b => b.layout.Fields.Length)} members of {buffers.Count} constant buffers in {variants.Count} programs";
+            findings.Looked = $"{buffers.Values.Sum(b => b.layout.Fields.Length)} members of {buffers.Count} constant buffers in " +
+                $"{variants.Count} programs";
             return findings;
         }
 
         // One that another file declares differently is another.
-        static string Key(ShaderResource buffer) => $"{buffer.Name} {string.Join(" ", buffer.Constants.Fields.Select(f => $"{f.Name} {Type(f)} {f.Offset}"))}";
+        static string Key(ShaderResource buffer)
+            => $"{buffer.Name} {string.Join(" ", buffer.Constants.Fields.Select(f => $"{f.Name} {Type(f)} {f.Offset}"))}";
 
         static IEnumerable<ShaderResource> RawBuffers(ShaderVariant variant)
         {
             try
             {
-                return variant.Compile().Program.Resources.Where(r => r.Constants is { IsGlobals: false } && !r.Name.StartsWith(UnitysOwn, StringComparison.Ordinal) && r.Name != Multiview);
+                return variant.Compile().Program.Resources.Where(r => r.Constants is { IsGlobals: false }
+                    && !r.Name.StartsWith(UnitysOwn, StringComparison.Ordinal) && r.Name != Multiview);
             }
             catch (ShaderCompileException)
             {
@@ -66,11 +69,14 @@ namespace Host.Check
                 ConstantField field = layout.Fields[i];
                 if (direct3D[i] != field.Offset)
                 {
-                    yield return $".{field.Name} is at byte {field.Offset}, where its type and those before it would have it at {direct3D[i]}: a struct or a packoffset, which other APIs lay out otherwise. Use 4-vectors, 4x4 matrices, arrays of them and scalars.";
+                    yield return $".{field.Name} is at byte {field.Offset}, where its type and those before it would have it at " +
+                        $"{direct3D[i]}: a struct or a packoffset, which other APIs lay out otherwise. Use 4-vectors, 4x4 matrices, " +
+                        $"arrays of them and scalars.";
                     yield break;
                 }
                 if (!IsSafe(field))
-                    yield return $".{field.Name} is a {Type(field)}, which Metal and std140 pad otherwise than Direct3D. Make it part of a 4-vector, name it by #define, or use scalars.";
+                    yield return $".{field.Name} is a {Type(field)}, which Metal and std140 pad otherwise than Direct3D. Make it part " +
+                        $"of a 4-vector, name it by #define, or use scalars.";
             }
             foreach (ConstantPacking other in Others)
             {
@@ -78,7 +84,8 @@ namespace Host.Check
                 for (int i = 0; i < layout.Fields.Length; i++)
                     if (offsets[i] != direct3D[i])
                     {
-                        yield return $".{layout.Fields[i].Name} is at byte {direct3D[i]} under Direct3D and at {offsets[i]} under {other.Name}, and what follows with it. Let scalars fill runs of four.";
+                        yield return $".{layout.Fields[i].Name} is at byte {direct3D[i]} under Direct3D and at {offsets[i]} under " +
+                            $"{other.Name}, and what follows with it. Let scalars fill runs of four.";
                         break;
                     }
             }
@@ -89,7 +96,8 @@ namespace Host.Check
 
         static bool IsSafe(in ConstantField field)
         {
-            bool isScalar = field.Rows == 1 && field.Columns == 1 && field.ArrayLength == 0, isFour = field.Columns == 4 && (field.Rows == 1 || field.Rows == 4);
+            bool isScalar = field.Rows == 1 && field.Columns == 1 && field.ArrayLength == 0, isFour = field.Columns == 4
+                && (field.Rows == 1 || field.Rows == 4);
             return isScalar || isFour;
         }
 

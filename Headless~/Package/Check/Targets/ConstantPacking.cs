@@ -17,7 +17,8 @@ namespace Host.Check
         /// <summary>Direct3D: members follow each other by words, and none crosses 16 bytes; elements of arrays begin at 16.</summary>
         public static readonly ConstantPacking Direct3D = new("Direct3D", vectorsAlign: false, arraysInRegisters: true);
 
-        /// <summary>OpenGL specification 4.6, 7.6.2.2 "Standard Uniform Block Layout": vectors are aligned to 2 or 4 words, what follows an array or matrix to 16 bytes.</summary>
+        /// <summary>OpenGL specification 4.6, 7.6.2.2 "Standard Uniform Block Layout": vectors are aligned to 2 or 4 words, what follows an
+        /// array or matrix to 16 bytes.</summary>
         public static readonly ConstantPacking Std140 = new("std140", vectorsAlign: true, arraysInRegisters: true);
 
         /// <summary>

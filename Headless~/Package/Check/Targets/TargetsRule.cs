@@ -24,7 +24,8 @@ namespace Host.Check
             this.targets = targets;
         }
 
-        public override string Name => $"other targets: every kernel and stage fits {string.Join(" and ", targets.Where(t => t.Supported).Select(t => t.Name))}";
+        public override string Name
+            => $"other targets: every kernel and stage fits {string.Join(" and ", targets.Where(t => t.Supported).Select(t => t.Name))}";
 
         public override Findings Examine(PackageTree package)
         {
@@ -42,7 +43,8 @@ namespace Host.Check
             }
 
             var verdicts = new Verdict[variants.Count];
-            Parallel.For(0, variants.Count, new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount }, i => verdicts[i] = Examine(variants[i], translator));
+            Parallel.For(0, variants.Count, new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount },
+                i => verdicts[i] = Examine(variants[i], translator));
             Report(verdicts, findings);
             findings.Looked = $"{variants.Count} programs on {string.Join(", ", targets.Select(t => t.Name))}";
             return findings;
@@ -86,9 +88,13 @@ namespace Host.Check
             var table = new ResultTable
             {
                 Title = "Other targets",
-                About = "What each program needs, and whether it fits: Metal as MSL 2.1 and Vulkan as GLSL, both as SPIRV-Cross writes them (Unity has a translator of its own), Vulkan's and OpenGL ES's text read back by glslang; "
-                    + "mobile devices and WebGPU by their limits alone; OpenGL ES 3.1 by the least that the specification grants. The host's own programs are judged: they are what Direct3D's defines select, and subtract the base vertex as Direct3D does, which OpenGL ES lacks.",
-                Columns = new[] { "file", "kernel or stage", "keywords", "storage buffers", "textures", "threads", "shared B" }.Concat(targets.Select(t => t.Name)).ToArray(),
+                About = "What each program needs, and whether it fits: Metal as MSL 2.1 and Vulkan as GLSL, both as SPIRV-Cross writes " +
+                    "them (Unity has a translator of its own), Vulkan's and OpenGL ES's text read back by glslang; "
+                    + "mobile devices and WebGPU by their limits alone; OpenGL ES 3.1 by the least that the specification grants. The " +
+                    "host's own programs are judged: they are what Direct3D's defines select, and subtract the base vertex as Direct3D " +
+                    "does, which OpenGL ES lacks.",
+                Columns = new[] { "file", "kernel or stage", "keywords", "storage buffers", "textures", "threads",
+                    "shared B" }.Concat(targets.Select(t => t.Name)).ToArray(),
             };
             foreach (Verdict verdict in verdicts)
             {
@@ -101,7 +107,8 @@ namespace Host.Check
                 ProgramNeeds needs = verdict.Needs;
                 table.Rows.Add(new[]
                 {
-                    variant.File, variant.Program, variant.Keywords.Length > 0 ? variant.Keywords : "-", needs.StorageBuffers.ToString(), (needs.Textures + needs.StorageTextures + needs.TypedBuffers).ToString(),
+                    variant.File, variant.Program, variant.Keywords.Length > 0 ? variant.Keywords : "-", needs.StorageBuffers.ToString(),
+                        (needs.Textures + needs.StorageTextures + needs.TypedBuffers).ToString(),
                     needs.Threads > 0 ? needs.Threads.ToString() : "-", needs.SharedBytes.ToString(),
                 }.Concat(verdict.Reasons.Select(reason => reason.Length == 0 ? "yes" : "no: " + reason)).ToArray());
                 foreach ((Target target, string reason) in targets.Zip(verdict.Reasons).Where(pair => pair.First.Supported && pair.Second.Length > 0))

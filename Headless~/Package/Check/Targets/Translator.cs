@@ -29,12 +29,14 @@ namespace Host.Check
 
         static string Find(IReadOnlyList<string> folders, string tool, string package)
             => folders.Select(folder => Path.Combine(folder, tool)).FirstOrDefault(File.Exists)
-                ?? throw new FileNotFoundException($"{tool} is not there; it shows what other graphics APIs make of the shaders (Debian: apt-get install {package}).");
+                ?? throw new FileNotFoundException(
+                    $"{tool} is not there; it shows what other graphics APIs make of the shaders (Debian: apt-get install {package}).");
 
         /// <summary>Null when the program becomes a text that its language's compiler takes; otherwise what is wrong, in a line.</summary>
         public string Try(ShaderProgram program, Translation translation)
         {
-            string key = ShaderCache.Key(Version, Identity(cross), Identity(glslang), string.Join(" ", translation.Options), string.Join(" ", translation.ReadBack ?? new[] { "not" }), Convert.ToHexString(program.Spirv));
+            string key = ShaderCache.Key(Version, Identity(cross), Identity(glslang), string.Join(" ", translation.Options),
+                string.Join(" ", translation.ReadBack ?? new[] { "not" }), Convert.ToHexString(program.Spirv));
             string kept = Path.Combine(cache, key);
             if (!File.Exists(kept))
             {
@@ -58,8 +60,10 @@ namespace Host.Check
                 string input = Path.Combine(folder, "program.spv"), output = Path.Combine(folder, "program." + Translation.Suffix(program.Stage));
                 File.WriteAllBytes(input, program.Spirv);
                 // SPIRV-Cross does not say itself what a vertex program needs for SV_RenderTargetArrayIndex.
-                bool layers = translation.ReadBack != null && program.Stage == ShaderStage.Vertex && Encoding.ASCII.GetString(program.Spirv).Contains("SPV_EXT_shader_viewport_index_layer");
-                IEnumerable<string> options = layers ? translation.Options.Append("--extension").Append("GL_ARB_shader_viewport_layer_array") : translation.Options;
+                bool layers = translation.ReadBack != null && program.Stage == ShaderStage.Vertex
+                    && Encoding.ASCII.GetString(program.Spirv).Contains("SPV_EXT_shader_viewport_index_layer");
+                IEnumerable<string> options = layers
+                    ? translation.Options.Append("--extension").Append("GL_ARB_shader_viewport_layer_array") : translation.Options;
                 string problem = Run(cross, folder, options.Concat(new[] { "--output", output, input }));
                 if (problem == null && translation.ReadBack != null)
                     problem = Run(glslang, folder, translation.ReadBack.Append(output));
@@ -74,14 +78,17 @@ namespace Host.Check
         // The line with the reason, when it fails.
         static string Run(string tool, string folder, IEnumerable<string> arguments)
         {
-            var start = new ProcessStartInfo(tool, arguments) { WorkingDirectory = folder, RedirectStandardOutput = true, RedirectStandardError = true };
+            var start = new ProcessStartInfo(tool, arguments) { WorkingDirectory = folder, RedirectStandardOutput = true,
+                RedirectStandardError = true };
             using Process process = Process.Start(start);
             Task<string> errors = process.StandardError.ReadToEndAsync();
-            string[] lines = (process.StandardOutput.ReadToEnd() + "\n" + errors.Result).Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+            string[] lines = (process.StandardOutput.ReadToEnd() + "\n" + errors.Result)
+                .Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
             process.WaitForExit();
             if (process.ExitCode == 0)
                 return null;
-            return $"{Path.GetFileName(tool)}: {lines.FirstOrDefault(l => l.Contains("ERROR:") || l.Contains("exception:")) ?? lines.FirstOrDefault() ?? "failed with code " + process.ExitCode}";
+            return $"{Path.GetFileName(tool)}: " +
+                $"{lines.FirstOrDefault(l => l.Contains("ERROR:") || l.Contains("exception:")) ?? lines.FirstOrDefault() ?? "failed with code " + process.ExitCode}";
         }
     }
 }

@@ -9,26 +9,40 @@ using Rill;
 
 namespace Host.Baking
 {
-    /// <summary><c>bake</c>: a mesh file becomes a distance field's asset and a picture of its slices, or the mesh colliders of a scene get theirs.</summary>
+    /// <summary><c>bake</c>: a mesh file becomes a distance field's asset and a picture of its slices, or the mesh colliders of a scene get
+    /// theirs.</summary>
     static class BakeCommand
     {
         public static Command Create()
         {
             MeshSdfSettings normal = MeshSdfSettings.Default;
-            var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file; or a scene, a .unity file or its name, whose mesh colliders without a usable field are baked." };
-            var target = new Option<string>("--out") { Description = $"Folder for <name>.asset and <name>-slices.png; {ResultsFolder.Root}/<name> by default. Of a scene only for the pictures: new fields lie beside it." };
+            var mesh = new Argument<string>("mesh") {
+                Description =
+                "A .obj or .glb file; or a scene, a .unity file or its name, whose mesh colliders without a usable field are baked." };
+            var target = new Option<string>("--out") { Description = $"Folder for <name>.asset and <name>-slices.png; " +
+                $"{ResultsFolder.Root}/<name> by default. Of a scene only for the pictures: new fields lie beside it." };
             var voxel = new Option<float?>("--voxel") { Description = "Edge of a voxel, m, instead of --resolution." };
-            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.MinResolution} to {MeshSdfSettings.MaxResolution}; {normal.resolution} by default." };
-            var padding = new Option<int>("--padding") { Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MaxPadding}.", DefaultValueFactory = _ => normal.padding };
-            var sign = new Option<string>("--sign") { Description = "How inside is told from outside: " + Choices<MeshSdfSign>() + ".", DefaultValueFactory = _ => "automatic" };
+            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, " +
+                $"{MeshSdfSettings.MinResolution} to {MeshSdfSettings.MaxResolution}; {normal.resolution} by default." };
+            var padding = new Option<int>("--padding") {
+                Description = $"Voxels around the mesh on every side, 1 to {MeshSdfSettings.MaxPadding}.", DefaultValueFactory = _
+                => normal.padding };
+            var sign = new Option<string>("--sign") { Description = "How inside is told from outside: " + Choices<MeshSdfSign>() + ".",
+                DefaultValueFactory = _ => "automatic" };
             var shell = new Option<float>("--shell") { Description = "Thickness of the shell that an open surface becomes, m; 0 for two voxels." };
-            var format = new Option<string>("--format") { Description = "Bits of a voxel: " + Choices<SdfFormat>() + " (16 or 32).", DefaultValueFactory = _ => "automatic" };
-            var memory = new Option<string>("--memory") { Description = $"Most memory of the bake in bytes, or with K, M, G: 512M; {normal.memoryCap}M by default." };
-            var scale = new Option<float>("--scale") { Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimetres.", DefaultValueFactory = _ => 1f };
+            var format = new Option<string>("--format") { Description = "Bits of a voxel: " + Choices<SdfFormat>() + " (16 or 32).",
+                DefaultValueFactory = _ => "automatic" };
+            var memory = new Option<string>("--memory") {
+                Description = $"Most memory of the bake in bytes, or with K, M, G: 512M; {normal.memoryCap}M by default." };
+            var scale = new Option<float>("--scale") {
+                Description = "The mesh is scaled by it, as by Scale Factor in Unity's import settings: 0.01 for a file in centimetres.",
+                DefaultValueFactory = _ => 1f };
 
-            var again = new Option<bool>("--again") { Description = "Of a scene also those fields that are up to date, with the settings that they have." };
+            var again = new Option<bool>("--again") {
+                Description = "Of a scene also those fields that are up to date, with the settings that they have." };
 
-            var command = new Command("bake", "Bakes a mesh file, or a scene's mesh colliders, to signed distance fields.") { mesh, target, voxel, resolution, padding, sign, shell, format, memory, scale, again };
+            var command = new Command("bake", "Bakes a mesh file, or a scene's mesh colliders, to signed distance fields.") { mesh, target,
+                voxel, resolution, padding, sign, shell, format, memory, scale, again };
             command.SetAction(parsed =>
             {
                 if (parsed.GetValue(voxel) != null && parsed.GetValue(resolution) != null)
@@ -63,7 +77,8 @@ namespace Host.Baking
         }
 
         // A name without an ending is that of a scene or of its folder.
-        static bool IsScene(string what) => what.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) || Directory.Exists(what) || Path.GetExtension(what) == "";
+        static bool IsScene(string what) => what.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) || Directory.Exists(what)
+            || Path.GetExtension(what) == "";
 
         static int BakeScene(string what, MeshSdfSettings settings, bool again, string pictures)
         {
@@ -77,15 +92,18 @@ namespace Host.Baking
             return run.Failures == 0 ? 0 : 1;
         }
 
-        static float Positive(float value, string option) => value > 0f && float.IsFinite(value) ? value : throw new HostException(string.Create(CultureInfo.InvariantCulture, $"{option} must be above 0, not {value}."));
+        static float Positive(float value, string option) => value > 0f && float.IsFinite(value) ? value
+            : throw new HostException(string.Create(CultureInfo.InvariantCulture, $"{option} must be above 0, not {value}."));
 
         internal static int MebiBytes(string text)
         {
             int shift = text.Length == 0 ? 0 : char.ToUpperInvariant(text[^1]) switch { 'K' => 10, 'M' => 20, 'G' => 30, _ => 0 };
-            if (!double.TryParse(shift > 0 ? text[..^1] : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !(number >= 0))
+            if (!double.TryParse(shift > 0 ? text[..^1] : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
+                || !(number >= 0))
                 throw new HostException($"--memory {text}: give bytes, or a number with K, M or G, as in 512M.");
             double mebi = Math.Floor(number * (1L << shift) / (1 << 20));
-            return mebi is >= 1 and <= int.MaxValue ? (int)mebi : throw new HostException($"--memory {text}: the least is 1M, the most {int.MaxValue}M.");
+            return mebi is >= 1 and <= int.MaxValue ? (int)mebi
+                : throw new HostException($"--memory {text}: the least is 1M, the most {int.MaxValue}M.");
         }
 
         /// <summary>As "open-shell" for OpenShell.</summary>
@@ -97,6 +115,8 @@ namespace Host.Baking
             throw new HostException($"{option} {text}: it is one of {Choices<T>()}.");
         }
 
-        static string Choices<T>() where T : struct, Enum => string.Join(", ", Enum.GetNames<T>().Select(name => string.Concat(name.Select((c, i) => (i > 0 && char.IsUpper(c) ? "-" : "") + char.ToLowerInvariant(c)))));
+        static string Choices<T>() where T : struct, Enum
+            => string.Join(", ", Enum.GetNames<T>()
+            .Select(name => string.Concat(name.Select((c, i) => (i > 0 && char.IsUpper(c) ? "-" : "") + char.ToLowerInvariant(c)))));
     }
 }

@@ -128,8 +128,10 @@ namespace Host.Baking
 
         internal static string ScriptGuid(ProjectAssets package)
         {
-            IEnumerable<AssetEntry> scripts = package.Index.Entries.Where(entry => entry.Extension == ".cs" && entry.Name == nameof(SignedDistanceField));
-            return scripts.FirstOrDefault()?.Guid ?? throw new HostException($"{nameof(SignedDistanceField)}.cs is not in the project: run rill in Rill's package or in a project that has it, or set RILL_ROOT.");
+            IEnumerable<AssetEntry> scripts = package.Index.Entries.Where(entry => entry.Extension == ".cs"
+                && entry.Name == nameof(SignedDistanceField));
+            return scripts.FirstOrDefault()?.Guid ?? throw new HostException($"{nameof(SignedDistanceField)}.cs is not in the project: " +
+                $"run rill in Rill's package or in a project that has it, or set RILL_ROOT.");
         }
 
         void Say(FormattableString text) => output.WriteLine(text.ToString(CultureInfo.InvariantCulture));

@@ -50,7 +50,8 @@ namespace Host.Baking
         {
             if (!settings.Validate(out string problem))
                 throw new HostException($"bake {scene.AssetPath}: {problem}");
-            List<FluidCollider> colliders = Object.FindObjectsOfType<FluidCollider>(true).Where(c => c.Shape == ColliderShape.Mesh).OrderBy(c => NameOf(c.transform), StringComparer.Ordinal).ToList();
+            List<FluidCollider> colliders = Object.FindObjectsOfType<FluidCollider>(true).Where(c => c.Shape == ColliderShape.Mesh)
+                .OrderBy(c => NameOf(c.transform), StringComparer.Ordinal).ToList();
             output.WriteLine($"{scene.AssetPath}: {colliders.Count} mesh colliders");
             foreach (FluidCollider collider in colliders)
             {
@@ -76,7 +77,8 @@ namespace Host.Baking
             Mesh mesh = collider.TryGetComponent(out MeshFilter filter) ? filter.sharedMesh : null;
             if (mesh == null)
                 return isValid ? "kept: its object has no Mesh Filter with a mesh to compare it with"
-                    : throw new HostException($"{invalid ?? "it has no signed distance field"}, and its object has no Mesh Filter with a mesh that could be baked: add one, or assign a field.");
+                    : throw new HostException($"{invalid ?? "it has no signed distance field"}, and its object has no Mesh Filter with " +
+                    $"a mesh that could be baked: add one, or assign a field.");
             if (made.TryGetValue(mesh, out string guid) && (field == null || !isValid || guid == GuidOf(field)))
                 return field == null ? "shares the field above, " + Assign(collider, guid) : "shares the field above";
 
@@ -103,7 +105,8 @@ namespace Host.Baking
             assets.TryIdentify(mesh, out _, out string source, out long sourceId);
             string path = field != null ? OwnPathOf(field) : PathFor(mesh, (source, sourceId));
             if (meshOf.TryGetValue(path, out Mesh other) && other != mesh)
-                throw new HostException($"its field '{field.name}' was baked from '{other.name}' for another collider, but its own mesh is '{mesh.name}': assign a field of its own.");
+                throw new HostException($"its field '{field.name}' was baked from '{other.name}' for another collider, but its own " +
+                    $"mesh is '{mesh.name}': assign a field of its own.");
 
             SdfBake bake = null;
             Output.Progress.Run(output, "baking " + mesh.name, 1, tell => bake = MeshSdfBaker.Bake(triangles, with, (fraction, stage) =>
@@ -137,8 +140,10 @@ namespace Host.Baking
         string OwnPathOf(SignedDistanceField field)
         {
             string file = assets.TryIdentify(field, out string path, out _, out _) ? assets.ResolvePath(path) : null;
-            bool isOwn = file != null && Path.GetFullPath(file).StartsWith(Path.GetFullPath(scene.Root) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
-            return isOwn ? file : throw new HostException($"its field '{field.name}' is stale, but {(path == "" ? "no file of its own" : path)} is not the project's to write: copy it into the project and assign the copy.");
+            bool isOwn = file != null && Path.GetFullPath(file).StartsWith(Path.GetFullPath(scene.Root) + Path.DirectorySeparatorChar,
+                StringComparison.Ordinal);
+            return isOwn ? file : throw new HostException($"its field '{field.name}' is stale, but " +
+                $"{(path == "" ? "no file of its own" : path)} is not the project's to write: copy it into the project and assign the copy.");
         }
 
         /// <summary>Beside the scene, under the mesh's name: free, or with a field of this mesh that no one referred to.</summary>
@@ -146,7 +151,8 @@ namespace Host.Baking
         {
             for (int i = 1; ; i++)
             {
-                string name = $"{FieldAssets.FileName(mesh.name)} Distances{(i > 1 ? " " + i : "")}{FieldAssets.Extension}", file = Path.Combine(Path.GetDirectoryName(scene.File), name);
+                string name = $"{FieldAssets.FileName(mesh.name)} Distances{(i > 1 ? " " + i : "")}{FieldAssets.Extension}",
+                    file = Path.Combine(Path.GetDirectoryName(scene.File), name);
                 if (!File.Exists(file))
                     return file;
                 var there = assets.LoadAtPath<SignedDistanceField>(scene.AssetPath.Substring(0, scene.AssetPath.LastIndexOf('/') + 1) + name);

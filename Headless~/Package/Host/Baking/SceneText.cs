@@ -37,9 +37,12 @@ namespace Host.Baking
             if (!TryFind(text, MonoBehaviour, id, out int start, out int end))
                 return null;
             string newLine = NewLineOf(text);
-            string lines = $"  {field}:{newLine}    {list}:{(values.Count == 0 ? " []" : "")}{newLine}" + string.Concat(values.Select(value => $"    - {value}{newLine}"));
-            Match old = Regex.Match(text.Substring(start, end - start), $@"^  {Regex.Escape(field)}:[^\n]*\n(?:   [^\n]*\n?)*", RegexOptions.Multiline);
-            return old.Success ? Replace(text, start + old.Index, old.Length, lines) : text.Insert(end, (text[end - 1] == '\n' ? "" : newLine) + lines);
+            string lines = $"  {field}:{newLine}    {list}:{(values.Count == 0 ? " []" : "")}{newLine}"
+                + string.Concat(values.Select(value => $"    - {value}{newLine}"));
+            Match old = Regex.Match(text.Substring(start, end - start), $@"^  {Regex.Escape(field)}:[^\n]*\n(?:   [^\n]*\n?)*",
+                RegexOptions.Multiline);
+            return old.Success ? Replace(text, start + old.Index, old.Length, lines)
+                : text.Insert(end, (text[end - 1] == '\n' ? "" : newLine) + lines);
         }
 
         /// <summary>The same for a component that a prefab instance brings.</summary>
@@ -53,18 +56,21 @@ namespace Host.Baking
             string document = text.Substring(start, end - start), newLine = NewLineOf(text);
             Match prefab = Regex.Match(document, @"m_(?:SourcePrefab|ParentPrefab):\s*\{[^}]*guid:\s*([0-9a-f]{32}),\s*type:\s*(\d)");
             // The list's entries and the lines that go on with them are indented deeper than its name, or have its dash.
-            Match list = Regex.Match(document, @"^    m_Modifications:[^\S\n]*(\[\])?[^\S\n]*\n((?:    - [^\n]*\n|     [^\n]*\n)*)", RegexOptions.Multiline);
+            Match list = Regex.Match(document, @"^    m_Modifications:[^\S\n]*(\[\])?[^\S\n]*\n((?:    - [^\n]*\n|     [^\n]*\n)*)",
+                RegexOptions.Multiline);
             if (!prefab.Success || !list.Success)
                 return null;
 
             string reference = $"      objectReference: {value}{newLine}";
             foreach (Match entry in Regex.Matches(list.Groups[2].Value, @"    - [^\n]*\n(?:     [^\n]*\n)*"))
-                if (Regex.IsMatch(entry.Value, $@"target:\s*\{{fileID:\s*{target}\s*,") && Regex.IsMatch(entry.Value, $@"^      propertyPath: {Regex.Escape(field)}\r?$", RegexOptions.Multiline))
+                if (Regex.IsMatch(entry.Value, $@"target:\s*\{{fileID:\s*{target}\s*,")
+                    && Regex.IsMatch(entry.Value, $@"^      propertyPath: {Regex.Escape(field)}\r?$", RegexOptions.Multiline))
                 {
                     string changed = Regex.Replace(entry.Value, @"^      objectReference: \{[^}]*\}[^\n]*\n", _ => reference, RegexOptions.Multiline);
                     return Replace(text, start + list.Groups[2].Index + entry.Index, entry.Length, changed);
                 }
-            string added = $"    - target: {{fileID: {target}, guid: {prefab.Groups[1].Value}, type: {prefab.Groups[2].Value}}}{newLine}      propertyPath: {field}{newLine}      value: {newLine}{reference}";
+            string added = $"    - target: {{fileID: {target}, guid: {prefab.Groups[1].Value}, type: " +
+                $"{prefab.Groups[2].Value}}}{newLine}      propertyPath: {field}{newLine}      value: {newLine}{reference}";
             return Replace(text, start + list.Index, list.Length, $"    m_Modifications:{newLine}{list.Groups[2].Value}{added}");
         }
 

@@ -10,7 +10,8 @@ using UnityEngine;
 
 namespace Host.Baking
 {
-    /// <summary>Slices of a distance field through its middle, one for each axis, side by side: blue inside, orange outside, black where it is zero.</summary>
+    /// <summary>Slices of a distance field through its middle, one for each axis, side by side: blue inside, orange outside, black where it
+    /// is zero.</summary>
     static class SlicePicture
     {
         static readonly SdfSlice[] Views = { SdfSlice.Across(0), SdfSlice.Across(1), SdfSlice.Across(2) };
@@ -28,7 +29,8 @@ namespace Host.Baking
             Line($"set terminal pngcairo size 1500,640 font 'DejaVu Sans,10'");
             Line($"set output {Quote(file)}");
             for (int i = 0; i < Views.Length; i++)
-                Data(script, i, Views[i].Values(volume, Middle(volume, Views[i])), Lowest(volume, Views[i].Right), Lowest(volume, Views[i].Up), volume.VoxelSize);
+                Data(script, i, Views[i].Values(volume, Middle(volume, Views[i])), Lowest(volume, Views[i].Right),
+                    Lowest(volume, Views[i].Up), volume.VoxelSize);
             Line($"set palette defined ({string.Join(", ", DistanceColors.Stops.Select(stop => string.Create(CultureInfo.InvariantCulture, $"{stop.Fraction} '#{stop.Color.r:x2}{stop.Color.g:x2}{stop.Color.b:x2}'")))})");
             Line($"set cbrange [{-most:R}:{most:R}]");
             Line($"set colorbox horizontal user origin screen 0.3,0.1 size screen 0.4,0.03");

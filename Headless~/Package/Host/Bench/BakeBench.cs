@@ -18,7 +18,8 @@ namespace Host.Bench
         /// <summary>Milliseconds of one bake; the whole is from the mesh to the numbers in memory, the asset comes on top.</summary>
         public readonly record struct Times(double Prepare, double Record, double Gpu, double Result, double Whole, double Asset);
 
-        /// <summary>A closed surface with bumps of all sizes, as near to so many triangles as its rings allow: what a scan is like, at any size.</summary>
+        /// <summary>A closed surface with bumps of all sizes, as near to so many triangles as its rings allow: what a scan is like, at any
+        /// size.</summary>
         public static TriangleMesh Lump(int triangles)
         {
             int rings = Math.Max(4, (int)Math.Round(Math.Sqrt(triangles / 4.0))), across = 2 * rings;
@@ -92,9 +93,11 @@ namespace Host.Bench
             MeshSdfSettings asked = settings;
             BakedTriangles triangles = Timed("areas", () => new BakedTriangles(mesh));
             MeshEdges edges = Timed("edges", () => new MeshEdges(triangles));
-            bool isShell = asked.sign == MeshSdfSign.OpenShell || asked.sign == MeshSdfSign.Automatic && MeshReport.SignOf(edges) == MeshSdfSign.OpenShell;
+            bool isShell = asked.sign == MeshSdfSign.OpenShell || asked.sign == MeshSdfSign.Automatic
+                && MeshReport.SignOf(edges) == MeshSdfSign.OpenShell;
             var grid = new SdfGrid(triangles.Bounds, asked, isShell);
-            BakeGeometry geometry = Timed("order", () => new BakeGeometry(mesh, TriangleOrder.Of(triangles), edges.Turned, grid, edges.SignedVolume < 0));
+            BakeGeometry geometry = Timed("order",
+                () => new BakeGeometry(mesh, TriangleOrder.Of(triangles), edges.Turned, grid, edges.SignedVolume < 0));
             Timed("hash", mesh.Hash);
             using (Timed("buffers", () => new MeshSdfPasses(geometry, grid))) { }
 
@@ -127,7 +130,8 @@ namespace Host.Bench
             for (int i = 0; i < repeats; i++)
                 times.Add(Run(mesh, settings, out _));
             string Of(Func<Times, double> part) => Median(times.Select(part)).ToString("0.0", CultureInfo.InvariantCulture);
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mesh.TriangleCount,10:N0}  {bake.Resolution.x + " x " + bake.Resolution.y + " x " + bake.Resolution.z,-16}{Of(t => t.Prepare),10}{Of(t => t.Record),10}{Of(t => t.Result),10}{Of(t => t.Gpu),10}{Of(t => t.Whole),10}{Of(t => t.Asset),10}   {mesh.Name}"));
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{mesh.TriangleCount,10:N0}  " +
+                $"{bake.Resolution.x + " x " + bake.Resolution.y + " x " + bake.Resolution.z,-16}{Of(t => t.Prepare),10}{Of(t => t.Record),10}{Of(t => t.Result),10}{Of(t => t.Gpu),10}{Of(t => t.Whole),10}{Of(t => t.Asset),10}   {mesh.Name}"));
         }
 
         static double Median(IEnumerable<double> values)
@@ -136,6 +140,8 @@ namespace Host.Bench
             return sorted[sorted.Count / 2];
         }
 
-        public static void PrintHead(TextWriter output) => output.WriteLine($"{"triangles",10}  {"voxels",-16}{"prepare",10}{"record",10}{"result",10}{"GPU",10}{"whole",10}{"asset",10}   medians, ms");
+        public static void PrintHead(TextWriter output)
+            => output.WriteLine(
+            $"{"triangles",10}  {"voxels",-16}{"prepare",10}{"record",10}{"result",10}{"GPU",10}{"whole",10}{"asset",10}   medians, ms");
     }
 }

@@ -15,14 +15,21 @@ namespace Host.Bench
 
         public static Command Create()
         {
-            var mesh = new Argument<string>("mesh") { Description = "A .obj or .glb file; without one, bumpy spheres of 10,000, 100,000 and 1,000,000 triangles.", Arity = ArgumentArity.ZeroOrOne };
+            var mesh = new Argument<string>("mesh") {
+                Description = "A .obj or .glb file; without one, bumpy spheres of 10,000, 100,000 and 1,000,000 triangles.",
+                Arity = ArgumentArity.ZeroOrOne };
             var triangles = new Option<int?>("--triangles") { Description = "One bumpy sphere of about so many." };
-            var resolution = new Option<int?>("--resolution") { Description = $"Voxels along the longest axis, {MeshSdfSettings.MinResolution} to {MeshSdfSettings.MaxResolution}." };
-            var sign = new Option<string>("--sign") { Description = "How inside is told from outside: automatic, winding-number or open-shell.", DefaultValueFactory = _ => "automatic" };
+            var resolution = new Option<int?>("--resolution") {
+                Description = $"Voxels along the longest axis, {MeshSdfSettings.MinResolution} to {MeshSdfSettings.MaxResolution}." };
+            var sign = new Option<string>("--sign") {
+                Description = "How inside is told from outside: automatic, winding-number or open-shell.", DefaultValueFactory = _
+                => "automatic" };
             var repeats = new Option<int>("--repeats") { Description = "Bakes of each mesh, after one that warms up.", DefaultValueFactory = _ => 5 };
-            var stages = new Option<bool>("--stages") { Description = "Also the parts of a bake: what the CPU prepares, and each kind of dispatch on the GPU." };
+            var stages = new Option<bool>("--stages") {
+                Description = "Also the parts of a bake: what the CPU prepares, and each kind of dispatch on the GPU." };
 
-            var command = new Command("bake", "Measures milliseconds of bakes, on the CPU and on the GPU.") { mesh, triangles, resolution, sign, repeats, stages };
+            var command = new Command("bake", "Measures milliseconds of bakes, on the CPU and on the GPU.") { mesh, triangles, resolution,
+                sign, repeats, stages };
             command.SetAction(parsed =>
             {
                 string file = parsed.GetValue(mesh);
@@ -40,7 +47,8 @@ namespace Host.Bench
 
                 var meshes = new List<(Func<TriangleMesh> Mesh, int Resolution)>();
                 if (file != null)
-                    meshes.Add((() => { MeshFile read = MeshFile.Read(file); return new TriangleMesh(read.Name, read.Vertices, read.Triangles); }, asked ?? 128));
+                    meshes.Add((() => { MeshFile read = MeshFile.Read(file);
+                        return new TriangleMesh(read.Name, read.Vertices, read.Triangles); }, asked ?? 128));
                 else if (size is int one)
                     meshes.Add((() => BakeBench.Lump(one), asked ?? 128));
                 else
@@ -49,7 +57,8 @@ namespace Host.Bench
 
                 using var session = new Session(Session.Root());
                 Console.Out.WriteLine(session.DescribeDevice());
-                Console.Out.WriteLine("prepare: before the first dispatch; record: between them; result: after the last; asset: into a texture, beside the whole");
+                Console.Out.WriteLine("prepare: before the first dispatch; record: between them; result: after the last; asset: into a " +
+                    "texture, beside the whole");
                 if (session.Info.IsSoftware)
                     Console.Out.WriteLine("This device is a CPU: its figures say nothing about a GPU, and the whole holds them.");
                 BakeBench.PrintHead(Console.Out);

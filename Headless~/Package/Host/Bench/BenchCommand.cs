@@ -22,23 +22,36 @@ namespace Host.Bench
     {
         public static Command Create()
         {
-            var particles = new Option<int>("--particles") { Description = "Particles; the block's lattice comes as near as it can.", DefaultValueFactory = _ => 100_000 };
-            var iterations = new Option<int>("--iterations") { Description = "Iterations of a substep.", DefaultValueFactory = _ => SolverSettings.Default.iterations };
-            var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
-            var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.", DefaultValueFactory = _ => SolverSettings.Default.relaxation };
-            var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
-            var smoothing = new Option<float>("--smoothing") { Description = "Velocity smoothing, XSPH.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
-            var viscosity = new Option<float>("--dynamic-viscosity") { Description = "Pa s; 0 for none.", DefaultValueFactory = _ => FluidMaterial.Water.dynamicViscosity };
-            var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.", DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
-            var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
+            var particles = new Option<int>("--particles") { Description = "Particles; the block's lattice comes as near as it can.",
+                DefaultValueFactory = _ => 100_000 };
+            var iterations = new Option<int>("--iterations") { Description = "Iterations of a substep.",
+                DefaultValueFactory = _ => SolverSettings.Default.iterations };
+            var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.",
+                DefaultValueFactory = _ => SolverSettings.Default.substeps };
+            var relaxation = new Option<float>("--relaxation") { Description = "Relaxation.",
+                DefaultValueFactory = _ => SolverSettings.Default.relaxation };
+            var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.",
+                DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
+            var smoothing = new Option<float>("--smoothing") { Description = "Velocity smoothing, XSPH.",
+                DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
+            var viscosity = new Option<float>("--dynamic-viscosity") { Description = "Pa s; 0 for none.",
+                DefaultValueFactory = _ => FluidMaterial.Water.dynamicViscosity };
+            var shearModulus = new Option<float>("--shear-modulus") { Description = "Of an elastic fluid, Pa; 0 for none.",
+                DefaultValueFactory = _ => FluidMaterial.Water.shearModulus };
+            var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
+                DefaultValueFactory = _ => SolverSettings.Default.deepWater };
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.MinSteps}.",
+                DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
             Option<string> shaders = ShadersOption.Create();
 
-            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations, substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders, BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), QueriesBench.Create(), RecordingBench.Create(), SurfaceBench.Create() };
+            var command = new Command("bench", "Measures GPU milliseconds of the solver's step by stage.") { particles, iterations,
+                substeps, relaxation, neighbors, smoothing, viscosity, shearModulus, deepWater, window, steps, kernels, json, shaders,
+                BakeBenchCommand.Create(), CollidersBench.Create(), FoamBench.Create(), QueriesBench.Create(), RecordingBench.Create(),
+                SurfaceBench.Create() };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -60,7 +73,8 @@ namespace Host.Bench
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
                 var windows = StepTimes.Windows.Where(w => parsed.GetValue(window) == "all" || parsed.GetValue(window) == w.Name).ToList();
                 if (windows.Count == 0)
-                    throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(", ", StepTimes.Windows.Select(w => w.Name))} or all.");
+                    throw new HostException(
+                        $"--window {parsed.GetValue(window)}: give {string.Join(", ", StepTimes.Windows.Select(w => w.Name))} or all.");
 
                 var scene = ExperimentScene.Dam(parsed.GetValue(particles));
                 var input = ExperimentFigures.Input(settings, material);
@@ -72,7 +86,12 @@ namespace Host.Bench
         static int Execute(ExperimentScene scene, StepInput input, List<(string, int, int)> windows, int steps, string json, TextWriter output)
         {
             using var session = new Session(Session.Root());
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), {input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} list entries");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles ({scene.Blocks[0].counts.x} " +
+                $"x {scene.Blocks[0].counts.y} x {scene.Blocks[0].counts.z}, d = {scene.Spacing:0.#####} m, h = 2 d), " +
+                $"{input.settings.substeps} substeps x {input.settings.iterations} iterations, relaxation {input.settings.relaxation}, " +
+                $"velocity smoothing {input.material.velocitySmoothing}, viscosity {input.material.dynamicViscosity} Pa s, shear " +
+                $"modulus {input.material.shearModulus} Pa, deep water {input.settings.deepWater}, {input.settings.neighborCapacity} " +
+                $"list entries");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
@@ -80,7 +99,8 @@ namespace Host.Bench
 
             var results = new Dictionary<string, Dictionary<string, StepTimes.Spread>>();
             long bytes;
-            using (var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin)))
+            using (var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles,
+                input.settings.neighborCapacity, input.settings.listMargin)))
             {
                 foreach ((string name, int first, int last) in windows)
                     results[name] = StepTimes.Measure(solver, scene.Fill, input, first, last, steps);
@@ -88,7 +108,8 @@ namespace Host.Bench
             }
 
             Print(results, output);
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"memory: {bytes / 1048576.0:N1} MiB, {bytes / (double)scene.Particles:0} bytes a particle"));
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                $"memory: {bytes / 1048576.0:N1} MiB, {bytes / (double)scene.Particles:0} bytes a particle"));
             if (json != null)
                 File.WriteAllText(json, Json(session, scene, input, results, bytes));
             return 0;
@@ -102,12 +123,14 @@ namespace Host.Bench
                 output.WriteLine();
                 output.WriteLine($"{window,-32}{"median ms",12}{"10 %",10}{"90 %",10}{"fraction",10}   of {stages["step"].Count} steps");
                 foreach ((string stage, StepTimes.Spread spread) in stages.OrderBy(pair => pair.Key == "step"))
-                    output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-32}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}{spread.Median / whole,10:0.0 %}"));
+                    output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                        $"{stage,-32}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}{spread.Median / whole,10:0.0 %}"));
             }
             output.WriteLine();
         }
 
-        static string Json(Session session, ExperimentScene scene, in StepInput input, Dictionary<string, Dictionary<string, StepTimes.Spread>> results, long bytes)
+        static string Json(Session session, ExperimentScene scene, in StepInput input, Dictionary<string, Dictionary<string,
+            StepTimes.Spread>> results, long bytes)
         {
             return JsonSerializer.Serialize(new
             {
@@ -125,7 +148,10 @@ namespace Host.Bench
                 deep_water = input.settings.deepWater.ToString(),
                 neighbor_capacity = input.settings.neighborCapacity,
                 bytes,
-                milliseconds = results.ToDictionary(window => window.Key, window => window.Value.ToDictionary(stage => stage.Key, stage => new { median = stage.Value.Median, p10 = stage.Value.Low, p90 = stage.Value.High, steps = stage.Value.Count })),
+                milliseconds = results.ToDictionary(window => window.Key,
+                    window => window.Value.ToDictionary(stage => stage.Key,
+                    stage => new { median = stage.Value.Median, p10 = stage.Value.Low, p90 = stage.Value.High,
+                    steps = stage.Value.Count })),
             }, new JsonSerializerOptions { WriteIndented = true });
         }
     }

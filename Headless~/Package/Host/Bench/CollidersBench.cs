@@ -16,7 +16,8 @@ using Object = UnityEngine.Object;
 
 namespace Host.Bench
 {
-    /// <summary><c>bench colliders</c>: what colliders add to the GPU time of the solver's step, by stage and number of them, without and with their forces.</summary>
+    /// <summary><c>bench colliders</c>: what colliders add to the GPU time of the solver's step, by stage and number of them, without and
+    /// with their forces.</summary>
     static class CollidersBench
     {
         const float WaterFraction = 0.03f;       // of the block's volume that the most colliders take
@@ -28,18 +29,29 @@ namespace Host.Bench
 
         public static Command Create()
         {
-            var particles = new Option<int>("--particles") { Description = "Particles; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
-            var counts = new Option<int[]>("--counts") { Description = $"Numbers of colliders, 0 to {ColliderSet.Most}.", DefaultValueFactory = _ => new[] { 0, 1, 16, ColliderSet.Most }, AllowMultipleArgumentsPerToken = true };
-            var shape = new Option<string>("--shape") { Description = "sphere, box, capsule, mesh (the field of a ball), or mixed: these in turn.", DefaultValueFactory = _ => "mixed" };
-            var iterations = new Option<int>("--iterations") { Description = "Iterations of a substep.", DefaultValueFactory = _ => SolverSettings.Default.iterations };
-            var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.", DefaultValueFactory = _ => SolverSettings.Default.substeps };
-            var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.", DefaultValueFactory = _ => SolverSettings.Default.deepWater };
-            var window = new Option<string>("--window") { Description = $"{string.Join(" or ", Windows.Select(w => w.Name))}.", DefaultValueFactory = _ => Windows[0].Name };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
+            var particles = new Option<int>("--particles") {
+                Description = "Particles; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.",
+                DefaultValueFactory = _ => 100_000 };
+            var counts = new Option<int[]>("--counts") { Description = $"Numbers of colliders, 0 to {ColliderSet.Most}.",
+                DefaultValueFactory = _ => new[] { 0, 1, 16, ColliderSet.Most }, AllowMultipleArgumentsPerToken = true };
+            var shape = new Option<string>("--shape") {
+                Description = "sphere, box, capsule, mesh (the field of a ball), or mixed: these in turn.", DefaultValueFactory = _
+                => "mixed" };
+            var iterations = new Option<int>("--iterations") { Description = "Iterations of a substep.",
+                DefaultValueFactory = _ => SolverSettings.Default.iterations };
+            var substeps = new Option<int>("--substeps") { Description = "Substeps of a step.",
+                DefaultValueFactory = _ => SolverSettings.Default.substeps };
+            var deepWater = new Option<DeepWater>("--deep-water") { Description = "automatic, on or off.",
+                DefaultValueFactory = _ => SolverSettings.Default.deepWater };
+            var window = new Option<string>("--window") { Description = $"{string.Join(" or ", Windows.Select(w => w.Name))}.",
+                DefaultValueFactory = _ => Windows[0].Name };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.",
+                DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("colliders", "Measures GPU milliseconds of the step among colliders, by stage.") { particles, counts, shape, iterations, substeps, deepWater, window, steps, kernels, csv, shaders };
+            var command = new Command("colliders", "Measures GPU milliseconds of the step among colliders, by stage.") { particles, counts,
+                shape, iterations, substeps, deepWater, window, steps, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -61,19 +73,24 @@ namespace Host.Bench
                 (string Name, int First, int Last) played = Windows.FirstOrDefault(w => w.Name == parsed.GetValue(window));
                 if (played.Name == null)
                     throw new HostException($"--window {parsed.GetValue(window)}: give {string.Join(" or ", Windows.Select(w => w.Name))}.");
-                Execute(parsed.GetValue(particles), parsed.GetValue(counts), shapes, settings, played, parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
+                Execute(parsed.GetValue(particles), parsed.GetValue(counts), shapes, settings, played, parsed.GetValue(steps),
+                    parsed.GetValue(csv), Console.Out);
                 return 0;
             });
             return command;
         }
 
-        static void Execute(int particles, int[] counts, ColliderShape[] shapes, SolverSettings settings, (string Name, int First, int Last) window, int steps, string csv, TextWriter output)
+        static void Execute(int particles, int[] counts, ColliderShape[] shapes, SolverSettings settings,
+            (string Name, int First, int Last) window, int steps, string csv, TextWriter output)
         {
             using var session = new Session(Session.Root());
             ExperimentScene scene = ExperimentScene.Dam(particles);
             int3 lattice = scene.Blocks[0].counts;
             float radius = math.max(math.pow(WaterFraction * scene.Particles / (ColliderSet.Most * 4f / 3f * math.PI), 1f / 3f), MinRadius);
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles (a dam of {lattice.x} x {lattice.y} x {lattice.z} and as many layers more as colliders take room; d = {scene.Spacing:0.#####} m), {settings.substeps} substeps x {settings.iterations} iterations, deep water {settings.deepWater}, steps {window.First} to {window.Last}; colliders at rest in the water, {string.Join(", ", shapes)} of radius {radius:0.0} d");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles (a dam of {lattice.x} x " +
+                $"{lattice.y} x {lattice.z} and as many layers more as colliders take room; d = {scene.Spacing:0.#####} m), " +
+                $"{settings.substeps} substeps x {settings.iterations} iterations, deep water {settings.deepWater}, steps " +
+                $"{window.First} to {window.Last}; colliders at rest in the water, {string.Join(", ", shapes)} of radius {radius:0.0} d");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
@@ -91,14 +108,16 @@ namespace Host.Bench
             Print(runs, output);
             if (csv == null)
                 return;
-            var table = new ReportTable("particles", "colliders", "forces", "stage", "median_ms", "p10_ms", "p90_ms", "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
+            var table = new ReportTable("particles", "colliders", "forces", "stage", "median_ms", "p10_ms", "p90_ms",
+                "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
             foreach ((int count, bool forces, Dictionary<string, StepTimes.Spread> times) in runs)
                 foreach ((string stage, StepTimes.Spread spread) in times)
                     table.Add(scene.Particles, count, forces, stage, spread.Median, spread.Low, spread.High, spread.Count);
             table.Save(Path.GetFullPath(csv));
         }
 
-        static Dictionary<string, StepTimes.Spread> Measure(ExperimentScene scene, ColliderMotion[] colliders, float radius, SolverSettings settings, (string, int First, int Last) window, int steps)
+        static Dictionary<string, StepTimes.Spread> Measure(ExperimentScene scene, ColliderMotion[] colliders, float radius,
+            SolverSettings settings, (string, int First, int Last) window, int steps)
         {
             StepInput input = ExperimentFigures.Input(settings);
             if (colliders.Length > 0)
@@ -111,7 +130,9 @@ namespace Host.Bench
             using var velocities = new NativeArray<float4>(positions.Length, Allocator.Persistent);
             using var solver = new PbfSolver(scene.LayoutFor(settings));
             NativeArray<float4> places = positions, speeds = velocities;
-            Dictionary<string, StepTimes.Spread> Play(Action before) => StepTimes.Measure(solver, s => s.Add(places, speeds), input, window.First, window.Last, steps, cmd => solver.Reactions?.RecordTake(cmd), before);
+            Dictionary<string, StepTimes.Spread> Play(Action before)
+                => StepTimes.Measure(solver, s => s.Add(places, speeds), input, window.First, window.Last, steps,
+                cmd => solver.Reactions?.RecordTake(cmd), before);
             Dictionary<string, StepTimes.Spread> times = Play(null);
             if (colliders.Length == 0)
                 return times;
@@ -137,7 +158,9 @@ namespace Host.Bench
                 {
                     shape = shape,
                     // Of about the same volume.
-                    size = shape == ColliderShape.Box ? 0.8f * radius : shape == ColliderShape.Capsule ? new float3(0.8f * radius, 0.64f * radius, 0f) : shape == ColliderShape.Mesh ? 0.5f * Voxel * FieldSide(radius) : radius,
+                    size = shape == ColliderShape.Box ? 0.8f * radius : shape == ColliderShape.Capsule
+                        ? new float3(0.8f * radius, 0.64f * radius, 0f) : shape == ColliderShape.Mesh ? 0.5f * Voxel * FieldSide(radius)
+                        : radius,
                     start = pose,
                     end = pose,
                     contributesDensity = true,
@@ -208,15 +231,19 @@ namespace Host.Bench
 
         static void Print(List<(int Count, bool Forces, Dictionary<string, StepTimes.Spread> Times)> runs, TextWriter output)
         {
-            string[] stages = runs.SelectMany(run => run.Times.Keys).Distinct().OrderBy(stage => Array.IndexOf(new[] { StepTimes.Step, With, Without }, stage)).ToArray();
+            string[] stages = runs.SelectMany(run => run.Times.Keys).Distinct()
+                .OrderBy(stage => Array.IndexOf(new[] { StepTimes.Step, With, Without }, stage)).ToArray();
             int width = stages.Max(stage => stage.Length) + 2;
-            string Row(string name, Func<Dictionary<string, StepTimes.Spread>, string> cell) => name.PadRight(width) + string.Concat(runs.Select(run => $"{cell(run.Times),14}"));
+            string Row(string name, Func<Dictionary<string, StepTimes.Spread>, string> cell)
+                => name.PadRight(width) + string.Concat(runs.Select(run => $"{cell(run.Times),14}"));
             output.WriteLine();
             output.WriteLine("colliders".PadRight(width) + string.Concat(runs.Select(run => $"{run.Count + (run.Forces ? " + forces" : ""),14}")));
             foreach (string stage in stages)
-                output.WriteLine(Row(stage, times => times.TryGetValue(stage, out StepTimes.Spread spread) ? spread.Median.ToString("0.0000", CultureInfo.InvariantCulture) : "–"));
+                output.WriteLine(Row(stage, times => times.TryGetValue(stage, out StepTimes.Spread spread)
+                    ? spread.Median.ToString("0.0000", CultureInfo.InvariantCulture) : "–"));
             string Over(double step, double other) => (step / other - 1).ToString("+0.0 %;-0.0 %", CultureInfo.InvariantCulture);
-            output.WriteLine(Row("over the same water", times => times.TryGetValue(Without, out StepTimes.Spread same) ? Over(times[With].Median, same.Median) : "–"));
+            output.WriteLine(Row("over the same water", times => times.TryGetValue(Without, out StepTimes.Spread same)
+                ? Over(times[With].Median, same.Median) : "–"));
             if (runs[0].Count == 0)
                 output.WriteLine(Row("step over none", times => Over(times[StepTimes.Step].Median, runs[0].Times[StepTimes.Step].Median)));
             output.WriteLine($"ms, medians of {runs[0].Times[StepTimes.Step].Count} steps");

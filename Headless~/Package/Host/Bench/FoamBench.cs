@@ -21,13 +21,19 @@ namespace Host.Bench
 
         public static Command Create()
         {
-            var particles = new Option<int>("--particles") { Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
-            var budgets = new Option<int[]>("--budgets") { Description = $"Foam particles, 1 to {FoamSettings.MaxBudget:N0}: as many as can be and are.", DefaultValueFactory = _ => new[] { 100_000, 500_000 }, AllowMultipleArgumentsPerToken = true };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
+            var particles = new Option<int>("--particles") {
+                Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.",
+                DefaultValueFactory = _ => 100_000 };
+            var budgets = new Option<int[]>("--budgets") {
+                Description = $"Foam particles, 1 to {FoamSettings.MaxBudget:N0}: as many as can be and are.", DefaultValueFactory = _
+                => new[] { 100_000, 500_000 }, AllowMultipleArgumentsPerToken = true };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.",
+                DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("foam", "Measures GPU milliseconds of foam within the step.") { particles, budgets, steps, kernels, csv, shaders };
+            var command = new Command("foam", "Measures GPU milliseconds of foam within the step.") { particles, budgets, steps, kernels,
+                csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -47,14 +53,16 @@ namespace Host.Bench
         {
             using var session = new Session(Session.Root());
             ExperimentScene scene = ExperimentScene.Dam(particles);
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles of a dam, d = {scene.Spacing:0.#####} m, steps {First} to {Last}");
+            string setting = string.Create(CultureInfo.InvariantCulture,
+                $"{scene.Particles:N0} particles of a dam, d = {scene.Spacing:0.#####} m, steps {First} to {Last}");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
                 output.WriteLine("This device is a CPU: the figures say nothing about a GPU.");
             output.WriteLine();
             output.WriteLine($"{"foam particles",-16}{"foam ms",12}{"10 %",10}{"90 %",10}{"step ms",12}{"MiB",9}");
-            var table = new ReportTable("particles", "foam_particles", "stage", "median_ms", "p10_ms", "p90_ms", "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
+            var table = new ReportTable("particles", "foam_particles", "stage", "median_ms", "p10_ms", "p90_ms",
+                "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
             foreach (int budget in budgets)
                 Measure(scene, budget, steps, table, output);
             if (csv != null)
@@ -71,16 +79,19 @@ namespace Host.Bench
             // More than a hundred times what a scene has, so that all of the budget is there.
             input.foam.referenceSpeed = (float)Math.Sqrt(9.81 * scene.Blocks[0].counts.y * scene.Spacing);
             input.foam.referenceDepth = 0.2f * scene.Blocks[0].counts.y * scene.Spacing;
-            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin));
+            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity,
+                input.settings.listMargin));
             Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, First, Last, steps);
             var counters = new uint[Foam.CounterCount];
             solver.Foam.Counters.GetData(counters);
             uint alive = counters[(int)FoamCounter.Alive];
             StepTimes.Spread foam = times[Stage];
             double bytes = solver.Describe(input, 0).Single(stage => stage.Name == "Foam").Bytes;
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{alive,-16:N0}{foam.Median,12:0.0000}{foam.Low,10:0.0000}{foam.High,10:0.0000}{times[StepTimes.Step].Median,12:0.0000}{bytes / 1048576.0,9:0.0}"));
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                $"{alive,-16:N0}{foam.Median,12:0.0000}{foam.Low,10:0.0000}{foam.High,10:0.0000}{times[StepTimes.Step].Median,12:0.0000}{bytes / 1048576.0,9:0.0}"));
             foreach ((string kernel, StepTimes.Spread spread) in times.Where(time => time.Key.StartsWith("Foam", StringComparison.Ordinal)))
-                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {kernel,-40}{spread.Median,10:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                    $"  {kernel,-40}{spread.Median,10:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
             foreach ((string stage, StepTimes.Spread spread) in times)
                 table.Add(scene.Particles, alive, stage, spread.Median, spread.Low, spread.High, spread.Count);
         }

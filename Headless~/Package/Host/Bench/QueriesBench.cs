@@ -22,14 +22,21 @@ namespace Host.Bench
 
         public static Command Create()
         {
-            var particles = new Option<int>("--particles") { Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
-            var probes = new Option<int>("--probes") { Description = $"Probes, 0 to {Queries.MaxProbes}.", DefaultValueFactory = _ => Queries.MaxProbes };
-            var detectors = new Option<int>("--detectors") { Description = $"Detectors, 0 to {Queries.MaxDetectors}: boxes of a third of the water's block along each side.", DefaultValueFactory = _ => Queries.MaxDetectors };
-            var steps = new Option<int>("--steps") { Description = $"Steps measured, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
+            var particles = new Option<int>("--particles") {
+                Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.",
+                DefaultValueFactory = _ => 100_000 };
+            var probes = new Option<int>("--probes") { Description = $"Probes, 0 to {Queries.MaxProbes}.",
+                DefaultValueFactory = _ => Queries.MaxProbes };
+            var detectors = new Option<int>("--detectors") {
+                Description = $"Detectors, 0 to {Queries.MaxDetectors}: boxes of a third of the water's block along each side.",
+                DefaultValueFactory = _ => Queries.MaxDetectors };
+            var steps = new Option<int>("--steps") { Description = $"Steps measured, at least {StepTimes.MinSteps}.",
+                DefaultValueFactory = _ => StepTimes.MinSteps };
             var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("queries", "Measures GPU milliseconds of probes and detectors after the step.") { particles, probes, detectors, steps, kernels, csv, shaders };
+            var command = new Command("queries", "Measures GPU milliseconds of probes and detectors after the step.") { particles, probes,
+                detectors, steps, kernels, csv, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
@@ -41,7 +48,8 @@ namespace Host.Bench
                     throw new HostException("--probes 0 --detectors 0: there is nothing to measure. Give at least one of either.");
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)
                     throw new HostException($"--steps {parsed.GetValue(steps)}: a median needs at least {StepTimes.MinSteps}.");
-                Execute(parsed.GetValue(particles), parsed.GetValue(probes), parsed.GetValue(detectors), parsed.GetValue(steps), parsed.GetValue(csv), Console.Out);
+                Execute(parsed.GetValue(particles), parsed.GetValue(probes), parsed.GetValue(detectors), parsed.GetValue(steps),
+                    parsed.GetValue(csv), Console.Out);
                 return 0;
             });
             return command;
@@ -51,22 +59,28 @@ namespace Host.Bench
         {
             using var session = new Session(Session.Root());
             ExperimentScene scene = ExperimentScene.Dam(particles);
-            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles of a dam, d = {scene.Spacing:0.#####} m, steps {First} to {Last}, {probes} probes, {detectors} detectors");
+            string setting = string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles of a dam, d = " +
+                $"{scene.Spacing:0.#####} m, steps {First} to {Last}, {probes} probes, {detectors} detectors");
             output.WriteLine(session.DescribeDevice());
             output.WriteLine(setting);
             if (session.Info.IsSoftware)
                 output.WriteLine("This device is a CPU: the figures say nothing about a GPU.");
             output.WriteLine();
             StepInput input = ExperimentFigures.Input(SolverSettings.Default);
-            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin));
+            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity,
+                input.settings.listMargin));
             QueryInput asked = Ask(scene, probes, detectors);
             solver.MakeQueries();
-            Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, First, Last, steps, cmd => solver.RecordQueries(cmd, asked, 0));
-            var table = new ReportTable("particles", "probes", "detectors", "stage", "median_ms", "p10_ms", "p90_ms", "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
+            Dictionary<string, StepTimes.Spread> times = StepTimes.Measure(solver, scene.Fill, input, First, Last, steps,
+                cmd => solver.RecordQueries(cmd, asked, 0));
+            var table = new ReportTable("particles", "probes", "detectors", "stage", "median_ms", "p10_ms", "p90_ms",
+                "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
             output.WriteLine($"{"",-34}{"median ms",12}{"10 %",10}{"90 %",10}");
-            foreach ((string stage, StepTimes.Spread spread) in times.Where(time => time.Key == Stage || time.Key == StepTimes.Step || time.Key.StartsWith("Queries", StringComparison.Ordinal)))
+            foreach ((string stage, StepTimes.Spread spread) in times.Where(time => time.Key == Stage || time.Key == StepTimes.Step
+                || time.Key.StartsWith("Queries", StringComparison.Ordinal)))
             {
-                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{stage,-34}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                    $"{stage,-34}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
                 table.Add(scene.Particles, probes, detectors, stage, spread.Median, spread.Low, spread.High, spread.Count);
             }
             if (csv != null)
@@ -84,7 +98,8 @@ namespace Host.Bench
             for (int i = 0; i < detectors; i++)
             {
                 float3 half = block / 6f, center = random.NextFloat3(half, math.max(block - half, half));
-                asked.detectors[i] = new DetectorRegion { rotation = quaternion.identity.value, center = center, shape = (uint)DetectorShape.Box, size = half, low = center - half - 0.9f, high = center + half + 0.9f };
+                asked.detectors[i] = new DetectorRegion { rotation = quaternion.identity.value, center = center,
+                    shape = (uint)DetectorShape.Box, size = half, low = center - half - 0.9f, high = center + half + 0.9f };
             }
             return asked;
         }

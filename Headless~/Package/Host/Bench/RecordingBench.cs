@@ -25,19 +25,27 @@ namespace Host.Bench
 
         public static Command Create()
         {
-            var particles = new Option<int>("--particles") { Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.", DefaultValueFactory = _ => 100_000 };
-            var fields = new Option<RecordingFields>("--fields") { Description = "What is recorded besides positions: none, velocities, phases, ids or all.", DefaultValueFactory = _ => RecordingFields.All };
-            var frames = new Option<int>("--frames") { Description = $"Frames measured, at least {StepTimes.MinSteps}.", DefaultValueFactory = _ => StepTimes.MinSteps };
-            var folder = new Option<string>("--folder") { Description = "Where the file is written, and removed again; the folder for temporary files where it is not given." };
+            var particles = new Option<int>("--particles") {
+                Description = "Particles of the fluid; the block's lattice comes as near as it can. 1000000 is what a GPU is asked for.",
+                DefaultValueFactory = _ => 100_000 };
+            var fields = new Option<RecordingFields>("--fields") {
+                Description = "What is recorded besides positions: none, velocities, phases, ids or all.", DefaultValueFactory = _
+                => RecordingFields.All };
+            var frames = new Option<int>("--frames") { Description = $"Frames measured, at least {StepTimes.MinSteps}.",
+                DefaultValueFactory = _ => StepTimes.MinSteps };
+            var folder = new Option<string>("--folder") {
+                Description = "Where the file is written, and removed again; the folder for temporary files where it is not given." };
             Option<string> shaders = ShadersOption.Create();
-            var command = new Command("recording", "Measures what recording and reading the frames of a fluid takes.") { particles, fields, frames, folder, shaders };
+            var command = new Command("recording", "Measures what recording and reading the frames of a fluid takes.") { particles, fields,
+                frames, folder, shaders };
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
                 GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(frames) < StepTimes.MinSteps)
                     throw new HostException($"--frames {parsed.GetValue(frames)}: a median needs at least {StepTimes.MinSteps}.");
-                Execute(parsed.GetValue(particles), parsed.GetValue(fields), parsed.GetValue(frames), parsed.GetValue(folder) ?? Path.GetTempPath(), Console.Out);
+                Execute(parsed.GetValue(particles), parsed.GetValue(fields), parsed.GetValue(frames), parsed.GetValue(folder)
+                    ?? Path.GetTempPath(), Console.Out);
                 return 0;
             });
             return command;
@@ -48,18 +56,21 @@ namespace Host.Bench
             using var session = new Session(Session.Root());
             ExperimentScene scene = ExperimentScene.Dam(particles);
             output.WriteLine(session.DescribeDevice());
-            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles of a dam, d = {scene.Spacing:0.#####} m, positions and {fields}, {frames} frames into {folder}"));
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles of a dam, d = " +
+                $"{scene.Spacing:0.#####} m, positions and {fields}, {frames} frames into {folder}"));
             if (session.Info.IsSoftware)
                 output.WriteLine("This device is a CPU, whose time of packing says nothing about a GPU: it is left out.");
             StepInput input = ExperimentFigures.Input(SolverSettings.Default);
-            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity, input.settings.listMargin));
+            using var solver = new PbfSolver(new SolverLayout(scene.Domain, scene.Spacing, scene.Particles, input.settings.neighborCapacity,
+                input.settings.listMargin));
             var header = new RecordingHeader(solver.Layout, fields);
             GraphicsBuffer packed = GpuBuffer.Structured<uint>("Rill.RecordedFrame", FrameLayout.PackedHeader + header.Layout.Words(header.Capacity));
             double packing = double.NaN;
             if (session.Info.IsSoftware)
                 PackOnce(solver, scene, header, packed);
             else
-                packing = StepTimes.Measure(solver, scene.Fill, input, First, Last, StepTimes.MinSteps, cmd => solver.RecordFrame(cmd, header.Layout, packed))[Stage].Median;
+                packing = StepTimes.Measure(solver, scene.Fill, input, First, Last, StepTimes.MinSteps,
+                cmd => solver.RecordFrame(cmd, header.Layout, packed))[Stage].Median;
 
             string path = Path.Combine(folder, $"rill-bench-{Guid.NewGuid():N}.rillrec");
             try
@@ -155,6 +166,7 @@ namespace Host.Bench
             return sorted[sorted.Length / 2];
         }
 
-        static void Row(TextWriter output, string what, double value) => output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what,-48}{value,12:0.000}"));
+        static void Row(TextWriter output, string what, double value)
+            => output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{what,-48}{value,12:0.000}"));
     }
 }

@@ -28,7 +28,8 @@ namespace Host.Bench
         /// <param name="after">Recorded after each step and timed with it; null for nothing.</param>
         /// <param name="before">Called before each step that is measured; null for nothing.</param>
         /// <returns>By stage.</returns>
-        public static Dictionary<string, Spread> Measure(PbfSolver solver, Action<PbfSolver> fill, in StepInput input, int first, int last, int steps, Action<CommandBuffer> after = null, Action before = null)
+        public static Dictionary<string, Spread> Measure(PbfSolver solver, Action<PbfSolver> fill, in StepInput input, int first, int last,
+            int steps, Action<CommandBuffer> after = null, Action before = null)
         {
             IGraphicsDevice device = Player.Device;
             var times = new Dictionary<string, List<double>>();
@@ -61,7 +62,8 @@ namespace Host.Bench
         }
 
         /// <summary>Takes one step and times it.</summary>
-        public static IReadOnlyList<DeviceSample> Time(IGraphicsDevice device, CommandBuffer cmd, PbfSolver solver, in StepInput input, Action<CommandBuffer> after = null)
+        public static IReadOnlyList<DeviceSample> Time(IGraphicsDevice device, CommandBuffer cmd, PbfSolver solver, in StepInput input,
+            Action<CommandBuffer> after = null)
         {
             device.Timing = true;
             Play(device, cmd, solver, input, after);

@@ -24,7 +24,8 @@ namespace Host.Commands
         {
             List<Rule> rules = RuleBook.All.Where(rule => rule.Name.Contains(filter, StringComparison.OrdinalIgnoreCase)).ToList();
             if (rules.Count == 0)
-                throw new HostException($"--filter {filter}: no rule's name contains that; the rules are: {string.Join("; ", RuleBook.All.Select(rule => rule.Name))}.");
+                throw new HostException($"--filter {filter}: no rule's name contains that; the rules are: " +
+                    $"{string.Join("; ", RuleBook.All.Select(rule => rule.Name))}.");
             var package = new PackageTree(Session.Root());
             var examined = new List<(Rule rule, Findings findings)>();
             int widest = rules.Max(rule => rule.Name.Length);
@@ -41,7 +42,8 @@ namespace Host.Commands
             if (page != null)
                 CheckPage.Write(page, examined);
             int faults = examined.Sum(e => e.findings.Faults.Count);
-            Console.Out.WriteLine(faults == 0 ? $"{rules.Count} rules hold" : $"{examined.Count(e => e.findings.Faults.Count > 0)} of {rules.Count} rules are broken, {faults} faults");
+            Console.Out.WriteLine(faults == 0 ? $"{rules.Count} rules hold"
+                : $"{examined.Count(e => e.findings.Faults.Count > 0)} of {rules.Count} rules are broken, {faults} faults");
             return faults == 0 ? 0 : 1;
         }
     }

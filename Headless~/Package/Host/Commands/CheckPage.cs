@@ -11,7 +11,8 @@ namespace Host.Commands
     {
         public static void Write(string file, IReadOnlyList<(Rule rule, Findings findings)> examined)
         {
-            var text = new StringBuilder("# What `rill check` found\n\nWritten by `Headless~/rill check --page`; Documentation~/verification.md says what it proves.\n\n");
+            var text = new StringBuilder("# What `rill check` found\n\nWritten by `Headless~/rill check --page`; " +
+                "Documentation~/verification.md says what it proves.\n\n");
             var rules = new ResultTable { Columns = new[] { "rule", "looked at", "verdict" } };
             foreach ((Rule rule, Findings findings) in examined)
                 rules.Rows.Add(new[] { rule.Name, findings.Looked, findings.Faults.Count == 0 ? "holds" : findings.Faults.Count + " faults" });

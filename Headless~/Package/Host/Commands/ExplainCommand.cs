@@ -42,9 +42,12 @@ namespace Host.Commands
         {
             output.WriteLine();
             output.WriteLine("A build of this scene contains");
-            var users = components.OfType<IUsesStages>().SelectMany(user => user.StageReferences.Stages.Where(stage => stage != null).Select(stage => (stage, user: (MonoBehaviour)user))).ToList();
+            var users = components.OfType<IUsesStages>()
+                .SelectMany(user => user.StageReferences.Stages.Where(stage => stage != null)
+                .Select(stage => (stage, user: (MonoBehaviour)user))).ToList();
             foreach (var use in users.GroupBy(use => use.stage).OrderBy(use => use.Key.name, System.StringComparer.Ordinal))
-                output.WriteLine($"      {use.Key.name}: {Contents(use.Key)}, for {string.Join(", ", use.GroupBy(u => u.user.GetType().Name).OrderBy(kind => kind.Key, System.StringComparer.Ordinal).Select(kind => $"{kind.Key} {string.Join(" and ", kind.Select(u => $"'{u.user.name}'").OrderBy(name => name, System.StringComparer.Ordinal))}"))}");
+                output.WriteLine($"      {use.Key.name}: {Contents(use.Key)}, for " +
+                    $"{string.Join(", ", use.GroupBy(u => u.user.GetType().Name).OrderBy(kind => kind.Key, System.StringComparer.Ordinal).Select(kind => $"{kind.Key} {string.Join(" and ", kind.Select(u => $"'{u.user.name}'").OrderBy(name => name, System.StringComparer.Ordinal))}"))}");
             if (users.Count == 0)
                 output.WriteLine("      no stage");
         }
@@ -70,7 +73,9 @@ namespace Host.Commands
                     output.WriteLine($"      {buffer} {bytes.ToString("N0", CultureInfo.InvariantCulture)} bytes");
             }
             output.WriteLine();
-            output.WriteLine($"{stages.Sum(stage => stage.Kernels.Sum(kernel => kernel.perStep)).ToString("N0", CultureInfo.InvariantCulture)} dispatches and draws a step, {stages.Sum(stage => stage.Bytes).ToString("N0", CultureInfo.InvariantCulture)} bytes in buffers");
+            output.WriteLine(
+                $"{stages.Sum(stage => stage.Kernels.Sum(kernel => kernel.perStep)).ToString("N0", CultureInfo.InvariantCulture)} " +
+                $"dispatches and draws a step, {stages.Sum(stage => stage.Bytes).ToString("N0", CultureInfo.InvariantCulture)} bytes in buffers");
         }
     }
 }

@@ -25,7 +25,8 @@ namespace Host.Commands
             var every = new Option<int>("--every") { Description = "Write each Nth frame.", DefaultValueFactory = _ => 2 };
             var format = new Option<string>("--format") { Description = "ply or vtk.", DefaultValueFactory = _ => "ply" };
             var target = new Option<string>("--out") { Description = $"Folder for the files; {ResultsFolder.Root}/<scene> by default." };
-            var command = new Command("export", "Writes the particles of a scene as PLY or VTK files.") { scene, seconds, fps, every, format, target };
+            var command = new Command("export", "Writes the particles of a scene as PLY or VTK files.") { scene, seconds, fps, every,
+                format, target };
             command.SetAction(parsed =>
             {
                 GivenNumber.CheckOption("--seconds", parsed.GetValue(seconds), 1e-3, GivenNumber.MaxSeconds);
@@ -33,7 +34,8 @@ namespace Host.Commands
                 GivenNumber.CheckOption("--every", parsed.GetValue(every), 1, 1000000);
                 ParticleFileFormat chosen = FormatOf(parsed.GetValue(format));
                 int frames = (int)Math.Ceiling(parsed.GetValue(seconds) * parsed.GetValue(fps) - 1e-6);
-                return Run(parsed.GetValue(scene), frames, parsed.GetValue(fps), parsed.GetValue(every), chosen, parsed.GetValue(target), Console.Out);
+                return Run(parsed.GetValue(scene), frames, parsed.GetValue(fps), parsed.GetValue(every), chosen, parsed.GetValue(target),
+                    Console.Out);
             });
             return command;
         }
@@ -58,7 +60,9 @@ namespace Host.Commands
             FluidSimulation[] simulations = Object.FindObjectsOfType<FluidSimulation>();
             if (simulations.Length == 0)
                 throw new HostException($"'{located.File}' has no FluidSimulation, so there are no particles to write.");
-            List<ParticleSequence> sequences = simulations.Select((simulation, i) => new ParticleSequence(simulation, folder, simulations.Length > 1 ? $"{i}_{simulation.name}" : "particles", format)).ToList();
+            List<ParticleSequence> sequences =
+                simulations.Select((simulation, i) => new ParticleSequence(simulation, folder, simulations.Length > 1
+                ? $"{i}_{simulation.name}" : "particles", format)).ToList();
             Progress.Run(output, "simulating", frames, report =>
             {
                 for (int frame = 1; frame <= frames; frame++)
@@ -77,7 +81,8 @@ namespace Host.Commands
                 sequence.Dispose();
             output.WriteLine($"{sequences.Sum(sequence => sequence.Written)} files in {folder}");
             if (sequences.FirstOrDefault(sequence => sequence.Written < sequence.Captured) is ParticleSequence failed)
-                throw new HostException($"{failed.Captured - failed.Written} of {failed.Captured} files are missing: {failed.Problem ?? "their particles did not come back"}");
+                throw new HostException($"{failed.Captured - failed.Written} of {failed.Captured} files are missing: " +
+                    $"{failed.Problem ?? "their particles did not come back"}");
             return 0;
         }
     }

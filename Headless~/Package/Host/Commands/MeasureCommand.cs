@@ -14,21 +14,28 @@ namespace Host.Commands
     {
         public static Command Create()
         {
-            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m> or bucket:<particles across the radius>:<friction of its wall>." };
+            var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, " +
+                "tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m> or " +
+                "bucket:<particles across the radius>:<friction of its wall>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var relaxation = new Option<float>("--relaxation") { DefaultValueFactory = _ => SolverSettings.Default.relaxation };
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.Automatic };
-            var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.", DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
+            var neighbors = new Option<int>("--neighbors") { Description = "Entries of a neighbor list.",
+                DefaultValueFactory = _ => SolverSettings.Default.neighborCapacity };
             var every = new Option<int>("--every") { Description = "Steps between statistics.", DefaultValueFactory = _ => 10 };
             var sleep = new Option<float>("--sleep") { Description = "Speed below which water sleeps, m/s; 0 for never." };
-            var damping = new Option<float>("--damping") { Description = "Numerical damping, as a fraction of a first-order step's.", DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
-            var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
+            var damping = new Option<float>("--damping") { Description = "Numerical damping, as a fraction of a first-order step's.",
+                DefaultValueFactory = _ => SolverSettings.Default.numericalDamping };
+            var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.",
+                DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
             var stages = new Option<bool>("--stages") { Description = "Also print the milliseconds of each stage." };
             var series = new Option<bool>("--series") { Description = "Also print every sample of the statistics." };
-            var sheet = new Option<bool>("--sheet") { Description = "Also print how thick the water lies on the floor for what there is of it: for a few layers." };
-            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene, seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, damping, smoothing, stages, series, sheet };
+            var sheet = new Option<bool>("--sheet") {
+                Description = "Also print how thick the water lies on the floor for what there is of it: for a few layers." };
+            var command = new Command("measure", "Runs one scene with one setting and prints errors and GPU milliseconds.") { scene,
+                seconds, iterations, substeps, relaxation, deep, neighbors, every, sleep, damping, smoothing, stages, series, sheet };
             command.SetAction(parsed =>
             {
                 SolverSettings settings = SolverSettings.Default;
@@ -80,7 +87,9 @@ namespace Host.Commands
         {
             // Each ring that is averaged needs particles; the water is as deep as its radius, π across³ particles in all.
             double max = Math.Floor(0.98 * Math.Cbrt(SolverLayout.MaxCapacity / Math.PI));
-            double[] numbers = GivenNumber.Parse(text, "bucket:24:1", new GivenNumber("particles across the radius", RotatingBucket.Rings, max), new GivenNumber("friction of its wall", 0, 1, false));
+            double[] numbers = GivenNumber.Parse(text, "bucket:24:1",
+                new GivenNumber("particles across the radius", RotatingBucket.Rings, max),
+                new GivenNumber("friction of its wall", 0, 1, false));
             return ((int)numbers[0], (float)numbers[1]);
         }
 
@@ -90,34 +99,59 @@ namespace Host.Commands
             const double period = BucketPeriod;
             RotatingBucket bucket = RotatingBucket.Run(across, BucketReport.Speed, false, input, seconds - period, period, friction);
             double expected = RotatingBucket.TurningLeft(BucketReport.Speed, input.timeStep / input.settings.substeps, seconds - period / 2);
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {bucket.Particles:N0}, {input.settings.substeps} x {input.settings.iterations}, deep water {input.settings.deepWater}, {seconds:0.#} s, {device}"));
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  turning left {bucket.Turning:0.0000} of {expected:0.0000} by the step alone ({bucket.Turning / expected - 1:+0.0000;-0.0000}) | steepness for its own turning {bucket.OwnSteepness:0.000}, for the bucket's {bucket.Steepness:0.000}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {bucket.Particles:N0}, {input.settings.substeps} " +
+                $"x {input.settings.iterations}, deep water {input.settings.deepWater}, {seconds:0.#} s, {device}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  turning left {bucket.Turning:0.0000} of " +
+                $"{expected:0.0000} by the step alone ({bucket.Turning / expected - 1:+0.0000;-0.0000}) | steepness for its own " +
+                $"turning {bucket.OwnSteepness:0.000}, for the bucket's {bucket.Steepness:0.000}"));
             foreach (var ring in bucket.Profile)
-                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  at {ring.Radius:0.000} m: height {ring.Height:0.0000} m of {ring.OwnTheory:0.0000} for its own turning, {ring.Turning:0.000} rad/s"));
+                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  at {ring.Radius:0.000} m: height " +
+                    $"{ring.Height:0.0000} m of {ring.OwnTheory:0.0000} for its own turning, {ring.Turning:0.000} rad/s"));
         }
 
         static void PrintSheets(string window, IEnumerable<(double time, Sheet sheet)> sheets)
         {
             if (sheets.Any())
-                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  sheet {window}: local volume {sheets.Average(s => s.sheet.LocalVolume):0.000} high {sheets.Average(s => s.sheet.High):0.0000} unevenness {sheets.Average(s => s.sheet.Unevenness):0.00} layers"));
+                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  sheet {window}: local volume " +
+                    $"{sheets.Average(s => s.sheet.LocalVolume):0.000} high {sheets.Average(s => s.sheet.High):0.0000} unevenness " +
+                    $"{sheets.Average(s => s.sheet.Unevenness):0.00} layers"));
         }
 
         static void PrintSeries(Experiment run)
         {
             foreach (FluidStatistics s in run.Samples)
-                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {run.Time(s):0.0000} s: C+ {s.densityError:0.00000} p99.9 {s.densityError999:0.000} max {s.densityErrorMax:0.00} | interior {s.interiorError:0.0000} volume {s.volumeRatio:0.000} | jitter {s.jitter:0.0000} speed {s.speed:0.000} max {s.speedMax:0.0} m/s | energy {s.Energy / run.Samples[0].Energy:0.0000} | furthest {s.furthest.x / run.Scene.Spacing:0.0} {s.furthest.y / run.Scene.Spacing:0.0} d | coincident {s.coincident} overflow {s.neighborOverflow}"));
+                Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  {run.Time(s):0.0000} s: C+ {s.densityError:0.00000} " +
+                    $"p99.9 {s.densityError999:0.000} max {s.densityErrorMax:0.00} | interior {s.interiorError:0.0000} volume " +
+                    $"{s.volumeRatio:0.000} | jitter {s.jitter:0.0000} speed {s.speed:0.000} max {s.speedMax:0.0} m/s | energy " +
+                    $"{s.Energy / run.Samples[0].Energy:0.0000} | furthest {s.furthest.x / run.Scene.Spacing:0.0} " +
+                    $"{s.furthest.y / run.Scene.Spacing:0.0} d | coincident {s.coincident} overflow {s.neighborOverflow}"));
         }
 
         static void Print(Experiment run, string device, bool stages)
         {
             SolverSettings settings = run.Input.settings;
             double start = run.Samples[0].Energy;
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{run.Scene.Name} N {run.Scene.Particles:N0} d {run.Scene.Spacing:0.#####} m, {settings.substeps} x {settings.iterations}, relaxation {settings.relaxation}, deep water {settings.deepWater}, numerical damping {settings.numericalDamping}, {run.End:0.#} s, {device}"));
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  C+ moving {run.Moving(s => s.densityError):0.00000} settled {run.Settled(s => s.densityError):0.00000} highest {run.Samples.Max(s => s.densityError):0.000} p99.9 {run.Settled(s => s.densityError999):0.0000} ever max {run.Samples.Max(s => s.densityErrorMax):0.00} | interior {run.Settled(s => s.interiorError):0.0000} volume {run.Settled(s => s.volumeRatio):0.0000} lowest {run.Samples.Min(s => s.volumeRatio):0.0000} height {run.Settled(s => s.furthest.y):0.000} m | jitter {run.Settled(s => s.jitter):0.0000} speed {run.Settled(s => s.speed):0.0000} max {run.Samples.Max(s => s.speedMax):0.0} m/s | energy max/start {run.Samples.Max(s => s.Energy) / start:0.0000} | coincident {run.Samples[^1].coincident} (most {run.Samples.Max(s => s.coincident)}) escaped {run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite {run.Samples[^1].nonFinite}"));
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms initial {run.Milliseconds("initial"):0.000} moving {run.Milliseconds("moving"):0.000} settled {run.Milliseconds("settled"):0.000} | {run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{run.Scene.Name} N {run.Scene.Particles:N0} d " +
+                $"{run.Scene.Spacing:0.#####} m, {settings.substeps} x {settings.iterations}, relaxation {settings.relaxation}, deep " +
+                $"water {settings.deepWater}, numerical damping {settings.numericalDamping}, {run.End:0.#} s, {device}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  C+ moving {run.Moving(s => s.densityError):0.00000} " +
+                $"settled {run.Settled(s => s.densityError):0.00000} highest {run.Samples.Max(s => s.densityError):0.000} p99.9 " +
+                $"{run.Settled(s => s.densityError999):0.0000} ever max {run.Samples.Max(s => s.densityErrorMax):0.00} | interior " +
+                $"{run.Settled(s => s.interiorError):0.0000} volume {run.Settled(s => s.volumeRatio):0.0000} lowest " +
+                $"{run.Samples.Min(s => s.volumeRatio):0.0000} height {run.Settled(s => s.furthest.y):0.000} m | jitter " +
+                $"{run.Settled(s => s.jitter):0.0000} speed {run.Settled(s => s.speed):0.0000} max " +
+                $"{run.Samples.Max(s => s.speedMax):0.0} m/s | energy max/start {run.Samples.Max(s => s.Energy) / start:0.0000} | " +
+                $"coincident {run.Samples[^1].coincident} (most {run.Samples.Max(s => s.coincident)}) escaped " +
+                $"{run.Samples.Max(s => s.escaped)} overflow {run.Samples.Max(s => s.neighborOverflow)} non-finite " +
+                $"{run.Samples[^1].nonFinite}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  ms initial {run.Milliseconds("initial"):0.000} moving " +
+                $"{run.Milliseconds("moving"):0.000} settled {run.Milliseconds("settled"):0.000} | " +
+                $"{run.Bytes / (double)run.Scene.Particles:0} bytes a particle"));
             if (stages)
                 foreach (var window in run.Times)
-                    Console.WriteLine($"  {window.Key}: " + string.Join(", ", window.Value.Keys.Select(stage => string.Create(CultureInfo.InvariantCulture, $"{stage} {run.Milliseconds(window.Key, stage):0.0000}"))));
+                    Console.WriteLine($"  {window.Key}: "
+                        + string.Join(", ", window.Value.Keys.Select(stage => string.Create(CultureInfo.InvariantCulture,
+                        $"{stage} {run.Milliseconds(window.Key, stage):0.0000}"))));
         }
     }
 }

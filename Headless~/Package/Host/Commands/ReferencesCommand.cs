@@ -14,7 +14,8 @@ using Object = UnityEngine.Object;
 
 namespace Host.Commands
 {
-    /// <summary><c>references</c>: what the package's build steps change in its sample scenes, and with --write, the scenes with those changes.</summary>
+    /// <summary><c>references</c>: what the package's build steps change in its sample scenes, and with --write, the scenes with those
+    /// changes.</summary>
     static class ReferencesCommand
     {
         public static Command Create()
@@ -43,7 +44,8 @@ namespace Host.Commands
                     foreach (ChangedReferences changed in BuiltScene.Process(project, scene, scripts))
                     {
                         changes++;
-                        output.WriteLine($"{scene.Path}: {changed.Component.GetType().Name} '{changed.Component.name}': {string.Join(", ", changed.After.Select(asset => asset.name))}");
+                        output.WriteLine($"{scene.Path}: {changed.Component.GetType().Name} '{changed.Component.name}': " +
+                            $"{string.Join(", ", changed.After.Select(asset => asset.name))}");
                         text = With(project, scene, text, changed);
                     }
                     if (write && text != stored)
@@ -56,17 +58,21 @@ namespace Host.Commands
                 project.ReloadAll();
                 Player.Assets = before;
             }
-            output.WriteLine(changes == 0 ? "every scene refers to what a build of it needs" : $"{changes} components differ from their build{(write ? "; now stored" : "; --write stores it")}");
+            output.WriteLine(changes == 0 ? "every scene refers to what a build of it needs"
+                : $"{changes} components differ from their build{(write ? "; now stored" : "; --write stores it")}");
             return changes == 0 || write ? 0 : 1;
         }
 
         static string With(ProjectAssets project, AssetEntry scene, string text, ChangedReferences changed)
         {
             if (changed.Path.Length != 2)
-                throw new HostException($"{scene.Path}: {string.Join(".", changed.Path)} of {changed.Component.GetType().Name} is no list in a field of the component, and only such are written.");
+                throw new HostException($"{scene.Path}: {string.Join(".", changed.Path)} of {changed.Component.GetType().Name} is no " +
+                    $"list in a field of the component, and only such are written.");
             long id = project.FileIdIn(scene.Path, changed.Component);
-            return SceneText.WithReferences(text, id, changed.Path[0], changed.Path[1], changed.After.Select(asset => Reference(project, asset)).ToList())
-                ?? throw new HostException($"{scene.Path}: {changed.Component.GetType().Name} '{changed.Component.name}' comes from a prefab: change that.");
+            return SceneText.WithReferences(text, id, changed.Path[0], changed.Path[1],
+                changed.After.Select(asset => Reference(project, asset)).ToList())
+                ?? throw new HostException(
+                    $"{scene.Path}: {changed.Component.GetType().Name} '{changed.Component.name}' comes from a prefab: change that.");
         }
 
         static string Reference(ProjectAssets project, Object asset) => project.TryIdentify(asset, out _, out string guid, out long id)

@@ -38,7 +38,8 @@ namespace Host.Experiments
 
         /// <param name="solver">Empty, and made for this input.</param>
         /// <param name="isOver">Whether a run that has come to this is not worth its end.</param>
-        public static Experiment Run(IExperimentSolver solver, ExperimentScene scene, in StepInput input, double seconds, int sampleEvery, Func<Experiment, bool> isOver)
+        public static Experiment Run(IExperimentSolver solver, ExperimentScene scene, in StepInput input, double seconds, int sampleEvery,
+            Func<Experiment, bool> isOver)
         {
             var experiment = new Experiment(scene, input);
             scene.Fill(solver.Add);
@@ -52,7 +53,9 @@ namespace Host.Experiments
 
         public IEnumerable<FluidStatistics> SettledSamples => Samples.Where(s => Time(s) > End - SettledSeconds - 1e-6);
         public double Settled(Func<FluidStatistics, double> value) => SettledSamples.Average(value);
-        public double Moving(Func<FluidStatistics, double> value) => Samples.Where(s => Time(s) >= MovingFrom - 1e-6 && Time(s) <= MovingTo + 1e-6).Select(value).DefaultIfEmpty(double.NaN).Average();
+        public double Moving(Func<FluidStatistics, double> value)
+            => Samples.Where(s => Time(s) >= MovingFrom - 1e-6 && Time(s) <= MovingTo + 1e-6).Select(value).DefaultIfEmpty(double.NaN)
+            .Average();
 
         /// <summary>Median; NaN where nothing was timed.</summary>
         public double Milliseconds(string window, string stage = "step")
@@ -70,7 +73,8 @@ namespace Host.Experiments
             Measure(solver, cmd);
             for (int step = 1; step <= steps; step++)
             {
-                string window = step is >= InitialFirst and <= InitialLast ? "initial" : step is >= MovingFirst and <= MovingLast ? "moving" : step > steps - SettledSteps ? "settled" : null;
+                string window = step is >= InitialFirst and <= InitialLast ? "initial" : step is >= MovingFirst and <= MovingLast ? "moving"
+                    : step > steps - SettledSteps ? "settled" : null;
                 bool afterSample = (step - 1) % sampleEvery == 0;
                 device.Timing = window != null && !afterSample;
                 cmd.Clear();

@@ -24,16 +24,21 @@ namespace Host.Experiments
         public static StepInput Input(in SolverSettings settings, in FluidMaterial material) =>
             new StepInput { timeStep = 1f / 60f, gravity = new float3(0f, -Gravity, 0f), settings = settings, material = material };
 
-        /// <summary>One for each column. Energy is the highest over that of the start; coincident the most in the last 2 s; bytes are a particle's.</summary>
+        /// <summary>One for each column. Energy is the highest over that of the start; coincident the most in the last 2 s; bytes are a
+        /// particle's.</summary>
         public static object[] Of(Experiment run)
         {
             SolverSettings settings = run.Input.settings;
             return new object[]
             {
-                run.Scene.Name, run.Scene.Particles, run.Scene.Layers, run.Scene.Spacing, run.End, settings.deepWater.ToString().ToLowerInvariant(), settings.substeps, settings.iterations, settings.relaxation,
-                run.Moving(s => s.densityError), run.Settled(s => s.densityError), run.Settled(s => s.densityError999), run.Samples.Max(s => s.densityErrorMax),
-                run.Settled(s => s.speed), run.Settled(s => s.jitter), run.Settled(s => s.volumeRatio), run.Samples.Min(s => s.volumeRatio), run.Samples.Max(s => s.Energy) / run.Samples[0].Energy,
-                run.SettledSamples.Max(s => s.coincident), run.Samples.Max(s => s.escaped), run.Samples.Max(s => s.nonFinite), run.Samples.Max(s => s.neighborOverflow),
+                run.Scene.Name, run.Scene.Particles, run.Scene.Layers, run.Scene.Spacing, run.End,
+                    settings.deepWater.ToString().ToLowerInvariant(), settings.substeps, settings.iterations, settings.relaxation,
+                run.Moving(s => s.densityError), run.Settled(s => s.densityError), run.Settled(s => s.densityError999),
+                    run.Samples.Max(s => s.densityErrorMax),
+                run.Settled(s => s.speed), run.Settled(s => s.jitter), run.Settled(s => s.volumeRatio), run.Samples.Min(s => s.volumeRatio),
+                    run.Samples.Max(s => s.Energy) / run.Samples[0].Energy,
+                run.SettledSamples.Max(s => s.coincident), run.Samples.Max(s => s.escaped), run.Samples.Max(s => s.nonFinite),
+                    run.Samples.Max(s => s.neighborOverflow),
                 run.Milliseconds("initial"), run.Milliseconds("moving"), run.Milliseconds("settled"), run.Bytes / (double)run.Scene.Particles,
             };
         }

@@ -63,11 +63,13 @@ namespace Host.Experiments
         /// <summary>A block in the lowest corner of a box.</summary>
         /// <param name="box">d.</param>
         /// <param name="spacing">m.</param>
-        public static ExperimentScene Block(string name, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(0f, counts);
+        public static ExperimentScene Block(string name, int3 counts, int3 box, float spacing)
+            => new ExperimentScene(name, spacing, box).Add(0f, counts);
 
         /// <summary>A block anywhere in a box.</summary>
         /// <param name="corner">Its lowest, d.</param>
-        public static ExperimentScene Block(string name, int3 corner, int3 counts, int3 box, float spacing) => new ExperimentScene(name, spacing, box).Add(corner, counts);
+        public static ExperimentScene Block(string name, int3 corner, int3 counts, int3 box, float spacing)
+            => new ExperimentScene(name, spacing, box).Add(corner, counts);
 
         /// <summary>Still water that fills the floor of a box of 24 x 24 spacings, in a box three times as tall.</summary>
         /// <param name="spacing">m.</param>
@@ -108,14 +110,16 @@ namespace Host.Experiments
             switch (text.Split(':')[0])
             {
                 case "dam":
-                    n = GivenNumber.Parse(text, "dam:100000", new GivenNumber("particles", MinDamParticles, SolverLayout.MaxCapacity, Otherwise: 100_000));
+                    n = GivenNumber.Parse(text, "dam:100000",
+                        new GivenNumber("particles", MinDamParticles, SolverLayout.MaxCapacity, Otherwise: 100_000));
                     return Dam((int)n[0]);
                 case "column":
                     n = GivenNumber.Parse(text, "column:120:0.05", LayersOr(120), SpacingOr(0.05));
                     GivenNumber.CheckParticles(text, 24.0 * 24.0 * n[0]);
                     return Column((int)n[0], (float)n[1]);
                 case "tank":
-                    n = GivenNumber.Parse(text, "tank:8:112:0.02", LayersOr(8), new GivenNumber("side of the floor in spacings", 2, MaxAcross, Otherwise: 112), SpacingOr(0.02));
+                    n = GivenNumber.Parse(text, "tank:8:112:0.02", LayersOr(8),
+                        new GivenNumber("side of the floor in spacings", 2, MaxAcross, Otherwise: 112), SpacingOr(0.02));
                     GivenNumber.CheckParticles(text, n[0] * n[1] * n[1]);
                     return Tank((int)n[0], (int)n[1], (float)n[2]);
                 case "drop":
@@ -124,19 +128,28 @@ namespace Host.Experiments
                         throw new HostException($"scene \"{text}\": scale is {text.Split(':')[1]}; give a multiple of 0.125, as in drop:4:0.0125.");
                     GivenNumber.CheckParticles(text, 4.0 * 48.0 * 48.0 * n[0] * n[0] + 16.0 * 16.0 * 24.0 * n[0] * n[0] * n[0]);
                     if (n[1] > 0 && 0.5 / n[1] > 100 * n[0])
-                        throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\": spacing in m is {n[1]}, too fine for the box, which is {160 * n[0]} spacings tall and must hold the block 0.5 m above its floor; give {0.005 / n[0]:0.#####} or more, or a larger scale."));
+                        throw new HostException(string.Create(CultureInfo.InvariantCulture,
+                            $"scene \"{text}\": spacing in m is {n[1]}, too fine for the box, which is {160 * n[0]} spacings tall and " +
+                            $"must hold the block 0.5 m above its floor; give {0.005 / n[0]:0.#####} or more, or a larger scale."));
                     return Drop((float)n[0], (float)n[1]);
                 case "spill":
-                    n = GivenNumber.Parse(text, "spill:2:16:0.05", new GivenNumber("layers", 0.1, MaxAcross / 3, false, 2), new GivenNumber("side of the cube in spacings", 2, MaxAcross / 2, Otherwise: 16), SpacingOr(0.05));
+                    n = GivenNumber.Parse(text, "spill:2:16:0.05", new GivenNumber("layers", 0.1, MaxAcross / 3, false, 2),
+                        new GivenNumber("side of the cube in spacings", 2, MaxAcross / 2, Otherwise: 16), SpacingOr(0.05));
                     GivenNumber.CheckParticles(text, n[1] * n[1] * n[1]);
                     if (n[0] > n[1])
-                        throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\": layers is {n[0]}, more than the cube is tall; give at most {n[1]}, as in spill:2:16:0.05."));
+                        throw new HostException(string.Create(CultureInfo.InvariantCulture,
+                            $"scene \"{text}\": layers is {n[0]}, more than the cube is tall; give at most {n[1]}, as in spill:2:16:0.05."));
                     double thinnest = n[1] * n[1] * n[1] / (MaxAcross * MaxAcross);
                     if (n[0] < thinnest)
-                        throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\": layers is {n[0]}, for which the floor is more than {MaxAcross:N0} spacings wide; give at least {Math.Ceiling(1000 * thinnest) / 1000}, or a smaller cube."));
+                        throw new HostException(string.Create(CultureInfo.InvariantCulture,
+                            $"scene \"{text}\": layers is {n[0]}, for which the floor is more than {MaxAcross:N0} spacings wide; give " +
+                            $"at least {Math.Ceiling(1000 * thinnest) / 1000}, or a smaller cube."));
                     return Spill(n[0], (int)n[1], (float)n[2]);
                 default:
-                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, tank:<layers>:<side of the floor in spacings>:<spacing in m>, drop:<scale in eighths>:<spacing in m> or spill:<layers>:<side of the cube in spacings>:<spacing in m>, as in dam:1000000, column:120:0.05, tank:8:112:0.02, drop:4 or spill:2:16:0.05.");
+                    throw new HostException($"scene \"{text}\": give dam:<particles>, column:<layers>:<spacing in m>, " +
+                        $"tank:<layers>:<side of the floor in spacings>:<spacing in m>, drop:<scale in eighths>:<spacing in m> or " +
+                        $"spill:<layers>:<side of the cube in spacings>:<spacing in m>, as in dam:1000000, column:120:0.05, " +
+                        $"tank:8:112:0.02, drop:4 or spill:2:16:0.05.");
             }
         }
 
@@ -151,7 +164,8 @@ namespace Host.Experiments
         static GivenNumber SpacingOr(double otherwise) => new("spacing in m", GivenNumber.MinSpacing, GivenNumber.MaxSpacing, false, otherwise);
 
         /// <summary>What a solver of these settings needs for the scene.</summary>
-        public SolverLayout LayoutFor(in SolverSettings settings) => new SolverLayout(Domain, Spacing, Particles, settings.neighborCapacity, settings.listMargin);
+        public SolverLayout LayoutFor(in SolverSettings settings)
+            => new SolverLayout(Domain, Spacing, Particles, settings.neighborCapacity, settings.listMargin);
 
         /// <summary>Fills a solver that was just cleared.</summary>
         public void Fill(PbfSolver solver) => Fill(solver.Add);

@@ -23,7 +23,8 @@ namespace Host.Experiments
         {
             string[] words = text.Split(':');
             if (words.Length - 1 > numbers.Length)
-                throw new HostException($"scene \"{text}\" has {words.Length - 1} numbers; give {words[0]}{string.Concat(numbers.Select(number => $":<{number.Name}>"))}, as in {example}.");
+                throw new HostException($"scene \"{text}\" has {words.Length - 1} numbers; give " +
+                    $"{words[0]}{string.Concat(numbers.Select(number => $":<{number.Name}>"))}, as in {example}.");
             return numbers.Select((number, i) => number.Parse(text, i + 1 < words.Length ? words[i + 1] : null, example)).ToArray();
         }
 
@@ -34,7 +35,9 @@ namespace Host.Experiments
             bool isNumber = double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double value);
             if (isNumber && value >= Min && value <= Max && (!IsWhole || value == Math.Floor(value)))
                 return value;
-            throw new HostException($"scene \"{text}\": {Name} {(word == null ? "is missing" : $"is {(word == "" ? "empty" : word)}")}; give a {(IsWhole ? "whole number" : "number")} from {Text(Min)} to {Text(Max)}, as in {example}.");
+            throw new HostException($"scene \"{text}\": {Name} " +
+                $"{(word == null ? "is missing" : $"is {(word == "" ? "empty" : word)}")}; give a " +
+                $"{(IsWhole ? "whole number" : "number")} from {Text(Min)} to {Text(Max)}, as in {example}.");
         }
 
         /// <param name="particles">As many as the scene would have.</param>
@@ -42,7 +45,8 @@ namespace Host.Experiments
         public static void CheckParticles(string text, double particles)
         {
             if (!(particles <= SolverLayout.MaxCapacity))
-                throw new HostException(string.Create(CultureInfo.InvariantCulture, $"scene \"{text}\" is {(particles < 1e15 ? particles.ToString("N0", CultureInfo.InvariantCulture) : particles.ToString("0e0", CultureInfo.InvariantCulture))} particles; a simulation holds {SolverLayout.MaxCapacity:N0}. Give smaller numbers."));
+                throw new HostException(string.Create(CultureInfo.InvariantCulture,
+                    $"scene \"{text}\" is {(particles < 1e15 ? particles.ToString("N0", CultureInfo.InvariantCulture) : particles.ToString("0e0", CultureInfo.InvariantCulture))} particles; a simulation holds {SolverLayout.MaxCapacity:N0}. Give smaller numbers."));
         }
 
         /// <summary>An option that has to lie within limits.</summary>

@@ -23,10 +23,12 @@ namespace Host.Probing
         public static IEnumerable<IRunProbe> OfScene()
         {
             FluidSimulation[] simulations = Object.FindObjectsOfType<FluidSimulation>();
-            return simulations.Where(simulation => simulation.Budget.mode != BudgetMode.Off).Select(simulation => new BudgetProbe(simulation, simulations.Length > 1 ? simulation.name + "_" : ""));
+            return simulations.Where(simulation => simulation.Budget.mode != BudgetMode.Off)
+                .Select(simulation => new BudgetProbe(simulation, simulations.Length > 1 ? simulation.name + "_" : ""));
         }
 
-        public string[] Columns => new[] { prefix + "budget_ms", prefix + "budget_target_ms", prefix + "budget_substeps", prefix + "budget_iterations", prefix + "budget_changes" };
+        public string[] Columns => new[] { prefix + "budget_ms", prefix + "budget_target_ms", prefix + "budget_substeps",
+            prefix + "budget_iterations", prefix + "budget_changes" };
 
         public void Sample(double time, double[] values)
         {
@@ -51,7 +53,8 @@ namespace Host.Probing
 
         public IEnumerable<string> Summary
         {
-            get { yield return string.Create(CultureInfo.InvariantCulture, $"budget of '{simulation.name}': {simulation.BudgetState}; {simulation.BudgetState.changes} changes"); }
+            get { yield return string.Create(CultureInfo.InvariantCulture,
+                $"budget of '{simulation.name}': {simulation.BudgetState}; {simulation.BudgetState.changes} changes"); }
         }
     }
 }

@@ -69,7 +69,8 @@ namespace Host.Probing
 
         public Plot[] Plots => new[]
         {
-            Plot("density-error", "Density error C+", "max(0, rho / rho0 - 1)", "density_error_mean", "density_error_p999") with { Logarithmic = true },
+            Plot("density-error", "Density error C+", "max(0, rho / rho0 - 1)", "density_error_mean",
+                "density_error_p999") with { Logarithmic = true },
             Plot("volume", "Volume", "twice the mean height x floor / rest volume", "volume_ratio"),
             Plot("energy", "Energy", "J", "energy_J", "kinetic_J", "potential_J"),
             Plot("speed", "Speed", "m/s", "speed_rms_m_s", "speed_max_m_s", "jitter_m_s"),
@@ -84,8 +85,12 @@ namespace Host.Probing
                 UnityEngine.Vector3 size = simulation.DomainSize;
                 yield return Row("domain", $"{size.x} x {size.y} x {size.z} m");
                 yield return Row("particle spacing", $"{simulation.ParticleSpacing} m");
-                yield return Row("solver", $"{solver.substeps} substeps x {solver.iterations} iterations, relaxation {solver.relaxation}, step {simulation.FixedStep * 1000f:0.##} ms");
-                yield return Row("material", $"viscosity {material.dynamicViscosity} Pa s, velocity smoothing {material.velocitySmoothing}, vorticity {material.vorticity} m/s, artificial pressure {material.artificialPressure}, tension {material.allowedTension}, shear modulus {material.shearModulus} Pa relaxing in {material.relaxationTime} s");
+                yield return Row("solver", $"{solver.substeps} substeps x {solver.iterations} iterations, relaxation " +
+                    $"{solver.relaxation}, step {simulation.FixedStep * 1000f:0.##} ms");
+                yield return Row("material", $"viscosity {material.dynamicViscosity} Pa s, velocity smoothing " +
+                    $"{material.velocitySmoothing}, vorticity {material.vorticity} m/s, artificial pressure " +
+                    $"{material.artificialPressure}, tension {material.allowedTension}, shear modulus {material.shearModulus} Pa " +
+                    $"relaxing in {material.relaxationTime} s");
                 if (simulation.TryGetStatistics(out FluidStatistics last))
                     yield return Row("particles", last.particles.ToString("N0", CultureInfo.InvariantCulture));
             }
@@ -96,7 +101,8 @@ namespace Host.Probing
 
         Plot Plot(string file, string title, string label, params string[] columns)
         {
-            return new Plot(prefix + file, prefix.Length > 0 ? $"{title} ({simulation.name})" : title, label, columns.Select(column => prefix + column).ToArray());
+            return new Plot(prefix + file, prefix.Length > 0 ? $"{title} ({simulation.name})" : title, label,
+                columns.Select(column => prefix + column).ToArray());
         }
     }
 }

@@ -9,7 +9,8 @@ namespace Host.Probing
     /// <summary>One number for the state of all particles of a scene: equal runs have equal hashes.</summary>
     static class StateHash
     {
-        /// <summary>SHA-256 over counts, ids, positions and velocities of every simulation; scratch buffers are left out. Null when none runs.</summary>
+        /// <summary>SHA-256 over counts, ids, positions and velocities of every simulation; scratch buffers are left out. Null when none
+        /// runs.</summary>
         public static string OfScene()
         {
             FluidSimulation[] running = Array.FindAll(Object.FindObjectsOfType<FluidSimulation>(), simulation => simulation.IsRunning);

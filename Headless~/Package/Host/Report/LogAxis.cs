@@ -5,7 +5,8 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>A logarithmic axis that ends near its data, with labels at 1, 2 and 5 of each decade: gnuplot's own labels whole decades only.</summary>
+    /// <summary>A logarithmic axis that ends near its data, with labels at 1, 2 and 5 of each decade: gnuplot's own labels whole decades
+    /// only.</summary>
     static class LogAxis
     {
         /// <param name="axis">x or y.</param>
@@ -23,7 +24,8 @@ namespace Host.Report
                        let tic = digit * Math.Pow(10, decade)
                        where tic >= low && tic <= high
                        select tic.ToString("G6", CultureInfo.InvariantCulture);
-            return string.Create(CultureInfo.InvariantCulture, $"set logscale {axis}\nset {axis}range [{low:G4}:{high:G4}]\nset {axis}tics ({string.Join(", ", tics)})\n");
+            return string.Create(CultureInfo.InvariantCulture,
+                $"set logscale {axis}\nset {axis}range [{low:G4}:{high:G4}]\nset {axis}tics ({string.Join(", ", tics)})\n");
         }
     }
 }

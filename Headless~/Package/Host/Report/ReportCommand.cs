@@ -32,13 +32,18 @@ namespace Host.Report
 
         public static Command Create()
         {
-            var names = new Argument<string[]>("sections") { Description = $"Those to do: {string.Join(", ", Sections.Select(section => section.Name))}. All but the long ones if none is named; with --write-only all that were measured.", DefaultValueFactory = _ => Array.Empty<string>() };
+            var names = new Argument<string[]>("sections") {
+                Description = $"Those to do: {string.Join(", ", Sections.Select(section => section.Name))}. All but the long ones if " +
+                $"none is named; with --write-only all that were measured.", DefaultValueFactory = _ => Array.Empty<string>() };
             var quick = new Option<bool>("--quick") { Description = "Small scenes that a CPU can do; shows that all works, not how fast." };
             var output = new Option<string>("--out") { Description = $"Folder for tables, plots and page; {ResultsFolder.Root}/report by default." };
-            var page = new Option<string>("--page") { Description = "Write the page to this file instead, its plots to images/report and copies of its tables to data, both beside it." };
+            var page = new Option<string>("--page") {
+                Description =
+                "Write the page to this file instead, its plots to images/report and copies of its tables to data, both beside it." };
             var measureOnly = new Option<bool>("--measure-only") { Description = "Only tables: needs no gnuplot." };
             var writeOnly = new Option<bool>("--write-only") { Description = "Only plots and page, from tables that are there." };
-            var command = new Command("report", "Measures error against run time, against experiment and theory, and at the extremes.") { names, quick, output, page, measureOnly, writeOnly };
+            var command = new Command("report", "Measures error against run time, against experiment and theory, and at the extremes.") {
+                names, quick, output, page, measureOnly, writeOnly };
             command.SetAction(parsed =>
             {
                 bool measure = !parsed.GetValue(writeOnly), write = !parsed.GetValue(measureOnly);
@@ -77,13 +82,15 @@ namespace Host.Report
         {
             foreach (string name in names)
                 if (all.All(section => section.Name != name))
-                    throw new HostException($"there is no section \"{name}\" of the report; there are {string.Join(", ", all.Select(section => section.Name))}.");
+                    throw new HostException(
+                        $"there is no section \"{name}\" of the report; there are {string.Join(", ", all.Select(section => section.Name))}.");
             if (names.Length > 0)
                 return all.Where(section => names.Contains(section.Name)).ToList();
             if (measure)
                 return all.Where(section => !section.OnlyByName).ToList();
             List<ReportSection> measured = all.Where(section => ReportRecord.Find(dataFolder, section) != null).ToList();
-            return measured.Count > 0 ? measured : throw new HostException($"no section was measured into {dataFolder}; \"rill report\" without --write-only does.");
+            return measured.Count > 0 ? measured
+                : throw new HostException($"no section was measured into {dataFolder}; \"rill report\" without --write-only does.");
         }
 
         static void Measure(List<ReportSection> sections, bool quick, string dataFolder)

@@ -47,7 +47,8 @@ namespace Host.Report
                 List<string[]> judged = group.Where(row => Verdict.IsVerdict(row[column])).ToList();
                 List<string[]> failed = judged.Where(row => Verdict.IsFailure(row[column])).ToList();
                 if (failed.Count > 0)
-                    found.Add(new[] { where, $"{heading}: {columns[column - 1]}, {columns[column]}", group.Key, $"{failed.Count} of {judged.Count}", failed.MaxBy(row => Size(row[column - 1]))[column - 1] });
+                    found.Add(new[] { where, $"{heading}: {columns[column - 1]}, {columns[column]}", group.Key,
+                        $"{failed.Count} of {judged.Count}", failed.MaxBy(row => Size(row[column - 1]))[column - 1] });
             }
         }
 

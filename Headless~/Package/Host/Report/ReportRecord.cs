@@ -27,7 +27,8 @@ namespace Host.Report
                 return null;
             ReportTable table = ReportTable.Load(file);
             ReportTable.Row row = table.Rows.Single();
-            return new ReportRecord(table.MeasuredOn.Replace("; " + Scope, ""), bool.Parse(row["quick"]), table.InSoftware, row["date"], row.Number("seconds"));
+            return new ReportRecord(table.MeasuredOn.Replace("; " + Scope, ""), bool.Parse(row["quick"]), table.InSoftware, row["date"],
+                row.Number("seconds"));
         }
     }
 }

@@ -86,7 +86,8 @@ namespace Host.Report
                 get
                 {
                     int index = Array.IndexOf(table.Columns, column);
-                    return index >= 0 ? values[index] : throw new ArgumentException($"No column \"{column}\" among {string.Join(", ", table.Columns)}.");
+                    return index >= 0 ? values[index]
+                        : throw new ArgumentException($"No column \"{column}\" among {string.Join(", ", table.Columns)}.");
                 }
             }
 

@@ -15,7 +15,8 @@ namespace Host.Report
             var records = sections.Select(section => ReportRecord.Find(folders.Data, section)).ToList();
             string[] missing = sections.Where((_, i) => records[i] == null).Select(section => section.Name).ToArray();
             if (missing.Length > 0)
-                throw new HostException($"{string.Join(", ", missing)}: not measured into {folders.Data}; \"rill report {string.Join(" ", missing)}\" without --write-only does.");
+                throw new HostException($"{string.Join(", ", missing)}: not measured into {folders.Data}; \"rill report " +
+                    $"{string.Join(" ", missing)}\" without --write-only does.");
 
             ReportPage head = Page(), body = Page();
             foreach (ReportSection section in sections)
@@ -37,8 +38,10 @@ namespace Host.Report
             page.Line();
             foreach (var group in records.Where(record => record.Quick || record.InSoftware).GroupBy(record => (record.Quick, record.InSoftware)))
             {
-                string what = string.Join(", ", sections.Where((_, i) => (records[i].Quick, records[i].InSoftware) == group.Key).Select(section => section.Name));
-                page.Line($"**{(group.Key.Quick ? "A quick run" : "A run")}{(group.Key.InSoftware ? " on a CPU" : "")}** ({what}): {(group.Key.Quick ? "small scenes, few settings; it shows that everything works, not what the solver can do. " : "")}{(group.Key.InSoftware ? "Its times say nothing about a GPU." : "")}".TrimEnd());
+                string what = string.Join(", ", sections.Where((_, i) => (records[i].Quick, records[i].InSoftware) == group.Key)
+                    .Select(section => section.Name));
+                page.Line(
+                    $"**{(group.Key.Quick ? "A quick run" : "A run")}{(group.Key.InSoftware ? " on a CPU" : "")}** ({what}): {(group.Key.Quick ? "small scenes, few settings; it shows that everything works, not what the solver can do. " : "")}{(group.Key.InSoftware ? "Its times say nothing about a GPU." : "")}".TrimEnd());
                 page.Line();
             }
             page.Line("Written by `rill report`. It begins with what settings cost and leave of error, and with all that fails. "
@@ -51,7 +54,8 @@ namespace Host.Report
             page.Line();
             page.Table(new[] { "section", "command", "device", "date", "took" }, sections.Select((section, i) => new[]
             {
-                section.Title, $"`rill report {section.Name}{(records[i].Quick ? " --quick" : "")}`", records[i].Device, records[i].Date, records[i].Seconds.ToString("0 s", CultureInfo.InvariantCulture),
+                section.Title, $"`rill report {section.Name}{(records[i].Quick ? " --quick" : "")}`", records[i].Device, records[i].Date,
+                    records[i].Seconds.ToString("0 s", CultureInfo.InvariantCulture),
             }));
             page.Line("Every table lies beside the page as CSV; its first line says what it was measured on.");
         }

@@ -12,18 +12,24 @@ namespace Host.Studies
     /// <summary><c>damping</c>: what the time step takes of motion that ideal water keeps, for numerical dampings and substeps.</summary>
     static class DampingCommand
     {
-        const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s>, bucket:<radius, d>:<layers>:<rad/s> or utube:<width, d>:<depth, d>:<height, d>.";
+        const string Scenes = "slosh:<particles along 1 m>:<layers>:<wave, d>, vortex:<side, d>:<layers>:<m/s>, bucket:<radius, " +
+            "d>:<layers>:<rad/s> or utube:<width, d>:<depth, d>:<height, d>.";
 
         public static Command Create()
         {
             var scene = new Argument<string>("scene") { Description = Scenes };
-            var damping = new Option<float[]>("--damping") { Description = "Numerical dampings, as fractions of a first-order step's.", AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1f, 0.5f, 0f } };
+            var damping = new Option<float[]>("--damping") { Description = "Numerical dampings, as fractions of a first-order step's.",
+                AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1f, 0.5f, 0f } };
             var substeps = new Option<int[]>("--substeps") { AllowMultipleArgumentsPerToken = true, DefaultValueFactory = _ => new[] { 1, 2, 4 } };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => 2 };
             var deep = new Option<DeepWater>("--deep-water") { DefaultValueFactory = _ => DeepWater.On };
-            var seconds = new Option<double>("--seconds") { Description = "Fluid time of the motion; 0: four periods of a wave, three of a U-tube, 1 s of a vortex, 3.8 s of a bucket." };
-            var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.", DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
-            var command = new Command("damping", "Measures what the time step takes of sloshing and turning water.") { scene, damping, substeps, iterations, deep, seconds, smoothing };
+            var seconds = new Option<double>("--seconds") {
+                Description =
+                "Fluid time of the motion; 0: four periods of a wave, three of a U-tube, 1 s of a vortex, 3.8 s of a bucket." };
+            var smoothing = new Option<float>("--smoothing") { Description = "XSPH's.",
+                DefaultValueFactory = _ => FluidMaterial.Water.velocitySmoothing };
+            var command = new Command("damping", "Measures what the time step takes of sloshing and turning water.") { scene, damping,
+                substeps, iterations, deep, seconds, smoothing };
             command.SetAction(parsed =>
             {
                 string text = parsed.GetValue(scene);
@@ -56,26 +62,30 @@ namespace Host.Studies
             switch (text.Split(':')[0])
             {
                 case "slosh":
-                    n = GivenNumber.Parse(text, "slosh:40:20:2", new GivenNumber("particles along 1 m", 8, 1000), new GivenNumber("layers", 1, 1000), new GivenNumber("wave in spacings", 0.01, 1000, false));
+                    n = GivenNumber.Parse(text, "slosh:40:20:2", new GivenNumber("particles along 1 m", 8, 1000),
+                        new GivenNumber("layers", 1, 1000), new GivenNumber("wave in spacings", 0.01, 1000, false));
                     GivenNumber.CheckParticles(text, n[0] * n[1] * Sloshing.Thickness);
                     if (n[2] >= n[1])
                         throw new HostException(Text($"scene \"{text}\": wave in spacings is {n[2]}, as high as the water is deep; give less than its {n[1]} layers, as in slosh:40:20:2."));
                     CheckSwings(seconds, Sloshing.Period(n[1] / n[0]));
                     return input => Slosh((int)n[0], (int)n[1], n[2], input, seconds);
                 case "vortex":
-                    n = GivenNumber.Parse(text, "vortex:40:8:3", new GivenNumber("side in spacings", 4, 2000), new GivenNumber("layers", 2, 1000), new GivenNumber("speed in m/s", 0.001, 100, false));
+                    n = GivenNumber.Parse(text, "vortex:40:8:3", new GivenNumber("side in spacings", 4, 2000),
+                        new GivenNumber("layers", 2, 1000), new GivenNumber("speed in m/s", 0.001, 100, false));
                     GivenNumber.CheckParticles(text, n[0] * n[0] * n[1]);
                     CheckSteps(seconds);
                     return input => Vortex((int)n[0], (int)n[1], (float)n[2], input, seconds > 0 ? seconds : 1);
                 case "bucket":
-                    n = GivenNumber.Parse(text, "bucket:12:12:6.3", new GivenNumber("radius in spacings", 3, 1000), new GivenNumber("layers", 1, 1000), new GivenNumber("turning in rad/s", 0.001, 100, false));
+                    n = GivenNumber.Parse(text, "bucket:12:12:6.3", new GivenNumber("radius in spacings", 3, 1000),
+                        new GivenNumber("layers", 1, 1000), new GivenNumber("turning in rad/s", 0.001, 100, false));
                     GivenNumber.CheckParticles(text, Math.PI * n[0] * n[0] * n[1]);
                     if (n[2] > TurningTank.MaxSpeed(n[0], n[1]))
                         throw new HostException(Text($"scene \"{text}\": turning in rad/s is {n[2]}, at which the middle of the floor falls dry; give at most {Math.Floor(100 * TurningTank.MaxSpeed(n[0], n[1])) / 100}, or more layers."));
                     CheckSteps(seconds);
                     return input => Bucket((int)n[0], (int)n[1], n[2], input, seconds > 0 ? seconds : 3.8);
                 case "utube":
-                    n = GivenNumber.Parse(text, "utube:8:24:6", new GivenNumber("width in spacings", 2, 200), new GivenNumber("depth in spacings", 3, 1000), new GivenNumber("height in spacings", 1, 1000));
+                    n = GivenNumber.Parse(text, "utube:8:24:6", new GivenNumber("width in spacings", 2, 200),
+                        new GivenNumber("depth in spacings", 3, 1000), new GivenNumber("height in spacings", 1, 1000));
                     GivenNumber.CheckParticles(text, (2.0 * n[1] + 2.0 * n[0]) * n[0] * UTube.Thickness);
                     if (n[1] - n[2] < n[0])
                         throw new HostException(Text($"scene \"{text}\": height in spacings is {n[2]}, which leaves the lower leg less than the passage of {n[0]} below; give at most {n[1] - n[0]}, that is depth less width, or more depth, as in utube:8:24:6."));

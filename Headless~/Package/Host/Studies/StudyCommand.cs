@@ -31,7 +31,8 @@ namespace Host.Studies
 
         public static Command Create()
         {
-            var seconds = new Option<float>("--seconds") { Description = "Fluid time of a run; the last two seconds are averaged.", DefaultValueFactory = _ => 8f };
+            var seconds = new Option<float>("--seconds") { Description = "Fluid time of a run; the last two seconds are averaged.",
+                DefaultValueFactory = _ => 8f };
             var csv = new Option<string>("--csv") { Description = "Also write the table to this file." };
             var command = new Command("study", "Sweeps relaxation and iterations over a still tank and a dam.") { seconds, csv };
             command.SetAction(parsed => Execute(parsed.GetValue(seconds), parsed.GetValue(csv), System.Console.Out));
@@ -44,7 +45,9 @@ namespace Host.Studies
                 throw new HostException($"--seconds {seconds}: the last two are averaged after settling; give at least 4.");
             using var session = new Session(Session.Root());
             output.WriteLine(session.DescribeDevice());
-            var lines = new List<string> { "scene,particles,iterations,relaxation,density_error,volume_ratio,noise_m_s,jitter_m_s,highest_energy_over_start,coincident" };
+            var lines =
+                new List<string> {
+                "scene,particles,iterations,relaxation,density_error,volume_ratio,noise_m_s,jitter_m_s,highest_energy_over_start,coincident" };
             output.WriteLine(lines[0]);
             foreach ((string name, int3 block, int3 box) in Scenes)
                 foreach (int iterations in Iterations)
@@ -68,7 +71,8 @@ namespace Host.Studies
 
             Experiment run = Experiment.Run(ExperimentScene.Block(name, block, box, Spacing), input, seconds, sampleEvery: 10);
             double start = run.Samples[0].Energy;
-            return string.Create(CultureInfo.InvariantCulture, $"{name},{run.Scene.Particles},{iterations},{relaxation},{run.Settled(s => s.densityError):0.00000},{run.Settled(s => s.volumeRatio):0.0000},{run.Settled(s => s.speed):0.0000},{run.Settled(s => s.jitter):0.0000},{run.Samples.Max(s => s.Energy) / start:0.0000},{run.SettledSamples.Max(s => s.coincident)}");
+            return string.Create(CultureInfo.InvariantCulture,
+                $"{name},{run.Scene.Particles},{iterations},{relaxation},{run.Settled(s => s.densityError):0.00000},{run.Settled(s => s.volumeRatio):0.0000},{run.Settled(s => s.speed):0.0000},{run.Settled(s => s.jitter):0.0000},{run.Samples.Max(s => s.Energy) / start:0.0000},{run.SettledSamples.Max(s => s.coincident)}");
         }
     }
 }

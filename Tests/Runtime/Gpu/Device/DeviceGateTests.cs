@@ -10,16 +10,21 @@ namespace Rill.Tests
     /// <summary>What a scene may have on a device that is too small for all of it.</summary>
     public class DeviceGateTests
     {
-        const DeviceFeature Everything = DeviceFeature.Colliders | DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Tags | DeviceFeature.Drains
-            | DeviceFeature.ForceFields | DeviceFeature.DynamicViscosity | DeviceFeature.Elasticity | DeviceFeature.Vorticity | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Surface | DeviceFeature.Queries | DeviceFeature.ParticleAccess;
+        const DeviceFeature Everything = DeviceFeature.Colliders | DeviceFeature.DeepWater | DeviceFeature.Viscosity
+            | DeviceFeature.Emitters | DeviceFeature.Tags | DeviceFeature.Drains
+            | DeviceFeature.ForceFields | DeviceFeature.DynamicViscosity | DeviceFeature.Elasticity | DeviceFeature.Vorticity
+            | DeviceFeature.Reactions | DeviceFeature.Sleep | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics
+            | DeviceFeature.Surface | DeviceFeature.Queries | DeviceFeature.ParticleAccess;
 
-        static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384) => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
+        static DeviceGate With(int buffers, int threads = 256, int groupshared = 16384)
+            => new DeviceGate(new DeviceLimits(buffers, buffers, threads, groupshared), null);
 
         [TestCase(false, true, true, true, "has no compute shaders (SystemInfo.supportsComputeShaders)")]
         [TestCase(true, false, true, true, "has no indirect arguments (SystemInfo.supportsIndirectArgumentsBuffer)")]
         [TestCase(true, true, false, true, "has no constant buffers of one's own (SystemInfo.supportsSetConstantBuffer)")]
         [TestCase(true, true, true, false, "has no asynchronous readback (SystemInfo.supportsAsyncGPUReadback)")]
-        public void What_every_fluid_needs_of_a_device_is_named(bool computeShaders, bool indirectArguments, bool constantBuffers, bool asyncReadback, string says)
+        public void What_every_fluid_needs_of_a_device_is_named(bool computeShaders, bool indirectArguments, bool constantBuffers,
+            bool asyncReadback, string says)
         {
             string problem = DeviceGate.MissingAbility(computeShaders, indirectArguments, constantBuffers, asyncReadback);
             Assert.That(problem, Does.Contain(says).And.Contains("Run on Direct3D 11 or 12, Vulkan or Metal"));
@@ -44,7 +49,9 @@ namespace Rill.Tests
         {
             DeviceGate gate = With(8);
             Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
-            gate.Decide(DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Drains | DeviceFeature.ForceFields | DeviceFeature.Vorticity | DeviceFeature.Extrapolation | DeviceFeature.Foam | DeviceFeature.Statistics | DeviceFeature.Queries | DeviceFeature.ParticleAccess);
+            gate.Decide(DeviceFeature.DeepWater | DeviceFeature.Viscosity | DeviceFeature.Emitters | DeviceFeature.Drains
+                | DeviceFeature.ForceFields | DeviceFeature.Vorticity | DeviceFeature.Extrapolation | DeviceFeature.Foam
+                | DeviceFeature.Statistics | DeviceFeature.Queries | DeviceFeature.ParticleAccess);
             Assert.That(gate.Refused, Is.EqualTo(DeviceFeature.None), string.Join("\n", gate.Refusals));
         }
 
@@ -57,7 +64,9 @@ namespace Rill.Tests
             DeviceGate gate = With(8);
             gate.Decide(feature);
             Assert.That(gate.Refused, Is.EqualTo(feature));
-            Assert.That(gate.Refusals.Single().problem, Does.Match($@"^goes on without {name}: kernel '\w+' of \w+\.compute takes \d+ storage buffers, and this device has 8 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on .*, or {Regex.Escape(remedy)}\.$"));
+            Assert.That(gate.Refusals.Single().problem,
+                Does.Match(
+                $@"^goes on without {name}: kernel '\w+' of \w+\.compute takes \d+ storage buffers, and this device has 8 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on .*, or {Regex.Escape(remedy)}\.$"));
         }
 
         [Test]
@@ -76,19 +85,24 @@ namespace Rill.Tests
             gate.Decide(DeviceFeature.Surface);
             Assert.That(gate.Refusals, Is.Empty);
             gate.Decide(DeviceFeature.Surface | DeviceFeature.TwoLists);
-            Assert.That(gate.Refusals.Single().problem, Does.Match(@"^goes on without the water's surface: kernel '\w+' of SurfaceParticles\.compute takes \d+ storage buffers, and this device has 8 .* or draw it with a ParticleRenderer\.$"));
+            Assert.That(gate.Refusals.Single().problem,
+                Does.Match(
+                @"^goes on without the water's surface: kernel '\w+' of SurfaceParticles\.compute takes \d+ storage buffers, and this device has 8 .* or draw it with a ParticleRenderer\.$"));
         }
 
         [Test]
         public void Fewer_than_eight_storage_buffers_are_refused_with_the_kernel_and_the_limit()
         {
-            Assert.That(With(7).ProblemOf(DeviceFeature.None), Does.Match(@"^kernel '\w+' of \w+\.compute takes 8 storage buffers, and this device has 7 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on "));
+            Assert.That(With(7).ProblemOf(DeviceFeature.None),
+                Does.Match(
+                @"^kernel '\w+' of \w+\.compute takes 8 storage buffers, and this device has 7 \(SystemInfo\.maxComputeBufferInputsCompute\)\. Run on "));
         }
 
         [Test]
         public void Groups_of_fewer_than_256_threads_are_refused()
         {
-            Assert.That(With(16, threads: 128).ProblemOf(DeviceFeature.None), Does.Contain("has groups of 256 threads, and this device's have at most 128"));
+            Assert.That(With(16, threads: 128).ProblemOf(DeviceFeature.None),
+                Does.Contain("has groups of 256 threads, and this device's have at most 128"));
         }
 
         [Test]
@@ -126,7 +140,8 @@ namespace Rill.Tests
                 return TestShaders.Load(stage);
             });
             Assert.That(gate.ProblemOf(DeviceFeature.None), Is.Null);
-            Assert.That(loaded, Is.EquivalentTo(new[] { "Clear", "DensityConstraint", "ParticleUpload", "NeighborSearch", "PrefixSum", "VelocityUpdate" }));
+            Assert.That(loaded, Is.EquivalentTo(new[] { "Clear", "DensityConstraint", "ParticleUpload", "NeighborSearch", "PrefixSum",
+                "VelocityUpdate" }));
             gate.Decide(DeviceFeature.Drains);
             Assert.That(loaded, Has.Member("Drains").And.No.Member("Emitters"));
         }
@@ -134,7 +149,8 @@ namespace Rill.Tests
         [Test]
         public void A_draw_shader_that_reads_more_than_the_vertex_stage_has_is_refused()
         {
-            Assert.That(DeviceGate.ProblemOfDraw("Particles", new DeviceLimits(16, 0, 256, 16384)), Does.StartWith("the vertex stage of Particles.shader reads ").And.Contain("this device has 0 there"));
+            Assert.That(DeviceGate.ProblemOfDraw("Particles", new DeviceLimits(16, 0, 256, 16384)),
+                Does.StartWith("the vertex stage of Particles.shader reads ").And.Contain("this device has 0 there"));
             Assert.That(DeviceGate.ProblemOfDraw("Particles", DeviceLimits.Current), Is.Null);
             Assert.That(DeviceGate.ProblemOfDraw("Domain", new DeviceLimits(16, 0, 256, 16384)), Is.Null);
         }

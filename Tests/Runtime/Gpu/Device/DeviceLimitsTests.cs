@@ -25,9 +25,13 @@ namespace Rill.Tests
         public void What_is_too_much_is_named_with_the_kernel_and_the_limit()
         {
             Assert.That(new DeviceLimits(9, 9, 512, 20000).WhyNot(Need), Is.Null);
-            Assert.That(new DeviceLimits(8, 9, 512, 20000).WhyNot(Need), Is.EqualTo("kernel 'Kernel' of File.compute takes 9 storage buffers, and this device has 8 (SystemInfo.maxComputeBufferInputsCompute)"));
-            Assert.That(new DeviceLimits(9, 9, 511, 20000).WhyNot(Need), Is.EqualTo("kernel 'Kernel' of File.compute has groups of 512 threads, and this device's have at most 511 (SystemInfo.maxComputeWorkGroupSize)"));
-            Assert.That(new DeviceLimits(9, 9, 512, 16384).WhyNot(Need), Is.EqualTo($"kernel 'Kernel' of File.compute takes {20000:N0} bytes of groupshared memory, and {SystemInfo.graphicsDeviceType} grants {16384:N0}"));
+            Assert.That(new DeviceLimits(8, 9, 512, 20000).WhyNot(Need),
+                Is.EqualTo(
+                "kernel 'Kernel' of File.compute takes 9 storage buffers, and this device has 8 (SystemInfo.maxComputeBufferInputsCompute)"));
+            Assert.That(new DeviceLimits(9, 9, 511, 20000).WhyNot(Need), Is.EqualTo("kernel 'Kernel' of File.compute has groups of 512 " +
+                "threads, and this device's have at most 511 (SystemInfo.maxComputeWorkGroupSize)"));
+            Assert.That(new DeviceLimits(9, 9, 512, 16384).WhyNot(Need), Is.EqualTo($"kernel 'Kernel' of File.compute takes {20000:N0} " +
+                $"bytes of groupshared memory, and {SystemInfo.graphicsDeviceType} grants {16384:N0}"));
         }
 
         [Test]
@@ -35,13 +39,15 @@ namespace Rill.Tests
         {
             var vertex = new KernelNeed("File", KernelNeed.Vertex, "", 0, 0, 2, 0, 0);
             Assert.That(new DeviceLimits(9, 2, 512, 20000).WhyNot(vertex), Is.Null);
-            Assert.That(new DeviceLimits(9, 0, 512, 20000).WhyNot(vertex), Is.EqualTo("the vertex stage of File.shader reads 2 storage buffers, and this device has 0 there (SystemInfo.maxComputeBufferInputsVertex)"));
+            Assert.That(new DeviceLimits(9, 0, 512, 20000).WhyNot(vertex), Is.EqualTo("the vertex stage of File.shader reads 2 storage " +
+                "buffers, and this device has 0 there (SystemInfo.maxComputeBufferInputsVertex)"));
         }
 
         [Test]
         public void A_kernel_that_the_table_lacks_is_named()
         {
-            Assert.That(() => DeviceLimits.Current.Holds("Emitters", "None"), Throws.ArgumentException.With.Message.Contains("Emitters.compute has no kernel 'None'"));
+            Assert.That(() => DeviceLimits.Current.Holds("Emitters", "None"),
+                Throws.ArgumentException.With.Message.Contains("Emitters.compute has no kernel 'None'"));
         }
 
         [Test]

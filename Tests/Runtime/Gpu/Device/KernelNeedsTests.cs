@@ -20,7 +20,8 @@ namespace Rill.Tests
         public void A_file_or_define_that_no_feature_has_is_named(string file, string defines)
         {
             var need = new KernelNeed(file, "Kernel", defines, 64, 0, 1, 1, 0);
-            Assert.That(() => KernelNeeds.FeaturesOf(need), Throws.ArgumentException.With.Message.Contains(defines.Length > 0 ? defines : file).And.Message.Contains("feature"));
+            Assert.That(() => KernelNeeds.FeaturesOf(need),
+                Throws.ArgumentException.With.Message.Contains(defines.Length > 0 ? defines : file).And.Message.Contains("feature"));
         }
 
         [Test]
@@ -33,11 +34,15 @@ namespace Rill.Tests
         [Test]
         public void What_takes_more_than_256_threads_or_16_KB_has_a_small_stand_in_of_the_same_name()
         {
-            KernelNeed[] large = KernelNeeds.OfKernels.Where(need => need.Threads > SmallThreads || need.GroupsharedBytes > SmallGroupshared).ToArray();
+            KernelNeed[] large = KernelNeeds.OfKernels.Where(need => need.Threads > SmallThreads
+                || need.GroupsharedBytes > SmallGroupshared).ToArray();
             Assert.That(large, Is.Not.Empty);
             foreach (KernelNeed need in large)
             {
-                KernelNeed small = KernelNeeds.OfKernels.SingleOrDefault(other => other.File == need.File && other.Kernel == need.Kernel + KernelNeed.Small && other.Defines.Replace(" SMALL", "") == need.Defines || other.File == need.File && other.Kernel == need.Kernel + KernelNeed.Small && other.Defines == (need.Defines + " SMALL").Trim());
+                KernelNeed small = KernelNeeds.OfKernels.SingleOrDefault(other => other.File == need.File
+                    && other.Kernel == need.Kernel + KernelNeed.Small && other.Defines.Replace(" SMALL", "") == need.Defines
+                    || other.File == need.File && other.Kernel == need.Kernel + KernelNeed.Small
+                    && other.Defines == (need.Defines + " SMALL").Trim());
                 Assert.That(small.File, Is.Not.Null, $"{need.File} {need.Kernel} {need.Defines}");
                 Assert.That(small.Threads, Is.InRange(1, SmallThreads), small.Kernel);
                 Assert.That(small.GroupsharedBytes, Is.AtMost(SmallGroupshared), small.Kernel);

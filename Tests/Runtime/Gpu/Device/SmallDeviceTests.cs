@@ -48,7 +48,8 @@ namespace Rill.Tests
                 Assert.That(expected.Count, Is.GreaterThan(1700), "the jets let nothing in");
                 Assert.That(actual.ids, Is.EqualTo(expected.ids));
                 for (int i = 0; i < expected.Count; i++)
-                    Assert.That(math.all(math.asuint(actual.positions[i].xyz) == math.asuint(expected.positions[i].xyz)), $"particle {i}: {actual.positions[i]} and {expected.positions[i]}");
+                    Assert.That(math.all(math.asuint(actual.positions[i].xyz) == math.asuint(expected.positions[i].xyz)),
+                        $"particle {i}: {actual.positions[i]} and {expected.positions[i]}");
             }
         }
 

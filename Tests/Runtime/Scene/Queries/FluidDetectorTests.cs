@@ -22,7 +22,8 @@ namespace Rill.Tests
             {
                 scene.Fluid.Gravity = Vector3.zero;
                 scene.AddWhere(place => place.x < 0.5f);
-                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(-0.1f, 0.02f, 0.01f), new Vector3(0.3f * turned, 0.2f * turned, 1f), d =>
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(-0.1f, 0.02f, 0.01f),
+                    new Vector3(0.3f * turned, 0.2f * turned, 1f), d =>
                 {
                     d.Shape = shape;
                     d.Size = new Vector3(0.6f, 0.5f, 0.4f);
@@ -31,7 +32,8 @@ namespace Rill.Tests
                 });
                 scene.Step();
                 FluidDetectorSample sample = detector.Flushed();
-                TestContext.Out.WriteLine($"{sample.volume:0.00000} m³ of {detector.ShapeVolume:0.00000}: {100f * (sample.volume / detector.ShapeVolume - 1f):0.00} %");
+                TestContext.Out.WriteLine($"{sample.volume:0.00000} m³ of {detector.ShapeVolume:0.00000}: " +
+                    $"{100f * (sample.volume / detector.ShapeVolume - 1f):0.00} %");
                 Assert.That(sample.volume, Is.EqualTo(detector.ShapeVolume).Within(0.01f * detector.ShapeVolume));
                 Assert.That(sample.fill, Is.EqualTo(1f).Within(0.01f));
                 Assert.That(sample.mass, Is.EqualTo(sample.volume * 1000f).Within(1e-3f));
@@ -46,7 +48,9 @@ namespace Rill.Tests
             {
                 scene.Fluid.Gravity = Vector3.zero;
                 scene.AddWhere(_ => true);
-                FluidDetector[] boxes = Enumerable.Range(0, 20).Select(i => scene.Add<FluidDetector>(new Vector3(0.1f, 0.05f, 0f) + 0.1f * i * Spacing * new Vector3(1f, 0.7f, 0.3f), Vector3.forward, d => d.Size = new Vector3(0.3f, 0.25f, 0.2f))).ToArray();
+                FluidDetector[] boxes = Enumerable.Range(0, 20)
+                    .Select(i => scene.Add<FluidDetector>(new Vector3(0.1f, 0.05f, 0f) + 0.1f * i * Spacing * new Vector3(1f, 0.7f, 0.3f),
+                    Vector3.forward, d => d.Size = new Vector3(0.3f, 0.25f, 0.2f))).ToArray();
                 scene.Step();
                 float[] volumes = boxes.Select(box => box.Flushed().volume / box.ShapeVolume).ToArray();
                 TestContext.Out.WriteLine($"{volumes.Min():0.0000} to {volumes.Max():0.0000}");
@@ -191,7 +195,9 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000).Fill(0.3f))
             {
-                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.1f), second = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.1f);
+                FluidDetector detector = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward,
+                    d => d.Size = Vector3.one * 0.1f), second = scene.Add<FluidDetector>(new Vector3(0f, -0.2f, 0f), Vector3.forward, d
+                    => d.Size = Vector3.one * 0.1f);
                 int calls = 0;
                 detector.Entered.AddListener(() =>
                 {
@@ -216,7 +222,9 @@ namespace Rill.Tests
                 FluidDetector empty = scene.Add<FluidDetector>(new Vector3(0f, 0.25f, 0f), Vector3.forward, d => d.Size = Vector3.one * 0.1f);
                 FluidDetector flat = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d => d.Size = new Vector3(1f, 0f, 1f));
                 Assert.That(empty.TryGetSample(out _), Is.False, "before the first result");
-                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidDetector 'FluidDetector': its box of 1 x 0 x 1 m has no size, so it measures nothing. Set its size above 0."));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex(
+                    "^Rill: FluidDetector 'FluidDetector': its box of 1 x 0 x 1 m has no size, so it measures nothing. Set its size above 0."));
                 scene.Step();
                 FluidDetectorSample sample = empty.Flushed();
                 Assert.That(sample.volume, Is.Zero);
@@ -237,7 +245,8 @@ namespace Rill.Tests
             {
                 for (int i = 0; i < Queries.MaxDetectors; i++)
                     scene.Add<FluidDetector>(Vector3.zero, Vector3.forward);
-                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidDetector 'FluidDetector': FluidSimulation 'Fluid' has 32 of its kind, the most it takes"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex("^Rill: FluidDetector 'FluidDetector': FluidSimulation 'Fluid' has 32 of its kind, the most it takes"));
                 scene.Add<FluidDetector>(Vector3.zero, Vector3.forward);
                 scene.Step();
                 List<FluidDetector> all = scene.Fluid.GetComponentsInChildren<FluidDetector>().ToList();

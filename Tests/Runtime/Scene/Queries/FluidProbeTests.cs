@@ -57,7 +57,8 @@ namespace Rill.Tests
                 foreach (FluidProbe probe in probes)
                 {
                     FluidProbeSample sample = probe.Flushed();
-                    TestContext.Out.WriteLine($"{probe.transform.position}: depth {sample.depth / Spacing:0.000} d, normal off by {Vector3.Angle(sample.normal, slope):0.00} degrees");
+                    TestContext.Out.WriteLine($"{probe.transform.position}: depth {sample.depth / Spacing:0.000} d, normal off by " +
+                        $"{Vector3.Angle(sample.normal, slope):0.00} degrees");
                 }
                 Assert.That(probes.Max(probe => Vector3.Angle(probe.Latest.normal, slope)), Is.LessThan(2f));
                 Assert.That(probes.Max(probe => Math.Abs(probe.Latest.depth)), Is.LessThan(0.5f * Spacing));
@@ -127,7 +128,8 @@ namespace Rill.Tests
                     if (sample.hasVelocity)
                     {
                         wet++;
-                        velocityError = Math.Max(velocityError, math.distance(QueryScene.Velocity(state, at) * Spacing, (double3)(float3)sample.velocity));
+                        velocityError = Math.Max(velocityError,
+                            math.distance(QueryScene.Velocity(state, at) * Spacing, (double3)(float3)sample.velocity));
                     }
                     double found = QueryScene.Surface(state, at);
                     Assert.That(sample.hasSurface, Is.EqualTo(!double.IsNaN(found)));
@@ -136,7 +138,8 @@ namespace Rill.Tests
                     surfaces++;
                     heightError = Math.Max(heightError, Math.Abs(found - (sample.height / Spacing + 0.5 * state.box.y)));
                 }
-                TestContext.Out.WriteLine($"{wet} in water, {surfaces} with a surface: density within {densityError:0.0000}, velocity within {velocityError:0.0000} m/s, height within {heightError:0.000} d");
+                TestContext.Out.WriteLine($"{wet} in water, {surfaces} with a surface: density within {densityError:0.0000}, velocity " +
+                    $"within {velocityError:0.0000} m/s, height within {heightError:0.000} d");
                 Assert.That(surfaces, Is.GreaterThan(10));
                 Assert.That(wet, Is.GreaterThan(5));
                 Assert.That(densityError, Is.LessThan(1e-3));
@@ -180,7 +183,8 @@ namespace Rill.Tests
                 AssertNone(outside);
 
                 scene.Step(2);
-                Assert.That(probe.TryGetSample(out FluidProbeSample late) && late.age > 0.5f * SourceScene.Step60 == late.step < 3, "its age is that of its step");
+                Assert.That(probe.TryGetSample(out FluidProbeSample late) && late.age > 0.5f * SourceScene.Step60 == late.step < 3,
+                    "its age is that of its step");
                 scene.Fluid.Restart();      // a request is pending
                 AssertNone(probe);
                 probe.Flush();
@@ -222,7 +226,8 @@ namespace Rill.Tests
                     for (int i = 0; i < count; i++, reads++)
                     {
                         bool isValid = probe.TryGetSample(out FluidProbeSample s);
-                        if (isValid != s.valid || isValid && (s.step < 1 || s.step > scene.Fluid.StepCount || !(s.density > 0.5f) || !s.hasSurface || !(s.age >= 0f)
+                        if (isValid != s.valid || isValid
+                            && (s.step < 1 || s.step > scene.Fluid.StepCount || !(s.density > 0.5f) || !s.hasSurface || !(s.age >= 0f)
                             || Math.Abs(s.time + s.age - scene.Fluid.FrameTime) > 1e-5))
                             Assert.Fail($"read {reads}: {isValid}, step {s.step} of {scene.Fluid.StepCount}, age {s.age}, density {s.density}");
                         valid += isValid ? 1 : 0;
@@ -291,7 +296,10 @@ namespace Rill.Tests
             {
                 for (int i = 0; i < 64; i++)
                     scene.Probe(Vector3.zero);
-                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidProbe 'FluidProbe': FluidSimulation 'Fluid' has 64 of its kind, the most it takes, and leaves this one out. Disable another"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex(
+                    "^Rill: FluidProbe 'FluidProbe': FluidSimulation 'Fluid' has 64 of its kind, the most it takes, and leaves this " +
+                    "one out. Disable another"));
                 FluidProbe late = scene.Probe(Vector3.zero);
                 scene.Step();
                 late.Flush();
@@ -338,7 +346,8 @@ namespace Rill.Tests
             using (var scene = new SourceScene(new Vector3(0.8f, 1f, 0.8f), Spacing, 4000))
             {
                 scene.Fluid.Gravity = new Vector3(0f, -1e-3f, 0f);
-                scene.AddWhere(place => place.y < -0.1f && place.y > -0.4f && Math.Abs(place.x) < 0.35f && Math.Abs(place.z) < 0.35f, 1.2f * Vector3.up);
+                scene.AddWhere(place => place.y < -0.1f && place.y > -0.4f && Math.Abs(place.x) < 0.35f && Math.Abs(place.z) < 0.35f,
+                    1.2f * Vector3.up);
                 FluidProbe probe = scene.Probe(Vector3.zero);
                 scene.Run(5);
                 FluidProbeSample then = probe.Flushed();
@@ -346,7 +355,8 @@ namespace Rill.Tests
                 Assert.That(probe.TryGetSample(out FluidProbeSample late));
                 Assert.That(late.step, Is.EqualTo(then.step), "the results of the last steps have not come");
                 FluidProbeSample now = probe.Flushed();
-                TestContext.Out.WriteLine($"{then.height:0.0000} m, {late.ExtrapolatedHeight:0.0000} m after {late.age:0.000} s, then {now.height:0.0000} m");
+                TestContext.Out.WriteLine(
+                    $"{then.height:0.0000} m, {late.ExtrapolatedHeight:0.0000} m after {late.age:0.000} s, then {now.height:0.0000} m");
                 Assert.That(now.height - then.height, Is.GreaterThan(1.4f * Spacing));
                 Assert.That(late.ExtrapolatedHeight, Is.EqualTo(now.height).Within(0.15f * Spacing));
             }

@@ -74,7 +74,8 @@ namespace Rill.Tests
             return sum / Reference.Kernels.RestDensity / Math.Max(1.0 - Reference.Walls.Density(at, state.box), 0.1);
         }
 
-        /// <summary>Height of the highest place on the vertical line through a place where the density is half that of rest, d: from the lid down in steps of half a spacing, and between two on a line. NaN for none.</summary>
+        /// <summary>Height of the highest place on the vertical line through a place where the density is half that of rest, d: from the
+        /// lid down in steps of half a spacing, and between two on a line. NaN for none.</summary>
         public static double Surface(ParticleState state, double3 at)
         {
             double above = 0.0;

@@ -114,7 +114,8 @@ namespace Rill.Tests
             using (var stages = new CoarseStages(state).Project())
             {
                 AssertVelocities(stages, state);
-                float longest = stages.Velocities.Zip(state.velocities, (after, before) => math.length(after.xyz - before.xyz)).Max() * CoarseStages.TimeStep;
+                float longest = stages.Velocities.Zip(state.velocities, (after, before) => math.length(after.xyz - before.xyz))
+                    .Max() * CoarseStages.TimeStep;
                 Assert.That(longest, Is.EqualTo(40f).Within(0.01f), "nothing was so fast that it had to be clamped");
             }
         }
@@ -125,7 +126,8 @@ namespace Rill.Tests
             ParticleState state = Block(24, box: 24f).With(p => 60f * math.sin(p.yzx));
             using (var stages = new CoarseStages(state, Gravity).Project())
             {
-                Assert.That(state.positions.Count(p => math.all(p.xyz < 2f) || math.all(p.xyz > 22f)), Is.GreaterThan(4), "no particle is in a corner");
+                Assert.That(state.positions.Count(p => math.all(p.xyz < 2f) || math.all(p.xyz > 22f)), Is.GreaterThan(4),
+                    "no particle is in a corner");
                 AssertVelocities(stages, state);
             }
         }
@@ -218,7 +220,8 @@ namespace Rill.Tests
                 CoarseCells cells = stages.Cells;
                 AssertFill(stages.Fill, cells);
                 AssertInactive(stages, cells, stages.ErrorPotential);
-                double[] mean = cells.Mean(Compare.Points(state.positions), i => Math.Min(Math.Max(errors[i], -0.1), 8.0)).Select(m => Math.Min(m.x, 1.0)).ToArray();
+                double[] mean = cells.Mean(Compare.Points(state.positions), i => Math.Min(Math.Max(errors[i], -0.1), 8.0))
+                    .Select(m => Math.Min(m.x, 1.0)).ToArray();
                 int[] active = Active(cells);
                 float[] source = stages.Source, kept = stages.LastErrors;
                 if (scene == 5)
@@ -227,7 +230,8 @@ namespace Rill.Tests
                     Assert.That(active.Any(cell => mean[cell] < 0.0), "no cell is too dilute");
                 }
                 Compare.Scalars("source", active.Length, k => source[active[k]], k => mean[active[k]], k => ErrorRounding);
-                Compare.Scalars("errors kept for the next projection", cells.Total, i => kept[i], i => cells.active[i] ? Kept(mean[i], cells, i) : 0.0, i => ErrorRounding);
+                Compare.Scalars("errors kept for the next projection", cells.Total, i => kept[i], i => cells.active[i]
+                    ? Kept(mean[i], cells, i) : 0.0, i => ErrorRounding);
                 AssertDiagonal(stages, cells);
                 AssertDisplacements(stages, cells, stages.ErrorPotential, null);
                 Assert.That(stages.Bins.All(word => word == 0u), "bins are left empty");
@@ -235,7 +239,8 @@ namespace Rill.Tests
         }
 
         // Less what each particle of the outermost layer, one a d², is counted too dilute by at most.
-        static double Kept(double mean, CoarseCells cells, int cell) => mean < 0.0 ? Math.Min(mean + 0.1 * cells.SurfaceLayer(cell) / (cells.fill[cell] * cells.Volume), 0.0) : mean;
+        static double Kept(double mean, CoarseCells cells, int cell)
+            => mean < 0.0 ? Math.Min(mean + 0.1 * cells.SurfaceLayer(cell) / (cells.fill[cell] * cells.Volume), 0.0) : mean;
 
         [TestCase(0)]
         [TestCase(1)]
@@ -272,14 +277,16 @@ namespace Rill.Tests
         {
             ParticleState state = Cloud(4);
             float[] errors = state.positions.Select(p => p.x < 14f ? -0.08f : 0.2f).ToArray();
-            using (CoarseStages plain = new CoarseStages(state, Gravity).Project(), after = new CoarseStages(state, Gravity).CorrectDensity(errors).Project())
+            using (CoarseStages plain = new CoarseStages(state, Gravity).Project(),
+                after = new CoarseStages(state, Gravity).CorrectDensity(errors).Project())
             {
                 float[] without = plain.Source, with = after.Source, last = after.LastErrors;
                 CoarseCells cells = plain.FlowCells;
                 int[] active = Active(cells);
                 Assert.That(active.Count(cell => last[cell] < -0.05f), Is.GreaterThan(5));
                 Assert.That(active.Count(cell => last[cell] > 0.05f), Is.GreaterThan(5));
-                Compare.Scalars("source", active.Length, k => with[active[k]] - without[active[k]], k => Taken(Math.Min(last[active[k]], 0.0)), k => 1e-6);
+                Compare.Scalars("source", active.Length, k => with[active[k]] - without[active[k]],
+                    k => Taken(Math.Min(last[active[k]], 0.0)), k => 1e-6);
             }
         }
 
@@ -336,7 +343,8 @@ namespace Rill.Tests
                     Assert.That(errors.Count(e => e > 8f), Is.GreaterThan(50), "no crowd");
                     Assert.That(errors.Count(e => e > -0.1f && e < 8f), Is.GreaterThan(50), "nothing between the limits");
                 }
-                uint[] expected = CoarseStages.ErrorBins(coarse.Grid, state.box, sorted, errors), bins = GpuTest.Read<uint>(coarse.Bins, coarse.Bins.count);
+                uint[] expected = CoarseStages.ErrorBins(coarse.Grid, state.box, sorted, errors),
+                    bins = GpuTest.Read<uint>(coarse.Bins, coarse.Bins.count);
                 for (int bin = 0; bin < expected.Length; bin += 8)
                 {
                     Assert.That(bins[bin], Is.EqualTo(expected[bin]), $"particles of cell {bin / 8}");
@@ -401,7 +409,8 @@ namespace Rill.Tests
             bool HasSurface(CoarseCells cells, int cell)
             {
                 int above = cells.Beside(cell, 1, true);
-                return above >= 0 && !cells.active[above] && cells.fill[cell] + cells.fill[above] < 1.9 && cells.fill[cell] + cells.fill[above] > 0.9 && cells.fill[cell] < 1.0;
+                return above >= 0 && !cells.active[above] && cells.fill[cell] + cells.fill[above] < 1.9
+                    && cells.fill[cell] + cells.fill[above] > 0.9 && cells.fill[cell] < 1.0;
             }
         }
 
@@ -409,7 +418,8 @@ namespace Rill.Tests
 
         static void AssertFill(float[] fill, CoarseCells cells)
         {
-            Compare.Scalars("fill", cells.Total, i => fill[i], i => cells.active[i] ? cells.fill[i] : -cells.fill[i], i => 1e-6 * Math.Max(cells.fill[i], 1e-3));
+            Compare.Scalars("fill", cells.Total, i => fill[i], i => cells.active[i] ? cells.fill[i] : -cells.fill[i],
+                i => 1e-6 * Math.Max(cells.fill[i], 1e-3));
         }
 
         static void AssertInactive(CoarseStages stages, CoarseCells cells, float[] potential)
@@ -428,7 +438,8 @@ namespace Rill.Tests
         {
             float[] diagonal = stages.Diagonal;
             int[] active = Active(cells);
-            Compare.Scalars("diagonal", active.Length, k => diagonal[active[k]], k => cells.Diagonal(active[k]), k => tolerance * cells.Diagonal(active[k]));
+            Compare.Scalars("diagonal", active.Length, k => diagonal[active[k]], k => cells.Diagonal(active[k]),
+                k => tolerance * cells.Diagonal(active[k]));
         }
 
         static void AssertDisplacements(CoarseStages stages, CoarseCells cells, float[] potential, double3[] flow)
@@ -456,7 +467,8 @@ namespace Rill.Tests
         // Errors on both sides of all limits, dense in one corner.
         static float[] Errors(ParticleState state)
         {
-            return state.positions.Select((p, i) => i % 97 == 3 ? 30f : i % 31 == 4 ? -0.7f : 1.5f * (1f - 2f * p.x / state.box.x) + 0.02f * (i % 5)).ToArray();
+            return state.positions.Select((p, i) => i % 97 == 3 ? 30f : i % 31 == 4 ? -0.7f
+                : 1.5f * (1f - 2f * p.x / state.box.x) + 0.02f * (i % 5)).ToArray();
         }
 
         // Water about half the box deep, in heaps, with empty places within, spray above and a velocity that varies.

@@ -10,7 +10,8 @@ namespace Rill.Tests
         static readonly float3[] Domains =
         {
             new float3(2f, 2f, 2f), new float3(4f, 4f, 4f), new float3(5.9f, 6.1f, 9.9f), new float3(50f, 100f, 40f), new float3(200f, 200f, 100f),
-            new float3(11f, 13f, 17f), new float3(24f, 720f, 24f), new float3(240f, 240f, 240f), new float3(432f, 432f, 216f), new float3(8192f, 2f, 2f), new float3(8192f, 200f, 2f),
+            new float3(11f, 13f, 17f), new float3(24f, 720f, 24f), new float3(240f, 240f, 240f), new float3(432f, 432f, 216f),
+                new float3(8192f, 2f, 2f), new float3(8192f, 200f, 2f),
         };
 
         [Test]

@@ -36,7 +36,8 @@ namespace Rill.Tests
         const double Dense = 0.2, Dilute = 0.02, VeryDilute = -0.03;
 
         // Cells along each axis, and the fill of a cell from its place and a random number from 0 to 1.
-        static readonly Dictionary<string, (int3 counts, Func<int3, double, double> fill)> Boxes = new Dictionary<string, (int3, Func<int3, double, double>)>
+        static readonly Dictionary<string, (int3 counts, Func<int3, double, double> fill)> Boxes = new Dictionary<string,
+            (int3, Func<int3, double, double>)>
         {
             ["one cell"] = (new int3(1, 1, 1), (place, random) => 1.0),
             ["one active cell"] = (new int3(5, 5, 5), (place, random) => math.all(place == 2) ? 0.8 : 0.1),
@@ -99,7 +100,8 @@ namespace Rill.Tests
             using (var problem = new Problem(name, source, path))
             {
                 problem.Cycle(24);
-                Assert.That(problem.Raw.Where((value, cell) => problem.Cells.active[cell]).Count(value => value == 0f), Is.GreaterThan(20), "no cell is in tension");
+                Assert.That(problem.Raw.Where((value, cell) => problem.Cells.active[cell]).Count(value => value == 0f), Is.GreaterThan(20),
+                    "no cell is in tension");
                 problem.AssertSolution(1e-3);
             }
         }
@@ -158,7 +160,8 @@ namespace Rill.Tests
         [Test]
         public void The_boxes_have_none_one_and_two_levels_above_the_tail()
         {
-            foreach ((string name, int first) in new[] { ("half filled box", path.SmallTail ? 2 : 1), ("half filled, one level above the tail", 2), ("large half filled box", 3), ("primes", 1) })
+            foreach ((string name, int first) in new[] { ("half filled box", path.SmallTail ? 2 : 1),
+                ("half filled, one level above the tail", 2), ("large half filled box", 3), ("primes", 1) })
                 Assert.That(new CoarseGrid(CellSize * (float3)Boxes[name].counts, CellSize, path.TailCells).FirstTailLevel, Is.EqualTo(first), name);
         }
 
@@ -248,7 +251,8 @@ namespace Rill.Tests
             {
                 double[] expected = Reference.Solve(1.9, fraction: Cells.Total > 100000 ? 1e-6 : 1e-8), actual = Potential;
                 double largest = expected.Max();
-                TestContext.Out.WriteLine($"off by at most {Enumerable.Range(0, expected.Length).Max(i => Math.Abs(actual[i] - expected[i])) / Math.Max(largest, 1e-30):g3} of {largest:g4}");
+                TestContext.Out.WriteLine(
+                    $"off by at most {Enumerable.Range(0, expected.Length).Max(i => Math.Abs(actual[i] - expected[i])) / Math.Max(largest, 1e-30):g3} of {largest:g4}");
                 Compare.Scalars("potential", expected.Length, i => actual[i], i => expected[i], i => fraction * largest + 1e-12);
             }
 

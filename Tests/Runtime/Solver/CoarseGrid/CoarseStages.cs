@@ -40,7 +40,8 @@ namespace Rill.Tests
             search = new NeighborSearch(layout);
             constants = GpuTest.UploadConstants(SolverConstants.For(layout, input, 1));
             Correction = new CoarseCorrection(layout, cellSize);
-            foreach (GraphicsBuffer buffer in new[] { Correction.Cells.flow, Correction.Cells.fill, Correction.Cells.source, Correction.Cells.diagonal, Correction.Displacements })
+            foreach (GraphicsBuffer buffer in new[] { Correction.Cells.flow, Correction.Cells.fill, Correction.Cells.source,
+                Correction.Cells.diagonal, Correction.Displacements })
                 GpuTest.FillWithGarbage(buffer);
         }
 
@@ -58,11 +59,13 @@ namespace Rill.Tests
         /// <param name="p">d, <paramref name="velocity"/> d/s, <paramref name="gravity"/> m/s².</param>
         public static double3 AlongFlowOf(float3 p, float3 velocity, float3 box, float3 gravity) =>
             math.all(math.isfinite(p)) && math.all(math.isfinite(velocity))
-                ? math.clamp((double3)p + (double3)velocity * TimeStep + (double3)gravity / SolverStages.Spacing * TimeStep * TimeStep, new double3(0.5), (double3)box - 0.5)
+                ? math.clamp((double3)p + (double3)velocity * TimeStep + (double3)gravity / SolverStages.Spacing * TimeStep * TimeStep,
+                    new double3(0.5), (double3)box - 0.5)
                 : new double3(double.NaN);
 
         public float[] Fill => Read(Correction.Cells.fill);
-        public float[] SurfaceFill => GpuTest.Read<uint>(Correction.Cells.surface, Grid.Total).Select(surface => math.asfloat(surface & ~SurfaceFlags)).ToArray();
+        public float[] SurfaceFill => GpuTest.Read<uint>(Correction.Cells.surface, Grid.Total)
+            .Select(surface => math.asfloat(surface & ~SurfaceFlags)).ToArray();
         public float[] Source => Read(Correction.Cells.source);
         public float[] Diagonal => Read(Correction.Cells.diagonal);
         public float[] LastErrors => Read(Correction.Cells.lastErrors);
@@ -112,7 +115,8 @@ namespace Rill.Tests
             {
                 int3 cell = math.min((int3)(positions[i].xyz / box * grid.Counts), grid.Counts - 1);
                 int bin = ((cell.z * grid.Counts.y + cell.y) * grid.Counts.x + cell.x) * 8;
-                ulong sum = ((ulong)bins[bin + 2] << 32 | bins[bin + 1]) + (ulong)Math.Round((Math.Min(Math.Max(errors[i], -0.1), 8.0) + 0.1) * 65536.0);
+                ulong sum = ((ulong)bins[bin + 2] << 32 | bins[bin + 1])
+                    + (ulong)Math.Round((Math.Min(Math.Max(errors[i], -0.1), 8.0) + 0.1) * 65536.0);
                 bins[bin]++;
                 bins[bin + 1] = (uint)sum;
                 bins[bin + 2] = (uint)(sum >> 32);

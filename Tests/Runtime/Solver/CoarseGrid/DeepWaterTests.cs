@@ -24,7 +24,9 @@ namespace Rill.Tests
                     statistics = fluid.Step(30).Measure();
                     highest = math.max(highest, statistics.Energy);
                 }
-                TestContext.Out.WriteLine($"C+ {100f * statistics.densityError:0.000} %, p99.9 {statistics.densityError999:0.000}, volume {statistics.volumeRatio:0.000}, jitter {statistics.jitter:0.0000} m/s, energy at most {highest / start.Energy:0.0000} of the start's");
+                TestContext.Out.WriteLine($"C+ {100f * statistics.densityError:0.000} %, p99.9 {statistics.densityError999:0.000}, " +
+                    $"volume {statistics.volumeRatio:0.000}, jitter {statistics.jitter:0.0000} m/s, energy at most " +
+                    $"{highest / start.Energy:0.0000} of the start's");
                 AssertWhole(fluid, 12 * Layers * 12, statistics);
                 Assert.That(statistics.densityError, Is.LessThanOrEqualTo(0.005f));
                 Assert.That(statistics.volumeRatio, Is.InRange(0.97f, 1.03f));
@@ -47,7 +49,8 @@ namespace Rill.Tests
         [Test]
         public void A_dam_of_eight_thousand_particles_breaks_without_compression_and_gains_no_energy()
         {
-            using (var fluid = new TestFluid(new float3(2f, 1.5f, 1f), Spacing, 8000, TwoIterations(DeepWater.Automatic)).AddBlock(0f, new float3(1f, 1f, 1f)))
+            using (var fluid = new TestFluid(new float3(2f, 1.5f, 1f), Spacing, 8000, TwoIterations(DeepWater.Automatic))
+                .AddBlock(0f, new float3(1f, 1f, 1f)))
             {
                 float last = fluid.Measure().Energy, first = last;
                 var errors = new List<float>();
@@ -59,7 +62,8 @@ namespace Rill.Tests
                     Assert.That(statistics.Energy, Is.LessThan(last + 0.005f * first), $"after {10 * part + 10} steps");
                     last = statistics.Energy;
                 }
-                TestContext.Out.WriteLine($"C+ mean {100f * errors.Average():0.00} %, largest {100f * errors.Max():0.00} %; energy {last / first:0.000}");
+                TestContext.Out.WriteLine(
+                    $"C+ mean {100f * errors.Average():0.00} %, largest {100f * errors.Max():0.00} %; energy {last / first:0.000}");
                 AssertWhole(fluid, 8000, statistics);
                 Assert.That(statistics.furthest.x, Is.EqualTo(1.975f).Within(1e-3), "the front has not reached the far wall");
                 Assert.That(errors.Average(), Is.LessThan(0.01f));
@@ -72,7 +76,8 @@ namespace Rill.Tests
         {
             SolverSettings settings = TwoIterations(DeepWater.On);
             settings.substeps = substeps;
-            using (var fluid = new TestFluid(new float3(2f, 4f, 2f), Spacing, 1728, settings).AddBlock(new float3(0.7f, 2.5f, 0.7f), 0.6f, new float3(0.2f, 0f, 0.1f)))
+            using (var fluid = new TestFluid(new float3(2f, 4f, 2f), Spacing, 1728, settings).AddBlock(new float3(0.7f, 2.5f, 0.7f), 0.6f,
+                new float3(0.2f, 0f, 0.1f)))
             {
                 const int steps = 30;
                 FluidStatistics after = fluid.Step(steps).Measure();
@@ -93,7 +98,8 @@ namespace Rill.Tests
             {
                 fluid.Input.gravity = 0f;
                 FluidStatistics before = fluid.Measure(), after = fluid.Step(30).Measure();
-                TestContext.Out.WriteLine($"moved {math.distance(after.centerOfMass, before.centerOfMass) / Spacing:g3} d, speed {after.speed:g3} m/s");
+                TestContext.Out.WriteLine(
+                    $"moved {math.distance(after.centerOfMass, before.centerOfMass) / Spacing:g3} d, speed {after.speed:g3} m/s");
                 Assert.That(math.distance(after.centerOfMass, before.centerOfMass), Is.LessThan(1e-2f * Spacing));
                 Assert.That(after.speed, Is.LessThan(1e-2f));
             }
@@ -161,7 +167,8 @@ namespace Rill.Tests
                 AssertUndisturbed(dam, damAlone, tall, tallAlone);
             }
 
-            TestFluid Tall() => new TestFluid(new float3(0.3f, 3f, 0.3f), Spacing, 1000, TwoIterations(DeepWater.On)).AddBlock(0f, new float3(0.3f, 1f, 0.3f));
+            TestFluid Tall() => new TestFluid(new float3(0.3f, 3f, 0.3f), Spacing, 1000, TwoIterations(DeepWater.On))
+                .AddBlock(0f, new float3(0.3f, 1f, 0.3f));
         }
 
         // Two fluids whose steps share command buffers end as they do alone.
@@ -198,10 +205,12 @@ namespace Rill.Tests
             {
                 fluid.Input.material.artificialPressure = 0.1f;
                 fluid.Step();
-                Assert.That(Kernels(fluid), Has.Some.Contains(": ApplyDeltaPDeepWithPressure").And.Some.Contains(": ApplyDeltaPWithPressure").And.None.EndsWith(": ApplyDeltaPDeep"));
+                Assert.That(Kernels(fluid), Has.Some.Contains(": ApplyDeltaPDeepWithPressure").And.Some.Contains(
+                    ": ApplyDeltaPWithPressure").And.None.EndsWith(": ApplyDeltaPDeep"));
                 ParticleState with = fluid.Read();
                 using (TestFluid plain = Dam(DeepWater.On).Step())
-                    Assert.That(with.positions.Zip(plain.Read().positions, (a, b) => math.distance(a.xyz, b.xyz)).Max(), Is.GreaterThan(1e-4f), "the pressure changes nothing");
+                    Assert.That(with.positions.Zip(plain.Read().positions, (a, b) => math.distance(a.xyz, b.xyz)).Max(),
+                        Is.GreaterThan(1e-4f), "the pressure changes nothing");
             }
         }
 
@@ -257,7 +266,8 @@ namespace Rill.Tests
         {
             using (var deep = new TestFluid(1f, Spacing, 1000).AddBlock(0f, new float3(0.3f, 0.8f, 0.3f)).Add(new[] { new float3(bad, 0.1f, 0.1f) }))
                 Assert.That(IsDeep(deep.Step()), Is.True, Coarse(deep).Reason);
-            using (var shallow = new TestFluid(new float3(1f, 0.175f, 1f), Spacing, 1000).AddBlock(0f, new float3(0.3f, 0.15f, 0.3f)).Add(new[] { new float3(0.1f, bad, 0.1f) }))
+            using (var shallow = new TestFluid(new float3(1f, 0.175f, 1f), Spacing, 1000).AddBlock(0f, new float3(0.3f, 0.15f, 0.3f))
+                .Add(new[] { new float3(0.1f, bad, 0.1f) }))
                 Assert.That(IsDeep(shallow.Step()), Is.False, Coarse(shallow).Reason);
         }
 
@@ -281,7 +291,8 @@ namespace Rill.Tests
         public void Gravity_that_needs_larger_cells_gets_them_and_gives_them_back()
         {
             const float d = 0.0125f;
-            using (var fluid = new TestFluid(new float3(16f, 30f, 16f) * d, d, 4096, TwoIterations(DeepWater.On)).AddBlock(0f, new float3(16f, 16f, 16f) * d))
+            using (var fluid = new TestFluid(new float3(16f, 30f, 16f) * d, d, 4096, TwoIterations(DeepWater.On))
+                .AddBlock(0f, new float3(16f, 16f, 16f) * d))
             {
                 long Cells() => Coarse(fluid).Buffers.Single(buffer => buffer.name == "Rill.Coarse.Fill").bytes / sizeof(float);
                 float energy = fluid.Measure().Energy;
@@ -293,7 +304,8 @@ namespace Rill.Tests
                 fluid.Input.gravity.y = -8.5f;     // well below: a grid changes late
                 FluidStatistics statistics = fluid.Step(60).Measure();
                 Assert.That(Cells(), Is.EqualTo(4 * 8 * 4));
-                TestContext.Out.WriteLine($"C+ {100f * statistics.densityError:0.00} %, volume {statistics.volumeRatio:0.000}, speed {statistics.speed:0.000} m/s");
+                TestContext.Out.WriteLine(
+                    $"C+ {100f * statistics.densityError:0.00} %, volume {statistics.volumeRatio:0.000}, speed {statistics.speed:0.000} m/s");
                 AssertWhole(fluid, 4096, statistics);
                 Assert.That(statistics.densityError, Is.LessThan(0.01f));
                 Assert.That(statistics.volumeRatio, Is.InRange(0.95f, 1.05f));
@@ -305,7 +317,8 @@ namespace Rill.Tests
         [TestCase(1)]
         public void Next_to_no_particles_step_without_harm(int count)
         {
-            using (var fluid = new TestFluid(1f, Spacing, 10, TwoIterations(DeepWater.On)).Add(Enumerable.Repeat(new float3(0.5f), count).ToArray()).Step(5))
+            using (var fluid = new TestFluid(1f, Spacing, 10, TwoIterations(DeepWater.On))
+                .Add(Enumerable.Repeat(new float3(0.5f), count).ToArray()).Step(5))
             {
                 Assert.That(IsDeep(fluid));
                 AssertWhole(fluid, count, fluid.Measure());
@@ -325,11 +338,13 @@ namespace Rill.Tests
         [Test]
         public void A_thousand_particles_at_one_point_come_apart_and_none_is_lost()
         {
-            using (var fluid = new TestFluid(1.5f, Spacing, 1000, TwoIterations(DeepWater.On)).Add(Enumerable.Repeat(new float3(0.75f), 1000).ToArray()))
+            using (var fluid = new TestFluid(1.5f, Spacing, 1000, TwoIterations(DeepWater.On))
+                .Add(Enumerable.Repeat(new float3(0.75f), 1000).ToArray()))
             {
                 fluid.Input.gravity = 0f;
                 FluidStatistics statistics = fluid.Step(90).Measure();
-                TestContext.Out.WriteLine($"p99.9 {statistics.densityError999:0.00}, largest {statistics.densityErrorMax:0.00}, speed at most {statistics.speedMax:0.0} m/s, coincident {statistics.coincident}");
+                TestContext.Out.WriteLine($"p99.9 {statistics.densityError999:0.00}, largest {statistics.densityErrorMax:0.00}, speed " +
+                    $"at most {statistics.speedMax:0.0} m/s, coincident {statistics.coincident}");
                 AssertWhole(fluid, 1000, statistics);
                 Assert.That(statistics.densityError999, Is.LessThan(3f));
                 // What passes and grid may move a particle in a step: 2 x 0.5 d, 2 d and 40 d at most.
@@ -341,7 +356,8 @@ namespace Rill.Tests
         [TestCase(1e30f)]
         public void Speed_without_bounds_stays_finite_and_inside(float speed)
         {
-            using (var fluid = new TestFluid(1f, Spacing, 200, TwoIterations(DeepWater.On)).AddBlock(0.4f, 0.25f, new float3(speed, -speed, 0.5f * speed)))
+            using (var fluid = new TestFluid(1f, Spacing, 200, TwoIterations(DeepWater.On))
+                .AddBlock(0.4f, 0.25f, new float3(speed, -speed, 0.5f * speed)))
                 AssertWhole(fluid, 125, fluid.Step(5).Measure());
         }
 
@@ -356,7 +372,8 @@ namespace Rill.Tests
         // 12 x 40 x 12 particles that fill their box.
         static TestFluid Column(DeepWater deepWater)
         {
-            return new TestFluid(new float3(12f, Layers + 12f, 12f) * Spacing, Spacing, 12 * Layers * 12, TwoIterations(deepWater)).AddBlock(0f, new float3(12f, Layers, 12f) * Spacing);
+            return new TestFluid(new float3(12f, Layers + 12f, 12f) * Spacing, Spacing, 12 * Layers * 12, TwoIterations(deepWater))
+                .AddBlock(0f, new float3(12f, Layers, 12f) * Spacing);
         }
 
         static TestFluid Dam(DeepWater deepWater)
@@ -379,7 +396,8 @@ namespace Rill.Tests
             return stage.IsUsed;
         }
 
-        static string[] Kernels(TestFluid fluid) => fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).Select(kernel => kernel.kernel).ToArray();
+        static string[] Kernels(TestFluid fluid)
+            => fluid.Solver.Describe(fluid.Input, 0).SelectMany(stage => stage.Kernels).Select(kernel => kernel.kernel).ToArray();
 
         static void AssertWhole(TestFluid fluid, int particles, FluidStatistics statistics)
         {
@@ -388,8 +406,10 @@ namespace Rill.Tests
             Assert.That(state.ids.Distinct().Count(), Is.EqualTo(particles));
             Assert.That(statistics.refused + statistics.nonFinite + statistics.escaped, Is.Zero);
             for (int i = 0; i < state.Count; i++)
-                if (!math.all(state.positions[i].xyz >= 0.5f) || !math.all(state.positions[i].xyz <= state.box - 0.5f) || !math.all(math.isfinite(state.velocities[i])))
-                    Assert.Fail($"particle {state.ids[i]} is at {state.positions[i].xyz} with velocity {state.velocities[i].xyz} in a box of {state.box}");
+                if (!math.all(state.positions[i].xyz >= 0.5f) || !math.all(state.positions[i].xyz <= state.box - 0.5f)
+                    || !math.all(math.isfinite(state.velocities[i])))
+                    Assert.Fail($"particle {state.ids[i]} is at {state.positions[i].xyz} with velocity {state.velocities[i].xyz} in a " +
+                        $"box of {state.box}");
         }
     }
 }

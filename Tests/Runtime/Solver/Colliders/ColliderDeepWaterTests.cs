@@ -71,7 +71,8 @@ namespace Rill.Tests
                 SolverSettings settings = Deep;
                 settings.deepWater = deepWater;
                 var fluid = new TestFluid(side * spacing, spacing, 5000, settings);
-                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Box, 3f, new float3(0.5f * side, 4f, 0.5f * side), quaternion.RotateY(0.3f)));
+                ColliderTests.Use(fluid, ColliderTests.Still(ColliderShape.Box, 3f, new float3(0.5f * side, 4f, 0.5f * side),
+                    quaternion.RotateY(0.3f)));
                 return fluid.AddBlock(new float3(0f, 9f, 0f) * spacing, new float3(side, 4f, side) * spacing, new float3(0f, -3f, 0f));
             }
         }

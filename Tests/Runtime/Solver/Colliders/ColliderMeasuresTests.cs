@@ -12,7 +12,8 @@ namespace Rill.Tests
         const float Cell = 0.1f;
 
         [Test]
-        public void Volume_and_width_are_those_of_the_points_inside([Values(ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule)] ColliderShape kind)
+        public void Volume_and_width_are_those_of_the_points_inside([Values(ColliderShape.Sphere, ColliderShape.Box,
+            ColliderShape.Capsule)] ColliderShape kind)
         {
             ColliderMotion shape = ColliderTests.Still(kind, new float3(1.5f, 1f, 0.8f), 0f, quaternion.Euler(0.3f, 0.5f, 0.2f));
             float3 direction = math.normalize(new float3(0.3f, 1f, 0.2f));

@@ -16,7 +16,8 @@ namespace Rill.Tests
         [TestCase(DeepWater.Off, 1, 0.01f, ColliderShape.Sphere, ColliderShape.Box)]
         [TestCase(DeepWater.On, 2, 0.1f, ColliderShape.Sphere, ColliderShape.Box)]
         [TestCase(DeepWater.On, 4, 0.05f, ColliderShape.Sphere)]
-        public void An_impact_gives_a_collider_the_momentum_that_the_fluid_loses(DeepWater deepWater, int scale, float error, params ColliderShape[] shapes)
+        public void An_impact_gives_a_collider_the_momentum_that_the_fluid_loses(DeepWater deepWater, int scale, float error,
+            params ColliderShape[] shapes)
         {
             foreach (ColliderShape shape in shapes)
                 using (TestFluid fluid = Box(deepWater, 40f * scale, 216 * scale * scale * scale))
@@ -33,13 +34,15 @@ namespace Rill.Tests
                     }
                     float3 lost = before - fluid.MeasureWhole().momentum;
                     Assert.That(math.length(lost), Is.GreaterThan(0.2f * math.length(before)), "an impact worth the name");
-                    TestContext.WriteLine($"{shape}: {100 * math.distance(impulse, lost) / math.length(lost):0.0} % of the impulse is missing, {100 * math.distance(impulse, lost) / math.length(before):0.0} % of the block's momentum");
+                    TestContext.WriteLine($"{shape}: {100 * math.distance(impulse, lost) / math.length(lost):0.0} % of the impulse is " +
+                        $"missing, {100 * math.distance(impulse, lost) / math.length(before):0.0} % of the block's momentum");
                     Assert.That(math.distance(impulse, lost), Is.LessThan(error * math.length(lost)), $"{shape}");
                 }
         }
 
         [Test]
-        public void Still_water_lifts_a_collider_by_the_weight_of_the_water_in_its_place([Values(ColliderShape.Sphere, ColliderShape.Box)] ColliderShape shape)
+        public void Still_water_lifts_a_collider_by_the_weight_of_the_water_in_its_place([Values(ColliderShape.Sphere,
+            ColliderShape.Box)] ColliderShape shape)
         {
             float size = shape == ColliderShape.Sphere ? 6.3f : 5f;
             using (TestFluid fluid = Box(DeepWater.On))
@@ -53,7 +56,8 @@ namespace Rill.Tests
                 float3 force = Take(fluid, out float3 torque);
                 float volume = (shape == ColliderShape.Sphere ? 4f / 3f * math.PI : 8f) * math.pow(size * Spacing, 3);
                 float weight = fluid.Input.material.density * 9.81f * volume;
-                TestContext.Out.WriteLine($"{force.y / weight:0.000} of the displaced water's weight, {math.length(force.xz) / weight:0.0000} sideways");
+                TestContext.Out.WriteLine(
+                    $"{force.y / weight:0.000} of the displaced water's weight, {math.length(force.xz) / weight:0.0000} sideways");
                 Assert.That(force.y, Is.EqualTo(weight).Within(0.05f * weight));
                 Assert.That(math.length(force.xz), Is.LessThan(0.05f * weight));
                 Assert.That(math.length(torque), Is.LessThan(0.05f * weight * size * Spacing));
@@ -85,7 +89,8 @@ namespace Rill.Tests
             }
         }
 
-        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating.md of the documentation.
+        // Ideal water resists in the first step alone. What it takes after that, the solver's own friction takes: see floating.md of the
+        // documentation.
         [TestCase(DeepWater.Off, 4f, 5.5f)]
         [TestCase(DeepWater.On, 4f, 3.3f)]
         [TestCase(DeepWater.On, 6f, 2.5f)]
@@ -111,7 +116,8 @@ namespace Rill.Tests
                     Use(fluid, ball);
                     impulses[i] = (still - Take(fluid.Step(), out _).x) * fluid.Input.timeStep / momentum;
                 }
-                TestContext.Out.WriteLine($"impulses {string.Join(" ", impulses.Select(i => i.ToString("0.00")))}, in all {impulses.Sum():0.0} of the displaced water's mass times the velocity");
+                TestContext.Out.WriteLine($"impulses {string.Join(" ", impulses.Select(i => i.ToString("0.00")))}, in all " +
+                    $"{impulses.Sum():0.0} of the displaced water's mass times the velocity");
                 Assert.That(impulses[0], Is.InRange(0.4f, 0.9f));
                 Assert.That(impulses.Sum(), Is.InRange(0.5f, most));
             }

@@ -11,7 +11,8 @@ namespace Rill.Tests
         const float Spacing = 0.05f;
 
         [Test]
-        public void Water_that_falls_on_a_shape_goes_around_it([Values(ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule)] ColliderShape kind, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void Water_that_falls_on_a_shape_goes_around_it([Values(ColliderShape.Sphere, ColliderShape.Box,
+            ColliderShape.Capsule)] ColliderShape kind, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(new float3(0f, 14f, 0f) * Spacing, new float3(18f, 8f, 18f) * Spacing))
             {
@@ -26,7 +27,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_wall_of_one_spacing_stops_a_block_at_100_metres_a_second([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater, [Values(0f, 0.5f)] float tilt)
+        public void A_wall_of_one_spacing_stops_a_block_at_100_metres_a_second([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater,
+            [Values(0f, 0.5f)] float tilt)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(6f * Spacing, 6f * Spacing, new float3(100f, 0f, 0f)))
             {
@@ -43,7 +45,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_plate_that_moves_faster_than_its_thickness_in_a_step_leaves_no_particle_behind([Values(1f, 4f)] float spacingsPerStep, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void A_plate_that_moves_faster_than_its_thickness_in_a_step_leaves_no_particle_behind([Values(1f, 4f)] float spacingsPerStep,
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(new float3(4f, 0f, 0f) * Spacing, new float3(6f, 6f, 18f) * Spacing))
             {
@@ -63,7 +66,8 @@ namespace Rill.Tests
 
         // A pass moves a particle by half a spacing at most, the coarse grid by two; who is not near is not kept out in the passes.
         [Test]
-        public void Near_a_shape_is_whom_the_passes_of_a_step_can_drive_into_it([Values(2, 8)] int iterations, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void Near_a_shape_is_whom_the_passes_of_a_step_can_drive_into_it([Values(2, 8)] int iterations,
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Box(deepWater).AddBlock(0f, 18f * Spacing))
             {
@@ -92,7 +96,8 @@ namespace Rill.Tests
             {
                 float none = float.NaN, endless = float.PositiveInfinity;
                 fluid.Add(new[] { new float3(none, 0.4f, 0.4f), new float3(0.4f, endless, 0.4f), new float3(0.4f, 0.4f, -endless) });
-                fluid.Add(new[] { new float3(0.2f, 0.5f, 0.2f), new float3(0.4f, 0.5f, 0.7f), new float3(0.7f, 0.5f, 0.4f) }, p => p.x < 0.3f ? none : p.x < 0.5f ? endless : new float3(0f, -endless, none));
+                fluid.Add(new[] { new float3(0.2f, 0.5f, 0.2f), new float3(0.4f, 0.5f, 0.7f), new float3(0.7f, 0.5f, 0.4f) },
+                    p => p.x < 0.3f ? none : p.x < 0.5f ? endless : new float3(0f, -endless, none));
                 Use(fluid, ball);
                 Assert.That(fluid.Step(3).MeasureWhole().nonFinite, Is.EqualTo(6));
                 Assert.That(Nearest(fluid, ball), Is.LessThan(1.5f));       // water that it has met
@@ -100,7 +105,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_collider_adds_the_density_of_what_lies_behind_its_surface([Values(ColliderShape.Sphere, ColliderShape.Box, ColliderShape.Capsule, ColliderShape.Plane, ColliderShape.Mesh)] ColliderShape shape, [Values] bool insideOut)
+        public void A_collider_adds_the_density_of_what_lies_behind_its_surface([Values(ColliderShape.Sphere, ColliderShape.Box,
+            ColliderShape.Capsule, ColliderShape.Plane, ColliderShape.Mesh)] ColliderShape shape, [Values] bool insideOut)
         {
             if (shape == ColliderShape.Mesh)
                 return;     // whose distances are those of its field: MeshColliderTests
@@ -145,7 +151,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void What_touches_loses_the_fraction_of_its_velocity_that_friction_says([Values(1, 2)] int substeps, [Values(0f, 0.3f, 1f)] float friction)
+        public void What_touches_loses_the_fraction_of_its_velocity_that_friction_says([Values(1, 2)] int substeps,
+            [Values(0f, 0.3f, 1f)] float friction)
         {
             using (TestFluid fluid = Box(DeepWater.Off))
             {
@@ -228,6 +235,7 @@ namespace Rill.Tests
         }
 
         // Least distance of a particle from the surface of a shape, d.
-        static float Nearest(TestFluid fluid, ColliderMotion shape) => fluid.Read().positions.Min(p => (float)Reference.Shapes.Distance(shape, p.xyz));
+        static float Nearest(TestFluid fluid, ColliderMotion shape)
+            => fluid.Read().positions.Min(p => (float)Reference.Shapes.Distance(shape, p.xyz));
     }
 }

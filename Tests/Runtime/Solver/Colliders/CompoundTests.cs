@@ -73,21 +73,27 @@ namespace Rill.Tests
         [TestCase(Kind.Stacked)]
         public void A_floor_of_several_bodies_adds_what_one_does_wherever_they_meet(Kind kind)
         {
-            float3[] places = Enumerable.Range(0, 900).Select(i => new float3(6f + 0.4f * (i % 30), FloorTop + 0.5f + 0.03f * (i / 30 % 7), 6f + 0.4f * (i / 30))).ToArray();
+            float3[] places = Enumerable.Range(0, 900)
+                .Select(i => new float3(6f + 0.4f * (i % 30), FloorTop + 0.5f + 0.03f * (i / 30 % 7), 6f + 0.4f * (i / 30))).ToArray();
             float4[] one = BoundaryOver(places, Make(Kind.Slab)), several = BoundaryOver(places, Make(kind));
             for (int i = 0; i < places.Length; i++)
-                Assert.That(math.length(several[i] - one[i]), Is.LessThan(0.01f * math.length(one[i])), $"{several[i]} instead of {one[i]} at {places[i]}");
+                Assert.That(math.length(several[i] - one[i]), Is.LessThan(0.01f * math.length(one[i])),
+                    $"{several[i]} instead of {one[i]} at {places[i]}");
         }
 
         [Test]
-        public void A_floor_on_the_floor_of_the_domain_counts_once([Values(ColliderShape.Plane, ColliderShape.Box)] ColliderShape shape, [Values(1, 2)] int times)
+        public void A_floor_on_the_floor_of_the_domain_counts_once([Values(ColliderShape.Plane, ColliderShape.Box)] ColliderShape shape,
+            [Values(1, 2)] int times)
         {
             var place = new[] { new float3(9f, 0.5f, 9f) };
-            ColliderMotion floor = ColliderTests.Still(shape, shape == ColliderShape.Box ? new float3(30f, 2f, 30f) : 0f, new float3(9f, shape == ColliderShape.Box ? -2f : 0f, 9f), quaternion.identity);
-            Assert.That(BoundaryOver(place, Enumerable.Repeat(floor, times).ToArray())[0].w, Is.EqualTo(0f).Within(1e-4f), "the domain's own floor is there already");
+            ColliderMotion floor = ColliderTests.Still(shape, shape == ColliderShape.Box ? new float3(30f, 2f, 30f) : 0f,
+                new float3(9f, shape == ColliderShape.Box ? -2f : 0f, 9f), quaternion.identity);
+            Assert.That(BoundaryOver(place, Enumerable.Repeat(floor, times).ToArray())[0].w, Is.EqualTo(0f).Within(1e-4f),
+                "the domain's own floor is there already");
             var above = new[] { new float3(9f, 4.5f, 9f) };
             floor.start.position.y = floor.end.position.y += 4f;
-            Assert.That(BoundaryOver(above, Enumerable.Repeat(floor, times).ToArray())[0].w, Is.EqualTo((float)Walls.PlaneDensity(0.5)).Within(1e-3f));
+            Assert.That(BoundaryOver(above, Enumerable.Repeat(floor, times).ToArray())[0].w,
+                Is.EqualTo((float)Walls.PlaneDensity(0.5)).Within(1e-3f));
         }
 
         [Test]
@@ -102,7 +108,9 @@ namespace Rill.Tests
                 Assert.That(tiles.height, Is.EqualTo(one.height).Within(0.03f), "mean height");
                 Assert.That(tiles.overSeams, Is.EqualTo(one.overSeams).Within(0.06f), "height of the lowest layer over the seams");
                 // The grid's fraction of the force is counted in faces of its cells, which the seams divide.
-                Assert.That(tiles.force.y, Is.EqualTo(one.force.y).Within((deepWater == DeepWater.On ? 0.1f : 0.01f) * math.abs(one.force.y)), "the sum of the forces, in the water's weight");
+                Assert.That(tiles.force.y, Is.EqualTo(one.force.y)
+                    .Within((deepWater == DeepWater.On ? 0.1f : 0.01f) * math.abs(one.force.y)),
+                    "the sum of the forces, in the water's weight");
                 Assert.That(math.length(tiles.force.xz), Is.LessThan(0.005f), "nothing pushes sideways");
             }
         }
@@ -114,25 +122,31 @@ namespace Rill.Tests
             float one = SlideOver(deepWater, new[] { Box(new float3(-4f, 0f, -4f), new float3(84f, FloorTop, 16f)) });
             foreach (float overlap in new[] { 0f, 1f })
             {
-                ColliderMotion[] tiles = Enumerable.Range(0, 22).Select(i => Box(new float3(7.3f * (i / 2) - 4f - overlap, 0f, i % 2 == 0 ? -4f : 6f - overlap), new float3(7.3f * (i / 2) + 3.3f, FloorTop, i % 2 == 0 ? 6f : 16f))).ToArray();
-                Assert.That(SlideOver(deepWater, tiles), Is.EqualTo(one).Within(0.007f), $"fraction of the speed that is left, with an overlap of {overlap} d");
+                ColliderMotion[] tiles = Enumerable.Range(0, 22)
+                    .Select(i => Box(new float3(7.3f * (i / 2) - 4f - overlap, 0f, i % 2 == 0 ? -4f : 6f - overlap),
+                    new float3(7.3f * (i / 2) + 3.3f, FloorTop, i % 2 == 0 ? 6f : 16f))).ToArray();
+                Assert.That(SlideOver(deepWater, tiles), Is.EqualTo(one).Within(0.007f),
+                    $"fraction of the speed that is left, with an overlap of {overlap} d");
             }
         }
 
         [Test]
-        public void Nobody_gets_into_a_compound([Values(Kind.LBeside, Kind.T, Kind.Corner, Kind.Crossing, Kind.Bend, Kind.HalfSunk, Kind.MeshOnBox)] Kind kind, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void Nobody_gets_into_a_compound([Values(Kind.LBeside, Kind.T, Kind.Corner, Kind.Crossing, Kind.Bend, Kind.HalfSunk,
+            Kind.MeshOnBox)] Kind kind, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             ColliderMotion[] bodies = Make(kind);
             using (TestFluid fluid = Water(24f, deepWater, 2000))
             {
                 ParticleState block = ParticleState.Lattice(0f, 0.5f, new int3(14, 16, 8), 0.02f);
-                fluid.Add(block.positions.Select(p => p.xyz + new float3(5f, 7f, 8f)).Where(p => Distance(bodies, p) >= 0.5).Select(p => p * Spacing).ToArray(), new float3(3f, -4f, 2f));
+                fluid.Add(block.positions.Select(p => p.xyz + new float3(5f, 7f, 8f)).Where(p => Distance(bodies, p) >= 0.5)
+                    .Select(p => p * Spacing).ToArray(), new float3(3f, -4f, 2f));
                 ColliderTests.Use(fluid, bodies);
                 for (int i = 0; i < 8; i++)
                 {
                     fluid.Step(4).MeasureWhole();
                     float4 worst = fluid.Read().positions.OrderBy(p => Distance(bodies, p.xyz)).First();
-                    Assert.That(Distance(bodies, worst.xyz), Is.GreaterThan(kind == Kind.MeshOnBox ? 0.4 : 0.45), $"at {worst.xyz} after {4 * i + 4} steps");
+                    Assert.That(Distance(bodies, worst.xyz), Is.GreaterThan(kind == Kind.MeshOnBox ? 0.4 : 0.45),
+                        $"at {worst.xyz} after {4 * i + 4} steps");
                 }
             }
         }
@@ -145,7 +159,9 @@ namespace Rill.Tests
             quaternion turn = quaternion.Euler(0.3f, 0.2f, 0.1f);
             const float half = 4f;
             ColliderMotion whole = ColliderTests.Still(ColliderShape.Box, half, middle, turn);
-            ColliderMotion[] eight = Enumerable.Range(0, 8).Select(i => ColliderTests.Still(ColliderShape.Box, 0.5f * half, middle + math.mul(turn, (new float3(i & 1, i >> 1 & 1, i >> 2) - 0.5f) * half), turn)).ToArray();
+            ColliderMotion[] eight = Enumerable.Range(0, 8)
+                .Select(i => ColliderTests.Still(ColliderShape.Box, 0.5f * half,
+                middle + math.mul(turn, (new float3(i & 1, i >> 1 & 1, i >> 2) - 0.5f) * half), turn)).ToArray();
             float3 one = LiftOf(whole, whole), all = LiftOf(whole, eight);
             Assert.That(all.y, Is.EqualTo(one.y).Within(0.2f), "lift, in the displaced water's weight");
             Assert.That(math.length(all.xz), Is.LessThan(0.06f), "nothing pushes sideways");
@@ -160,7 +176,8 @@ namespace Rill.Tests
                 UseReacting(fluid, bodies);
                 fluid.Step(30);
                 TakeForce(fluid);
-                float3 force = TakeForce(fluid.Step(30)) / (FluidMaterial.Water.density * 9.81f * 8f * outline.size.x * outline.size.y * outline.size.z * math.pow(Spacing, 3));
+                float3 force = TakeForce(fluid.Step(30))
+                    / (FluidMaterial.Water.density * 9.81f * 8f * outline.size.x * outline.size.y * outline.size.z * math.pow(Spacing, 3));
                 TestContext.Out.WriteLine($"{bodies.Length}: {force} of the displaced water's weight");
                 return force;
             }
@@ -191,7 +208,8 @@ namespace Rill.Tests
                     overSeams = lowest.Where(p => Seams.Any(seam => math.abs(p.x - seam) < 0.7f || math.abs(p.z - seam) < 0.7f)).Average(p => p.y),
                     force = force / (fluid.Added * fluid.Input.material.density * math.pow(Spacing, 3) * 9.81f),
                 };
-                TestContext.Out.WriteLine($"{floor.Length}: C+ {result.densityError:0.0000}, jitter {result.jitter:0.000} m/s, height {result.height:0.000}, over seams {result.overSeams:0.000}, force {result.force}");
+                TestContext.Out.WriteLine($"{floor.Length}: C+ {result.densityError:0.0000}, jitter {result.jitter:0.000} m/s, height " +
+                    $"{result.height:0.000}, over seams {result.overSeams:0.000}, force {result.force}");
                 return result;
             }
         }
@@ -218,7 +236,8 @@ namespace Rill.Tests
         static ColliderMotion[] Tiles(float overlap)
         {
             var edges = new[] { -4f, Seams[0], Seams[1], 28f };
-            return Enumerable.Range(0, 9).Select(i => Box(new float3(edges[i % 3] - overlap, 0f, edges[i / 3] - overlap), new float3(edges[i % 3 + 1], FloorTop, edges[i / 3 + 1]))).ToArray();
+            return Enumerable.Range(0, 9).Select(i => Box(new float3(edges[i % 3] - overlap, 0f, edges[i / 3] - overlap),
+                new float3(edges[i % 3 + 1], FloorTop, edges[i / 3 + 1]))).ToArray();
         }
 
         ColliderMotion[] Make(Kind kind)
@@ -231,13 +250,25 @@ namespace Rill.Tests
                 case Kind.Stacked: return Enumerable.Range(0, 4).Select(i => Box(new float3(-4f, i, -4f), new float3(28f, i + 1f, 28f))).ToArray();
                 case Kind.LStanding: return new[] { slab, Box(new float3(-4f, FloorTop, -4f), new float3(8f, 14f, 28f)) };
                 case Kind.LThrough: return new[] { slab, Box(new float3(-4f, 0f, -4f), new float3(8f, 14f, 28f)) };
-                case Kind.LBeside: return new[] { Box(new float3(8f, 0f, -4f), new float3(28f, FloorTop, 28f)), Box(new float3(-4f, 0f, -4f), new float3(8f, 14f, 28f)) };
-                case Kind.T: return new[] { Box(new float3(10f, 4f, 8f), new float3(14f, 10f, 16f)), Box(new float3(6f, 10f, 8f), new float3(18f, 14f, 16f)) };
-                case Kind.Corner: return new[] { Box(new float3(6f, 4f, 6f), new float3(10f, 14f, 18f)), Box(new float3(6f, 4f, 6f), new float3(18f, 14f, 10f)) };
-                case Kind.Twice: return new[] { Box(new float3(6f, 4f, 6f), new float3(18f, 14f, 18f)), Box(new float3(6f, 4f, 6f), new float3(18f, 14f, 18f)) };
-                case Kind.Crossing: return new[] { 0f, 45f }.Select(angle => ColliderTests.Still(ColliderShape.Box, new float3(8f, 3f, 3f), new float3(12f, 9f, 12f), quaternion.RotateY(math.radians(angle)))).ToArray();
+                case Kind.LBeside:
+                    return new[] { Box(new float3(8f, 0f, -4f), new float3(28f, FloorTop, 28f)),
+                    Box(new float3(-4f, 0f, -4f), new float3(8f, 14f, 28f)) };
+                case Kind.T:
+                    return new[] { Box(new float3(10f, 4f, 8f), new float3(14f, 10f, 16f)),
+                    Box(new float3(6f, 10f, 8f), new float3(18f, 14f, 16f)) };
+                case Kind.Corner:
+                    return new[] { Box(new float3(6f, 4f, 6f), new float3(10f, 14f, 18f)),
+                    Box(new float3(6f, 4f, 6f), new float3(18f, 14f, 10f)) };
+                case Kind.Twice:
+                    return new[] { Box(new float3(6f, 4f, 6f), new float3(18f, 14f, 18f)),
+                    Box(new float3(6f, 4f, 6f), new float3(18f, 14f, 18f)) };
+                case Kind.Crossing:
+                    return new[] { 0f, 45f }.Select(angle => ColliderTests.Still(ColliderShape.Box, new float3(8f, 3f, 3f),
+                    new float3(12f, 9f, 12f), quaternion.RotateY(math.radians(angle)))).ToArray();
                 case Kind.Bend: return Bend(6);
-                case Kind.HalfSunk: return new[] { Box(new float3(5f, 2f, 5f), new float3(19f, 8f, 19f)), ColliderTests.Still(ColliderShape.Sphere, 4f, new float3(12f, 8f, 12f), quaternion.identity) };
+                case Kind.HalfSunk:
+                    return new[] { Box(new float3(5f, 2f, 5f), new float3(19f, 8f, 19f)),
+                    ColliderTests.Still(ColliderShape.Sphere, 4f, new float3(12f, 8f, 12f), quaternion.identity) };
                 default: return new[] { Box(new float3(5f, 2f, 5f), new float3(19f, 8f, 19f)), Ball(new float3(12f, 10f, 12f)) };
             }
         }
@@ -245,11 +276,13 @@ namespace Rill.Tests
         // A pipe of capsules through a quarter of a circle.
         static ColliderMotion[] Bend(int pieces)
         {
-            float3[] joints = Enumerable.Range(0, pieces + 1).Select(i => 0.5f * math.PI * i / pieces).Select(angle => new float3(5f, 5f, 12f) + 13f * new float3(math.sin(angle), 1f - math.cos(angle), 0f)).ToArray();
+            float3[] joints = Enumerable.Range(0, pieces + 1).Select(i => 0.5f * math.PI * i / pieces)
+                .Select(angle => new float3(5f, 5f, 12f) + 13f * new float3(math.sin(angle), 1f - math.cos(angle), 0f)).ToArray();
             return Enumerable.Range(0, pieces).Select(i =>
             {
                 float3 path = joints[i + 1] - joints[i];
-                return ColliderTests.Still(ColliderShape.Capsule, new float3(2.5f, 0.5f * math.length(path), 0f), 0.5f * (joints[i] + joints[i + 1]), quaternion.RotateZ(math.atan2(path.y, path.x) - 0.5f * math.PI));
+                return ColliderTests.Still(ColliderShape.Capsule, new float3(2.5f, 0.5f * math.length(path), 0f),
+                    0.5f * (joints[i] + joints[i + 1]), quaternion.RotateZ(math.atan2(path.y, path.x) - 0.5f * math.PI));
             }).ToArray();
         }
 
@@ -266,10 +299,16 @@ namespace Rill.Tests
             }
             Bounds bounds = ball.Bounds;
             var pose = new RigidPose(center + (float3)bounds.center, quaternion.identity);
-            return new ColliderMotion { shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose, contributesDensity = true, field = ball.Texture, voxel = ball.VoxelSize, fieldUnit = 1f };
+            return new ColliderMotion
+            {
+                shape = ColliderShape.Mesh, size = bounds.extents, start = pose, end = pose,
+                contributesDensity = true, field = ball.Texture, voxel = ball.VoxelSize, fieldUnit = 1f
+            };
         }
 
-        static double Distance(ColliderMotion[] bodies, double3 p) => bodies.Min(body => body.shape == ColliderShape.Mesh ? math.distance(p, (double3)body.end.position) - BallRadius : Shapes.Distance(body, p));
+        static double Distance(ColliderMotion[] bodies, double3 p)
+            => bodies.Min(body => body.shape == ColliderShape.Mesh ? math.distance(p, (double3)body.end.position) - BallRadius
+            : Shapes.Distance(body, p));
 
         // Of all that is solid within the support, as of water at rest: by places spread evenly in it.
         static double DensityOf(ColliderMotion[] bodies, double3 p)
@@ -289,7 +328,8 @@ namespace Rill.Tests
             return sum * step * step * step * 2.0 * Walls.PlaneDensity(0.0);
         }
 
-        static ColliderMotion Box(float3 low, float3 high) => ColliderTests.Still(ColliderShape.Box, 0.5f * (high - low), 0.5f * (low + high), quaternion.identity);
+        static ColliderMotion Box(float3 low, float3 high)
+            => ColliderTests.Still(ColliderShape.Box, 0.5f * (high - low), 0.5f * (low + high), quaternion.identity);
 
         static TestFluid Water(float3 box, DeepWater deepWater, int capacity)
         {

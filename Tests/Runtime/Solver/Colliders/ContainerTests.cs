@@ -16,7 +16,8 @@ namespace Rill.Tests
 
         // A second of fluid time is 60 steps; the minute that the bar asks for was run with Seconds = 60.
         [Test]
-        public void A_shaken_can_with_a_wall_of_one_spacing_holds_its_water([Values(1f, 0.25f)] float wall, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void A_shaken_can_with_a_wall_of_one_spacing_holds_its_water([Values(1f, 0.25f)] float wall,
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             Texture3D can = Can(wall, out float3 halfSize);
             try

@@ -7,7 +7,8 @@ using UnityEngine;
 
 namespace Rill.Tests
 {
-    /// <summary>The textures in which the fields of colliders lie. A box of 24 x 20 x 24 d, d = 5 cm, over ground that leans, with a ball in it.</summary>
+    /// <summary>The textures in which the fields of colliders lie. A box of 24 x 20 x 24 d, d = 5 cm, over ground that leans, with a ball
+    /// in it.</summary>
     public class FieldAtlasTests
     {
         const float Spacing = 0.05f, Radius = 4f, Voxel = 0.2f, Slope = 0.25f;
@@ -98,10 +99,12 @@ namespace Rill.Tests
         }
 
         static long Bytes(TestFluid fluid, string atlas) =>
-            Colliders.Describe(fluid.Solver.Colliders, fluid.Input).Buffers.Where(buffer => buffer.name == "Rill.Colliders." + atlas).Sum(buffer => buffer.bytes);
+            Colliders.Describe(fluid.Solver.Colliders, fluid.Input).Buffers.Where(buffer => buffer.name == "Rill.Colliders." + atlas)
+            .Sum(buffer => buffer.bytes);
 
         static long BytesAlive(string atlas) => Resources.FindObjectsOfTypeAll<RenderTexture>()
-            .Where(texture => texture.name == "Rill.Colliders." + atlas && texture.IsCreated()).Sum(texture => HalfFloat * texture.width * texture.height * texture.volumeDepth);
+            .Where(texture => texture.name == "Rill.Colliders." + atlas && texture.IsCreated())
+                .Sum(texture => HalfFloat * texture.width * texture.height * texture.volumeDepth);
 
         static float Height(float2 place) => 2f + Slope * place.x;
 

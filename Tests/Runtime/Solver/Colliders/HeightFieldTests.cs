@@ -122,7 +122,8 @@ namespace Rill.Tests
             Assert.That(() => new HeightField(new float[1, 3], 1f, 1f), Throws.ArgumentException.With.Message.Contains("not 3 x 1"));
             Assert.That(() => new HeightField(new float[2, 2049], 1f, 1f), Throws.ArgumentException.With.Message.Contains("2048"));
             Assert.That(() => new HeightField(new float[2, 2], 0f, 1f), Throws.ArgumentException.With.Message.Contains("width is 0"));
-            Assert.That(() => new HeightField(new float[2, 2], 1f, 1f, new Vector3(0f, float.NaN, 0f)), Throws.ArgumentException.With.Message.Contains("origin"));
+            Assert.That(() => new HeightField(new float[2, 2], 1f, 1f, new Vector3(0f, float.NaN, 0f)),
+                Throws.ArgumentException.With.Message.Contains("origin"));
             Assert.That(() => new HeightField(null, 1f, 1f), Throws.ArgumentNullException);
         }
 

@@ -11,7 +11,8 @@ namespace Rill.Tests
         [Test]
         public void A_block_onto_a_thin_layer_stays_inside_and_gains_no_energy([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            using (TestFluid fluid = Box(deepWater).AddBlock(0f, new float3(18f, 2f, 18f) * Spacing).AddBlock(new float3(6f, 14f, 6f) * Spacing, 6f * Spacing, new float3(0f, -100f, 0f)))
+            using (TestFluid fluid = Box(deepWater).AddBlock(0f, new float3(18f, 2f, 18f) * Spacing)
+                .AddBlock(new float3(6f, 14f, 6f) * Spacing, 6f * Spacing, new float3(0f, -100f, 0f)))
                 AssertCalmsDown(fluid);
         }
 
@@ -43,14 +44,16 @@ namespace Rill.Tests
             {
                 fluid.Input.gravity = 0f;
                 float length = scale * Spacing;
-                fluid.AddBlock(new float3(14f, 32f, 26f) * length, 12f * length, new float3(2.5f, 0f, 0f));     // beside the other's middle, so that they turn
+                // beside the other's middle, so that they turn
+                fluid.AddBlock(new float3(14f, 32f, 26f) * length, 12f * length, new float3(2.5f, 0f, 0f));
                 fluid.AddBlock(new float3(29f, 23f, 23f) * length, 18f * length);
                 (double3 momentum, double3 spin) before = Momentum(fluid.Read());
                 fluid.Step(20).MeasureWhole();
                 (double3 momentum, double3 spin) after = Momentum(fluid.Read());
                 double gained = math.length(after.momentum - before.momentum) / math.length(before.momentum);
                 double spun = math.length(after.spin - before.spin) / (math.length(before.momentum) * 6.0 * scale);
-                TestContext.Out.WriteLine($"{100.0 * gained:0.00} % of the momentum gained or lost, {100.0 * spun:0.00} % of it at half the small block's side in spin");
+                TestContext.Out.WriteLine($"{100.0 * gained:0.00} % of the momentum gained or lost, {100.0 * spun:0.00} % of it at " +
+                    $"half the small block's side in spin");
                 Assert.That(gained, Is.LessThan(momentumError), "momentum");
                 Assert.That(spun, Is.LessThan(spinError), "spin");
             }
@@ -63,7 +66,8 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             settings.deepWater = DeepWater.On;
             settings.iterations = 2;
-            using (TestFluid fluid = new TestFluid(new float3(32f, 80f, 32f) * spacing, spacing, 6700, settings).AddBlock(0f, new float3(32f, 4f, 32f) * spacing)
+            using (TestFluid fluid = new TestFluid(new float3(32f, 80f, 32f) * spacing, spacing, 6700, settings)
+                .AddBlock(0f, new float3(32f, 4f, 32f) * spacing)
                 .AddBlock(new float3(10f, 40f, 10f) * spacing, new float3(12f, 16f, 12f) * spacing, new float3(0f, -25f, 0f)))
             {
                 float mean = 0f, largest = 0f;

@@ -95,7 +95,8 @@ namespace Rill.Tests
 
                 float3 ToDomain(Vector3 local) => simulation.DomainToWorld.inverse.MultiplyPoint3x4(collider.transform.TransformPoint(local));
                 float3 large = ToDomain(LargeBall), small = ToDomain(SmallBall);
-                AssertDistances(simulation, p => math.min(math.distance(p, large) - 0.8f * LargeRadius / Spacing, math.distance(p, small) - 0.8f * SmallRadius / Spacing));
+                AssertDistances(simulation, p => math.min(math.distance(p, large) - 0.8f * LargeRadius / Spacing,
+                    math.distance(p, small) - 0.8f * SmallRadius / Spacing));
             }
             finally
             {
@@ -111,7 +112,8 @@ namespace Rill.Tests
             FluidSimulation simulation = Simulation(Places());
             FluidCollider collider = Add(box, Vector3.zero);
             collider.transform.localScale = new Vector3(1f, 0.5f, 1f);
-            UnityEngine.TestTools.LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("'Collider' is left out: its scale .* is not the same along all axes"));
+            UnityEngine.TestTools.LogAssert.Expect(LogType.Error,
+                new System.Text.RegularExpressions.Regex("'Collider' is left out: its scale .* is not the same along all axes"));
             simulation.Advance(simulation.FixedStep);
             Assert.That(simulation.ColliderCount, Is.Zero);
         }
@@ -151,7 +153,8 @@ namespace Rill.Tests
             var distances = new float[resolution.x * resolution.y * resolution.z];
             for (int i = 0; i < distances.Length; i++)
             {
-                float3 place = grid.Min + (new float3(i % resolution.x, i / resolution.x % resolution.y, i / (resolution.x * resolution.y)) + 0.5f) * grid.VoxelSize;
+                float3 place = grid.Min + (new float3(i % resolution.x, i / resolution.x % resolution.y, i / (resolution.x * resolution.y))
+                    + 0.5f) * grid.VoxelSize;
                 distances[i] = math.min(math.distance(place, LargeBall) - LargeRadius, math.distance(place, SmallBall) - SmallRadius);
             }
             return SignedDistanceField.Create(new SdfBake("Balls", grid, distances, settings, MeshSdfSign.WindingNumber, 1));
@@ -174,7 +177,8 @@ namespace Rill.Tests
             simulation.StatisticsInterval = 0;
             simulation.Gravity = Vector3.zero;
             water.SetActive(true);
-            using (var positions = new Unity.Collections.NativeArray<float3>(places.Select(p => (float3)water.transform.TransformPoint(p)).ToArray(), Unity.Collections.Allocator.Persistent))
+            using (var positions = new Unity.Collections.NativeArray<float3>(places.Select(p => (float3)water.transform.TransformPoint(p))
+                .ToArray(), Unity.Collections.Allocator.Persistent))
             using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
                 simulation.AddParticles(positions, velocities);
             return simulation;

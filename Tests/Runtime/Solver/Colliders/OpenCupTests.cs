@@ -14,16 +14,20 @@ namespace Rill.Tests
         const int Steps = 75;
 
         [Test]
-        public void A_cup_that_is_shaken_gently_holds_all_its_water() => AssertNobodyGoesThrough(OpenCup.Solid(1f), 0.5f, DeepWater.On, OpenCup.Gently, 0f, 0f);
+        public void A_cup_that_is_shaken_gently_holds_all_its_water()
+            => AssertNobodyGoesThrough(OpenCup.Solid(1f), 0.5f, DeepWater.On, OpenCup.Gently, 0f, 0f);
 
         [Test]
-        public void A_thin_open_shell_that_is_shaken_gently_holds_all_its_water() => AssertNobodyGoesThrough(OpenCup.Shell(0.5f), 0.25f, DeepWater.Off, OpenCup.Gently, 0f, 0f);
+        public void A_thin_open_shell_that_is_shaken_gently_holds_all_its_water()
+            => AssertNobodyGoesThrough(OpenCup.Shell(0.5f), 0.25f, DeepWater.Off, OpenCup.Gently, 0f, 0f);
 
         [Test]
-        public void Water_that_is_thrown_out_of_a_cup_goes_over_its_rim() => AssertNobodyGoesThrough(OpenCup.Solid(1f), 0.5f, DeepWater.Off, OpenCup.Hard, 0.1f, 1f);
+        public void Water_that_is_thrown_out_of_a_cup_goes_over_its_rim()
+            => AssertNobodyGoesThrough(OpenCup.Solid(1f), 0.5f, DeepWater.Off, OpenCup.Hard, 0.1f, 1f);
 
         [Test]
-        public void Water_that_is_thrown_out_of_a_thin_shell_goes_over_its_rim() => AssertNobodyGoesThrough(OpenCup.Shell(0.5f), 0.25f, DeepWater.On, OpenCup.Hard, 0.1f, 1f);
+        public void Water_that_is_thrown_out_of_a_thin_shell_goes_over_its_rim()
+            => AssertNobodyGoesThrough(OpenCup.Shell(0.5f), 0.25f, DeepWater.On, OpenCup.Hard, 0.1f, 1f);
 
         [Test]
         public void The_tracer_tells_a_way_through_the_wall_from_one_over_the_rim()
@@ -44,7 +48,8 @@ namespace Rill.Tests
             Assert.That(tracer.Inside, Is.EqualTo(1));
         }
 
-        static void AssertNobodyGoesThrough(OpenCup cup, float voxel, DeepWater deepWater, System.Func<float, RigidPose> motion, float minOut, float maxOut)
+        static void AssertNobodyGoesThrough(OpenCup cup, float voxel, DeepWater deepWater, System.Func<float, RigidPose> motion,
+            float minOut, float maxOut)
         {
             SignedDistanceField field = cup.Bake(voxel);
             try

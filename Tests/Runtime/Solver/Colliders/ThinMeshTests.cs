@@ -13,17 +13,20 @@ namespace Rill.Tests
 
         // The sheet reaches through the domain's walls: in the corner under which it leans water slides out of the domain and is put back.
         [Test]
-        public void A_block_at_100_metres_a_second_does_not_pass_a_thin_mesh([Values(false, true)] bool isShell, [Values(0f, 0.5f)] float tilt, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void A_block_at_100_metres_a_second_does_not_pass_a_thin_mesh([Values(false, true)] bool isShell,
+            [Values(0f, 0.5f)] float tilt, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             MeshSdfSettings bake = MeshSdfSettings.Default;
             bake.voxelSize = isShell ? 0.25f : 0.5f;
             bake.shellThickness = isShell ? 0.5f : 0f;
-            SignedDistanceField field = SignedDistanceField.Create(MeshSdfBaker.Bake(isShell ? TestMeshes.Sheet(32f) : TestMeshes.Box(new Vector3(32f, 1f, 32f)), bake));
+            SignedDistanceField field = SignedDistanceField.Create(MeshSdfBaker.Bake(isShell ? TestMeshes.Sheet(32f)
+                : TestMeshes.Box(new Vector3(32f, 1f, 32f)), bake));
             try
             {
                 SolverSettings settings = SolverSettings.Default;
                 settings.deepWater = deepWater;
-                using (var fluid = new TestFluid(Box * Spacing, Spacing, 512, settings).AddBlock(new float3(4f, 13f, 4f) * Spacing, 8f * Spacing, new float3(0f, -100f, 0f)))
+                using (var fluid = new TestFluid(Box * Spacing, Spacing, 512, settings).AddBlock(new float3(4f, 13f, 4f) * Spacing,
+                    8f * Spacing, new float3(0f, -100f, 0f)))
                 {
                     quaternion turn = quaternion.Euler(0f, 0f, tilt);
                     ColliderMotion plate = ColliderTests.Still(ColliderShape.Mesh, field.Bounds.extents, Box * new float3(0.5f, 0.35f, 0.5f), turn);

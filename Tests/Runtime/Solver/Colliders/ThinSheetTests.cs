@@ -11,7 +11,8 @@ namespace Rill.Tests
         public void A_droplet_above_deep_water_falls_as_gravity_says()
         {
             const float spacing = 0.05f;
-            using (TestFluid fluid = new TestFluid(new float3(16f, 32f, 16f) * spacing, spacing, 3000, Settings()).AddBlock(0f, new float3(16f, 8f, 16f) * spacing))
+            using (TestFluid fluid = new TestFluid(new float3(16f, 32f, 16f) * spacing, spacing, 3000, Settings())
+                .AddBlock(0f, new float3(16f, 8f, 16f) * spacing))
             {
                 fluid.Step(2);
                 // In the second of the layers of coarse cells that displacements continue into.
@@ -34,7 +35,8 @@ namespace Rill.Tests
             using (TestFluid fluid = Spill(spacing, 12, 24))
             {
                 FluidStatistics statistics = fluid.Step(120).MeasureWhole();
-                TestContext.Out.WriteLine($"volume {statistics.volumeRatio:0.000}, C+ {100f * statistics.densityError:0.00} %, jitter {statistics.jitter:0.000} m/s");
+                TestContext.Out.WriteLine($"volume {statistics.volumeRatio:0.000}, C+ {100f * statistics.densityError:0.00} %, jitter " +
+                    $"{statistics.jitter:0.000} m/s");
                 Assert.That(statistics.densityError, Is.LessThan(0.01f));
                 Assert.That(statistics.volumeRatio, Is.InRange(0.95f, 1.2f));
                 Assert.That(statistics.jitter, Is.LessThan(0.06f));

@@ -6,7 +6,8 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>Deep water and walls that lie across the coarse grid: what should stay still does, and what slides is neither braked nor driven.</summary>
+    /// <summary>Deep water and walls that lie across the coarse grid: what should stay still does, and what slides is neither braked nor
+    /// driven.</summary>
     [Category("LongRun")]
     public class WallFlowTests
     {
@@ -73,7 +74,8 @@ namespace Rill.Tests
                     stirred = Math.Max(stirred, speed);
                 }
                 double wall = radius * turn * Spacing / fluid.Input.timeStep;
-                TestContext.Out.WriteLine($"around the cylinder {still:0.0000} m/s, {noise:0.000} rms, as it stands, and {spun:0.0000} m/s, {stirred:0.000} rms, as its wall turns at {wall:0.0} m/s");
+                TestContext.Out.WriteLine($"around the cylinder {still:0.0000} m/s, {noise:0.000} rms, as it stands, and {spun:0.0000} " +
+                    $"m/s, {stirred:0.000} rms, as its wall turns at {wall:0.0} m/s");
                 Assert.That(spun / wall, Is.InRange(least, most));
                 if (friction == 0f)
                     Assert.That(stirred, Is.LessThan(1.25 * noise), "rms speed around it, m/s");
@@ -113,10 +115,13 @@ namespace Rill.Tests
                 fluid.Input.gravity = -Gravity * up;
                 var places = new List<float3>();
                 for (int i = 0; i < length * 3 * 12; i++)
-                    places.Add((foot + (4.5f + i % length) * along + (0.55f + i / length % 3) * up + new float3(0f, 0f, 0.5f + i / (3 * length))) * Spacing);
+                    places.Add((foot + (4.5f + i % length) * along + (0.55f + i / length % 3) * up
+                        + new float3(0f, 0f, 0.5f + i / (3 * length))) * Spacing);
                 fluid.Add(places.ToArray(), 1.5f * along);
                 ParticleState start = fluid.Read();
-                var inside = new HashSet<uint>(Enumerable.Range(0, start.Count).Where(i => math.abs(math.dot(start.positions[i].xyz - foot, along) - 4f - 0.5f * length) < length / 6f).Select(i => start.ids[i]));
+                var inside = new HashSet<uint>(Enumerable.Range(0, start.Count)
+                    .Where(i => math.abs(math.dot(start.positions[i].xyz - foot, along) - 4f - 0.5f * length) < length / 6f)
+                    .Select(i => start.ids[i]));
                 double before = math.dot(MeanVelocity(start, inside), along), after = math.dot(MeanVelocity(fluid.Step(20).Read(), inside), along);
                 TestContext.WriteLine($"{inside.Count} of {fluid.Added} particles, {after / before:0.000} of their speed is left after 20 steps");
                 Assert.That(after, Is.EqualTo(before).Within(0.02 * before));
@@ -135,7 +140,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(box * Spacing, Spacing, 4000, ColliderDeepWaterTests.Deep))
             {
                 // A capsule inside out whose axis, its y, lies along the pipe.
-                ColliderMotion pipe = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 120f, 0f), middle, math.mul(turn, quaternion.RotateZ(math.radians(90f))));
+                ColliderMotion pipe = ColliderTests.Still(ColliderShape.Capsule, new float3(radius, 120f, 0f), middle,
+                    math.mul(turn, quaternion.RotateZ(math.radians(90f))));
                 pipe.insideOut = true;
                 ColliderTests.Use(fluid, pipe);
                 var places = new List<float3>();
@@ -146,11 +152,14 @@ namespace Rill.Tests
                                 places.Add((middle + x * along + y * math.up() + z * across) * Spacing);
                 fluid.Add(places.ToArray(), 1.5f * along);
                 ParticleState start = fluid.Read();
-                var inside = new HashSet<uint>(Enumerable.Range(0, start.Count).Where(i => math.abs(math.dot(start.positions[i].xyz - middle, along) + 0.1f * length) < length / 6f).Select(i => start.ids[i]));
+                var inside = new HashSet<uint>(Enumerable.Range(0, start.Count)
+                    .Where(i => math.abs(math.dot(start.positions[i].xyz - middle, along) + 0.1f * length) < length / 6f)
+                    .Select(i => start.ids[i]));
                 double before = math.dot(MeanVelocity(start, inside), along);
                 double3 end = MeanVelocity(fluid.Step(20).Read(), inside);
                 double after = math.dot(end, along), sideways = math.dot(end, across);
-                TestContext.WriteLine($"{inside.Count} of {fluid.Added} particles, {after / before:0.000} of their speed is left after 20 steps, {sideways / before:0.000} of it goes sideways");
+                TestContext.WriteLine($"{inside.Count} of {fluid.Added} particles, {after / before:0.000} of their speed is left after " +
+                    $"20 steps, {sideways / before:0.000} of it goes sideways");
                 Assert.That(after, Is.EqualTo(before).Within(0.02 * before));
                 Assert.That(sideways, Is.EqualTo(0.0).Within(0.02 * before));
             }
@@ -159,7 +168,8 @@ namespace Rill.Tests
         // d/s.
         static double3 MeanVelocity(ParticleState state, ICollection<uint> among)
         {
-            double3[] velocities = Enumerable.Range(0, state.Count).Where(i => among.Contains(state.ids[i])).Select(i => (double3)state.velocities[i].xyz).ToArray();
+            double3[] velocities = Enumerable.Range(0, state.Count).Where(i => among.Contains(state.ids[i]))
+                .Select(i => (double3)state.velocities[i].xyz).ToArray();
             return velocities.Aggregate(new double3(0.0), (sum, velocity) => sum + velocity) / velocities.Length;
         }
 

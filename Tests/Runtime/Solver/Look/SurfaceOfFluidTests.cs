@@ -75,7 +75,8 @@ namespace Rill.Tests
             fluid.Paused = true;
             Frame(draws: true);
             Assert.That(fluid.StepCount, Is.EqualTo(1));
-            Assert.That(SurfaceShape.Read(fluid.Solver).Max(shape => shape.semiAxes.x), Is.GreaterThan(1.0), "made of the neighbors that the step has left");
+            Assert.That(SurfaceShape.Read(fluid.Solver).Max(shape => shape.semiAxes.x), Is.GreaterThan(1.0),
+                "made of the neighbors that the step has left");
         }
 
         [Test]
@@ -109,7 +110,8 @@ namespace Rill.Tests
             int left = TestFluid.Read(fluid.Solver).positions.Count(p => math.all(math.isfinite(p.xyz)));
             Assert.That(left, Is.InRange(350, 480));
             Assert.That(SurfaceShape.Read(fluid.Solver).Length, Is.EqualTo(left), "drops");
-            Assert.That(SurfaceShape.Read(fluid.Solver).All(shape => math.all(math.isfinite(shape.center)) && math.all(math.isfinite(shape.semiAxes))));
+            Assert.That(SurfaceShape.Read(fluid.Solver).All(shape => math.all(math.isfinite(shape.center))
+                && math.all(math.isfinite(shape.semiAxes))));
         }
 
         [Test]

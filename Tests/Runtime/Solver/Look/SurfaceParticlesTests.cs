@@ -139,7 +139,8 @@ namespace Rill.Tests
         static readonly double3[] Views =
         {
             new double3(1, 0, 0), new double3(-1, 0, 0), new double3(0, 1, 0), new double3(0, -1, 0), new double3(0, 0, 1), new double3(0, 0, -1),
-            math.normalize(new double3(1, 1, 1)), math.normalize(new double3(-1, 1, 1)), math.normalize(new double3(1, 1, -1)), math.normalize(new double3(-1, 1, -1)),
+            math.normalize(new double3(1, 1, 1)), math.normalize(new double3(-1, 1, 1)), math.normalize(new double3(1, 1, -1)),
+                math.normalize(new double3(-1, 1, -1)),
         };
 
         static bool Covers(double3 difference, double3 view)
@@ -250,21 +251,26 @@ namespace Rill.Tests
             {
                 List<Surface.Ellipsoid> expected = reference.Ellipsoids(i);
                 List<SurfaceShape> actual = byParticle[i].ToList();
-                Assert.That(actual.Count, Is.EqualTo(expected.Count), $"ellipsoids of particle {i} at {points[i]}, whose sums are {reference.Sums(i)}");
+                Assert.That(actual.Count, Is.EqualTo(expected.Count),
+                    $"ellipsoids of particle {i} at {points[i]}, whose sums are {reference.Sums(i)}");
                 foreach (Surface.Ellipsoid ellipsoid in expected)
                 {
-                    SurfaceShape nearest = actual.OrderBy(shape => math.distance(shape.center, ellipsoid.center) + (shape.Squares - ellipsoid.shape).Length).First();
+                    SurfaceShape nearest = actual.OrderBy(shape => math.distance(shape.center, ellipsoid.center)
+                        + (shape.Squares - ellipsoid.shape).Length).First();
                     actual.Remove(nearest);
                     double center = math.distance(nearest.center, ellipsoid.center), shapeError = (nearest.Squares - ellipsoid.shape).Length;
-                    Assert.That(center, Is.LessThan(CenterTolerance), $"center of particle {i} at {points[i]}: {nearest.center} instead of {ellipsoid.center}");
-                    Assert.That(shapeError, Is.LessThan(ShapeTolerance), $"shape of particle {i} at {points[i]}: {nearest.Squares} instead of {ellipsoid.shape}");
+                    Assert.That(center, Is.LessThan(CenterTolerance),
+                        $"center of particle {i} at {points[i]}: {nearest.center} instead of {ellipsoid.center}");
+                    Assert.That(shapeError, Is.LessThan(ShapeTolerance),
+                        $"shape of particle {i} at {points[i]}: {nearest.Squares} instead of {ellipsoid.shape}");
                     worstCenter = Math.Max(worstCenter, center);
                     worstShape = Math.Max(worstShape, shapeError);
                     if (nearest.isDisc && !nearest.IsOnWall(box))
                         worstDisc = Math.Max(worstDisc, shapeError);
                 }
             }
-            TestContext.Out.WriteLine($"{shapes.Length:N0} ellipsoids of {points.Length:N0} particles, centers within {worstCenter:0.0000} d, shapes within {worstShape:0.0000} d², discs within {worstDisc:0.00000} d²");
+            TestContext.Out.WriteLine($"{shapes.Length:N0} ellipsoids of {points.Length:N0} particles, centers within " +
+                $"{worstCenter:0.0000} d, shapes within {worstShape:0.0000} d², discs within {worstDisc:0.00000} d²");
             return worstDisc;
         }
 

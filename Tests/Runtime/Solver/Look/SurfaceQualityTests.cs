@@ -29,7 +29,8 @@ namespace Rill.Tests
                 fluid.Step();
                 var next = new SurfaceRays(Shapes(fluid), 1, -1, margin, side - margin);
                 double shimmer = Math.Sqrt(rays.Hits.Zip(next.Hits, (a, b) => (a - b) * (a - b)).Average());
-                TestContext.Out.WriteLine($"pool {depth} d deep: height error mean {mean:+0.000;-0.000} d, absolute {absolute:0.000} d; normal rms {tilt:0.00}°, {filtered:0.00}° after a Gaussian of 0.5 d; a step later {shimmer:0.0000} d rms apart");
+                TestContext.Out.WriteLine($"pool {depth} d deep: height error mean {mean:+0.000;-0.000} d, absolute {absolute:0.000} " +
+                    $"d; normal rms {tilt:0.00}°, {filtered:0.00}° after a Gaussian of 0.5 d; a step later {shimmer:0.0000} d rms apart");
                 Assert.That(absolute, Is.LessThanOrEqualTo(0.1));
                 Assert.That(tilt, Is.LessThanOrEqualTo(3.0), "before the screen's filter");
                 Assert.That(filtered, Is.LessThanOrEqualTo(2.0), "as the screen's filter leaves it");
@@ -48,7 +49,8 @@ namespace Rill.Tests
                 // Along x from its low wall, on y and z; along y from the floor, on z and x.
                 var side = new SurfaceRays(shapes, 0, 1, new double2(0.5, 0.5), new double2(7.0, 19.5));
                 var floor = new SurfaceRays(shapes, 1, 1, 0.5, 19.5);
-                TestContext.Out.WriteLine($"from a wall to the water {side.Hits.Average():0.0000} d, from the floor {floor.Hits.Average():0.0000} d; furthest {side.Hits.Max():0.000} d and {floor.Hits.Max():0.000} d");
+                TestContext.Out.WriteLine($"from a wall to the water {side.Hits.Average():0.0000} d, from the floor " +
+                    $"{floor.Hits.Average():0.0000} d; furthest {side.Hits.Max():0.000} d and {floor.Hits.Max():0.000} d");
                 Assert.That(side.Hits, Has.None.NaN);
                 Assert.That(floor.Hits, Has.None.NaN);
                 Assert.That(side.Hits.Concat(floor.Hits).Max(), Is.LessThan(0.1));
@@ -100,7 +102,9 @@ namespace Rill.Tests
                         }
                     }
                 double rms = Math.Sqrt(square / both), overlap = both / (double)either;
-                TestContext.Out.WriteLine($"ball of {points.Length:N0} particles, R = {r:0.00} d: depth RMSE {rms:0.000} d, mean {sum / both:+0.000;-0.000} d, along the normal {Math.Sqrt(radial / both):0.000} d rms; silhouette IoU {overlap:0.0000}");
+                TestContext.Out.WriteLine($"ball of {points.Length:N0} particles, R = {r:0.00} d: depth RMSE {rms:0.000} d, mean " +
+                    $"{sum / both:+0.000;-0.000} d, along the normal {Math.Sqrt(radial / both):0.000} d rms; silhouette IoU " +
+                    $"{overlap:0.0000}");
                 Assert.That(rms, Is.LessThanOrEqualTo(0.1));
                 Assert.That(overlap, Is.GreaterThanOrEqualTo(0.98));
             }
@@ -122,7 +126,8 @@ namespace Rill.Tests
                 var below = new SurfaceRays(shapes, 1, 1, 9.0, 30.0);
                 double coverage = above.Hits.Count(hit => !double.IsNaN(hit)) / (double)above.Hits.Length;
                 double[] thickness = above.Hits.Zip(below.Hits, (a, b) => a - b).Where(t => !double.IsNaN(t)).ToArray();
-                TestContext.Out.WriteLine($"sheet of {layers}, jitter {jitter} d: coverage {100.0 * coverage:0.00} %, {thickness.Average():0.000} d thick");
+                TestContext.Out.WriteLine(
+                    $"sheet of {layers}, jitter {jitter} d: coverage {100.0 * coverage:0.00} %, {thickness.Average():0.000} d thick");
                 Assert.That(coverage, Is.GreaterThanOrEqualTo(0.995));
                 Assert.That(thickness.Average(), Is.EqualTo(layers).Within(10).Percent);
             }
@@ -136,7 +141,8 @@ namespace Rill.Tests
             {
                 fluid.Input.gravity = 0f;
                 ParticleState sheet = ParticleState.Lattice(0f, 0f, new int3(24, 1, 24), 0.1f);
-                fluid.Add(sheet.positions.Select(p => (new float3(4f, 10f, 4f) + p.xyz * new float3(stretch, 1f, stretch)) * Spacing).ToArray()).Step();
+                fluid.Add(sheet.positions.Select(p => (new float3(4f, 10f, 4f) + p.xyz * new float3(stretch, 1f, stretch)) * Spacing)
+                    .ToArray()).Step();
                 SurfaceShape[] shapes = Shapes(fluid);
                 var above = new SurfaceRays(shapes, 1, -1, 7.0, 28.0);
                 var below = new SurfaceRays(shapes, 1, 1, 7.0, 28.0);
@@ -158,7 +164,8 @@ namespace Rill.Tests
                 fluid.AddBlock(12f * Spacing, side * Spacing, jitter: 0.1f).Step();
                 double drawn = Shapes(fluid).Length, layers = 0.5 * (side - Math.Pow(side * side * side - drawn, 1.0 / 3.0));
                 double ofHundred = 1.0 - Math.Pow(1.0 - 2.0 * layers / 100.0, 3.0);
-                TestContext.Out.WriteLine($"{drawn:N0} of {fluid.Added:N0} particles are drawn, {layers:0.00} layers: {100.0 * ofHundred:0.0} % of 100 x 100 x 100");
+                TestContext.Out.WriteLine($"{drawn:N0} of {fluid.Added:N0} particles are drawn, {layers:0.00} layers: " +
+                    $"{100.0 * ofHundred:0.0} % of 100 x 100 x 100");
                 Assert.That(ofHundred, Is.LessThanOrEqualTo(0.25));
             }
         }
@@ -169,7 +176,8 @@ namespace Rill.Tests
             using (var fluid = new TestFluid(new float3(40f, 20f, 20f) * Spacing, Spacing, 2000))
             {
                 fluid.Input.gravity = 0f;
-                fluid.AddBlock(new float3(6f) * Spacing, 8f * Spacing, jitter: 0.1f).AddBlock(new float3(17f, 6f, 6f) * Spacing, 8f * Spacing, jitter: 0.1f).Step();
+                fluid.AddBlock(new float3(6f) * Spacing, 8f * Spacing, jitter: 0.1f).AddBlock(new float3(17f, 6f, 6f) * Spacing,
+                    8f * Spacing, jitter: 0.1f).Step();
                 foreach (SurfaceShape shape in Shapes(fluid))
                 {
                     double low = shape.center.x - shape.Reach.x, high = shape.center.x + shape.Reach.x;
@@ -191,21 +199,27 @@ namespace Rill.Tests
         {
             const double deviation = 0.5;
             int reach = (int)Math.Ceiling(2.0 * deviation / rays.Step);
-            double[] weights = Enumerable.Range(-reach, 2 * reach + 1).Select(k => Math.Exp(-0.5 * Math.Pow(k * rays.Step / deviation, 2.0))).ToArray();
+            double[] weights = Enumerable.Range(-reach, 2 * reach + 1)
+                .Select(k => Math.Exp(-0.5 * Math.Pow(k * rays.Step / deviation, 2.0))).ToArray();
             double[] smooth = rays.Hits;
             foreach (int stride in new[] { 1, rays.Count.x })
             {
                 double[] from = smooth;
-                smooth = from.Select((_, i) => (stride == 1 ? IsInside(i % rays.Count.x, rays.Count.x, reach) : IsInside(i / rays.Count.x, rays.Count.y, reach)) ? weights.Select((w, k) => w * from[i + (k - reach) * stride]).Sum() / weights.Sum() : 0.0).ToArray();
+                smooth = from.Select((_, i) => (stride == 1 ? IsInside(i % rays.Count.x, rays.Count.x, reach)
+                    : IsInside(i / rays.Count.x, rays.Count.y, reach)) ? weights.Select((w, k) => w * from[i + (k - reach) * stride])
+                    .Sum() / weights.Sum() : 0.0).ToArray();
             }
-            double[] squares = Enumerable.Range(0, smooth.Length).Where(i => IsInside(i % rays.Count.x, rays.Count.x, reach + 1) && IsInside(i / rays.Count.x, rays.Count.y, reach + 1))
-                .Select(i => Math.Pow((smooth[i + 1] - smooth[i - 1]) / (2.0 * rays.Step), 2.0) + Math.Pow((smooth[i + rays.Count.x] - smooth[i - rays.Count.x]) / (2.0 * rays.Step), 2.0)).ToArray();
+            double[] squares = Enumerable.Range(0, smooth.Length).Where(i => IsInside(i % rays.Count.x, rays.Count.x, reach + 1)
+                && IsInside(i / rays.Count.x, rays.Count.y, reach + 1))
+                .Select(i => Math.Pow((smooth[i + 1] - smooth[i - 1]) / (2.0 * rays.Step), 2.0)
+                    + Math.Pow((smooth[i + rays.Count.x] - smooth[i - rays.Count.x]) / (2.0 * rays.Step), 2.0)).ToArray();
             return squares.Average();
 
             bool IsInside(int k, int count, int rim) => k >= rim && k < count - rim;
         }
 
-        // Points that keep their distance from one another and from their images in a sphere: what the solver then relaxes is no lattice, which would end in steps.
+        // Points that keep their distance from one another and from their images in a sphere: what the solver then relaxes is no lattice,
+        // which would end in steps.
         static float3[] EvenBall(int count, double radius)
         {
             const double reach = 1.6;

@@ -5,7 +5,8 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>The first hits of parallel rays with ellipsoids, on a grid: what a camera without perspective sees of the surface. Lengths in d.</summary>
+    /// <summary>The first hits of parallel rays with ellipsoids, on a grid: what a camera without perspective sees of the surface. Lengths
+    /// in d.</summary>
     sealed class SurfaceRays
     {
         readonly int along, right, up;
@@ -47,7 +48,8 @@ namespace Rill.Tests
             double3 reach = shape.Reach;
             var center = new double2(shape.center[right], shape.center[up]);
             var extent = new double2(reach[right], reach[up]);
-            int2 from = math.max((int2)math.floor((center - extent - First) / Step), 0), to = math.min((int2)math.ceil((center + extent - First) / Step), Count - 1);
+            int2 from = math.max((int2)math.floor((center - extent - First) / Step), 0),
+                to = math.min((int2)math.ceil((center + extent - First) / Step), Count - 1);
             for (int y = from.y; y <= to.y; y++)
                 for (int x = from.x; x <= to.x; x++)
                 {

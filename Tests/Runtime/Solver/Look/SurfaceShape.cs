@@ -27,7 +27,8 @@ namespace Rill.Tests
         }
 
         /// <summary>The sum of the outer products of the semi-axes.</summary>
-        public Tensor Squares => semiAxes.x * semiAxes.x * Tensor.Outer(x, x) + semiAxes.y * semiAxes.y * Tensor.Outer(y, y) + semiAxes.z * semiAxes.z * Tensor.Outer(z, z);
+        public Tensor Squares => semiAxes.x * semiAxes.x * Tensor.Outer(x, x) + semiAxes.y * semiAxes.y * Tensor.Outer(y, y)
+            + semiAxes.z * semiAxes.z * Tensor.Outer(z, z);
 
         /// <summary>How far it reaches along the axes of the domain.</summary>
         public double3 Reach

@@ -28,7 +28,8 @@ namespace Rill.Tests
         [Test]
         public void Pairs_in_one_place_in_still_water_come_apart([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            using (var fluid = new TestFluid(new float3(8f, 16f, 8f) * Spacing, Spacing, 500, Settings(deepWater)).AddBlock(0f, new float3(8f, 6f, 8f) * Spacing))
+            using (var fluid = new TestFluid(new float3(8f, 16f, 8f) * Spacing, Spacing, 500, Settings(deepWater))
+                .AddBlock(0f, new float3(8f, 6f, 8f) * Spacing))
             {
                 fluid.Add(fluid.Read().positions.Where((_, i) => i % 8 == 0).Select(p => p.xyz * Spacing).ToArray());
                 FluidStatistics statistics = fluid.Step(60).MeasureWhole();
@@ -48,7 +49,8 @@ namespace Rill.Tests
                 for (int part = 0; part < 10; part++)
                     fastest = math.max(fastest, fluid.Step(3).MeasureWhole().speedMax);
                 FluidStatistics statistics = fluid.Measure();
-                TestContext.Out.WriteLine($"speed at most {fastest:0.0} m/s, p99.9 {statistics.densityError999:0.000}, coincident {statistics.coincident}");
+                TestContext.Out.WriteLine(
+                    $"speed at most {fastest:0.0} m/s, p99.9 {statistics.densityError999:0.000}, coincident {statistics.coincident}");
                 Assert.That(fastest, Is.LessThan(LimitOfTwoSteps(fluid)));
                 Assert.That(statistics.densityError999, Is.LessThan(0.1f));
                 Assert.That(statistics.coincident, Is.Zero);
@@ -56,7 +58,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_thousand_particles_in_one_cell_overflow_the_lists_are_reported_and_recover([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void A_thousand_particles_in_one_cell_overflow_the_lists_are_reported_and_recover(
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             var random = new Random(3);
             float3[] places = Enumerable.Range(0, 1000).Select(_ => (10f + random.NextFloat3()) * Spacing).ToArray();
@@ -74,13 +77,16 @@ namespace Rill.Tests
 
         // 25 layers where 20 fit.
         [Test]
-        public void A_closed_box_with_too_many_particles_shares_the_error_among_all_and_calms_down([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void A_closed_box_with_too_many_particles_shares_the_error_among_all_and_calms_down(
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
-            float3[] places = Enumerable.Range(0, 6 * 25 * 6).Select(i => (new float3(i % 6, i / 6 % 25 * 0.8f, i / 150) + new float3(0.5f, 0.4f, 0.5f)) * Spacing).ToArray();
+            float3[] places = Enumerable.Range(0, 6 * 25 * 6)
+                .Select(i => (new float3(i % 6, i / 6 % 25 * 0.8f, i / 150) + new float3(0.5f, 0.4f, 0.5f)) * Spacing).ToArray();
             using (var fluid = new TestFluid(new float3(6f, 20f, 6f) * Spacing, Spacing, places.Length, Settings(deepWater)).Add(places))
             {
                 FluidStatistics statistics = fluid.Step(60).MeasureWhole();
-                TestContext.Out.WriteLine($"C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, jitter {statistics.jitter:0.000} m/s");
+                TestContext.Out.WriteLine(
+                    $"C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, jitter {statistics.jitter:0.000} m/s");
                 Assert.That(statistics.densityError, Is.InRange(0.2f, 0.32f));
                 Assert.That(statistics.densityError999, Is.LessThan(2f * statistics.densityError));
                 Assert.That(statistics.jitter, Is.LessThan(0.1f));
@@ -93,13 +99,15 @@ namespace Rill.Tests
         [Test]
         public void A_deep_closed_box_with_too_many_particles_is_as_calm_as_an_open_one()
         {
-            float3[] places = Enumerable.Range(0, 8 * 60 * 8).Select(i => (new float3(i % 8, i / 8 % 60 * (5f / 6f), i / 480) + new float3(0.5f, 5f / 12f, 0.5f)) * Spacing).ToArray();
+            float3[] places = Enumerable.Range(0, 8 * 60 * 8)
+                .Select(i => (new float3(i % 8, i / 8 % 60 * (5f / 6f), i / 480) + new float3(0.5f, 5f / 12f, 0.5f)) * Spacing).ToArray();
             SolverSettings settings = Settings(DeepWater.On);
             settings.iterations = 2;
             using (var fluid = new TestFluid(new float3(8f, 50f, 8f) * Spacing, Spacing, places.Length, settings).Add(places))
             {
                 FluidStatistics statistics = fluid.Step(120).MeasureWhole();
-                TestContext.Out.WriteLine($"C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, jitter {statistics.jitter:0.000} m/s");
+                TestContext.Out.WriteLine(
+                    $"C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, jitter {statistics.jitter:0.000} m/s");
                 Assert.That(statistics.densityError, Is.InRange(0.1f, 0.26f));
                 Assert.That(statistics.densityError999, Is.LessThan(1.5f * statistics.densityError));
                 Assert.That(statistics.jitter, Is.LessThan(0.045f));

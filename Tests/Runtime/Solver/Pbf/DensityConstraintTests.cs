@@ -76,7 +76,8 @@ namespace Rill.Tests
             using (var solved = Listed(state, SolverStages.Roomy).Constrain(iterations: 2))
             {
                 float4[] actual = solved.Multipliers;
-                Assert.That(math.distance(actual[0].xyz, built.Multipliers[0].xyz) + math.distance(actual[500].xyz, built.Multipliers[500].xyz), Is.GreaterThan(0f), "the first pass moved nothing");
+                Assert.That(math.distance(actual[0].xyz, built.Multipliers[0].xyz) + math.distance(actual[500].xyz,
+                    built.Multipliers[500].xyz), Is.GreaterThan(0f), "the first pass moved nothing");
                 int[][] lists = Neighbors.BruteForce(Compare.Points(built.Multipliers), Kernels.H);
                 var reference = new Constraint(state.box, Compare.Points(actual), lists);
                 Compare.Scalars("multipliers", 997, i => actual[i].w, reference.Multiplier, i => reference.MultiplierTolerance(i, Rounding));
@@ -238,7 +239,8 @@ namespace Rill.Tests
             using (var stages = Listed(ParticleState.Lattice(12f, 0.5f, 12), SolverStages.Roomy, material))
             {
                 float4[] particles = stages.Multipliers;
-                foreach (int3 cell in new[] { new int3(0, 5, 6), new int3(last, 5, 6), new int3(5, 0, 6), new int3(5, last, 6), new int3(5, 6, 0), new int3(5, 6, last), new int3(5, 6, 5) })
+                foreach (int3 cell in new[] { new int3(0, 5, 6), new int3(last, 5, 6), new int3(5, 0, 6), new int3(5, last, 6),
+                    new int3(5, 6, 0), new int3(5, 6, last), new int3(5, 6, 5) })
                 {
                     float4 particle = particles.Single(p => math.all(p.xyz == (float3)cell + 0.5f));
                     // The denominator is at most twice the lattice's.
@@ -277,7 +279,8 @@ namespace Rill.Tests
         [Test]
         public void Places_past_the_particles_are_left_alone()
         {
-            using (var stages = new SolverStages(ParticleState.Random(200, seed: 14), SolverStages.Still(), capacity: 300).Sort().Constrain(iterations: 2))
+            using (var stages = new SolverStages(ParticleState.Random(200, seed: 14), SolverStages.Still(), capacity: 300).Sort()
+                .Constrain(iterations: 2))
             {
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Predicted, 300).Skip(200).All(GpuTest.IsGarbage));
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Current, 300).Skip(200).All(GpuTest.IsGarbage));
@@ -309,7 +312,8 @@ namespace Rill.Tests
             var reference = new Constraint(stages.Layout.DomainSize, points, Neighbors.ByCells(points, Kernels.H));
             adjust(reference);
             var sizes = new double[points.Length];
-            Compare.Vectors("corrected positions", points.Length, i => after[i].xyz, i => reference.Corrected(i, multipliers, out sizes[i]), i => 1e-5 + Rounding * sizes[i]);
+            Compare.Vectors("corrected positions", points.Length, i => after[i].xyz, i => reference.Corrected(i, multipliers, out sizes[i]),
+                i => 1e-5 + Rounding * sizes[i]);
         }
     }
 }

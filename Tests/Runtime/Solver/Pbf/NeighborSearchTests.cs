@@ -59,7 +59,8 @@ namespace Rill.Tests
                 double3 fall = new double3(1.0, -9.81, 3.0) / SolverStages.Spacing * dt * dt;
                 double3 contactOffset = new double3(0.5), far = (double3)state.box - 0.5;
                 Compare.Vectors("predicted", count, slot => predicted[slot].xyz,
-                    slot => math.clamp((double3)state.positions[ids[slot]].xyz + (double3)state.velocities[ids[slot]].xyz * dt + fall, contactOffset, far), slot => 1e-5);
+                    slot => math.clamp((double3)state.positions[ids[slot]].xyz + (double3)state.velocities[ids[slot]].xyz * dt + fall,
+                        contactOffset, far), slot => 1e-5);
             }
         }
 
@@ -90,7 +91,8 @@ namespace Rill.Tests
         public void Particles_outside_are_brought_into_the_box()
         {
             var box = new float3(8f, 6f, 7f);
-            var places = new[] { new float3(-100f, 3f, 3f), new float3(4f, 1e30f, 3f), new float3(4f, 3f, 7.2f), new float3(0.1f, 5.9f, 0.49f), new float3(4f, 3f, 3f) };
+            var places = new[] { new float3(-100f, 3f, 3f), new float3(4f, 1e30f, 3f), new float3(4f, 3f, 7.2f),
+                new float3(0.1f, 5.9f, 0.49f), new float3(4f, 3f, 3f) };
             using (var stages = new SolverStages(new ParticleState(box, places), SolverStages.Still()).Sort())
             {
                 uint[] ids = stages.SortedIds;
@@ -105,7 +107,8 @@ namespace Rill.Tests
         static readonly float[] NotFinite = { float.NaN, float.PositiveInfinity, float.NegativeInfinity };
 
         [Test]
-        public void A_particle_that_is_not_finite_is_culled_and_counted([ValueSource(nameof(NotFinite))] float bad, [Values(0, 1, 2)] int axis, [Values(false, true)] bool inVelocity)
+        public void A_particle_that_is_not_finite_is_culled_and_counted([ValueSource(nameof(NotFinite))] float bad,
+            [Values(0, 1, 2)] int axis, [Values(false, true)] bool inVelocity)
         {
             ParticleState state = ParticleState.Random(300, seed: 6);
             (inVelocity ? state.velocities : state.positions)[7][axis] = bad;
@@ -114,7 +117,8 @@ namespace Rill.Tests
             {
                 Assert.That(stages.Sorted, Is.EqualTo(298));
                 Assert.That(stages.Counter(ParticleCounter.NonFinite), Is.EqualTo(2));
-                Compare.Same("ids that are left", stages.SortedIds.OrderBy(id => id).ToArray(), state.ids.Where(id => id != 7 && id != 256).ToArray());
+                Compare.Same("ids that are left", stages.SortedIds.OrderBy(id => id).ToArray(),
+                    state.ids.Where(id => id != 7 && id != 256).ToArray());
                 Assert.That(stages.Predicted.All(p => math.all(math.isfinite(p))));
             }
         }
@@ -127,7 +131,8 @@ namespace Rill.Tests
         public void Arguments_for_the_sorted_particles_are_written(int count)
         {
             using (var stages = new SolverStages(ParticleState.Random(count, seed: 7), SolverStages.Still()).Sort())
-                Assert.That(GpuTest.Read<uint>(stages.Particles.SortedArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(count)));
+                Assert.That(GpuTest.Read<uint>(stages.Particles.SortedArguments, ParticleState.ArgumentCount),
+                    Is.EqualTo(ParticleState.ArgumentsFor(count)));
         }
 
         [Test]
@@ -185,7 +190,8 @@ namespace Rill.Tests
 
                 int[] cells = Cells(state, stages.Layout);
                 uint2[] order = GpuTest.Read<uint2>(stages.Search.Order, 997);
-                Compare.Same("cells in order", order.Select(o => (uint)cells[o.x]).ToArray(), cells.OrderBy(cell => cell).Select(cell => (uint)cell).ToArray());
+                Compare.Same("cells in order", order.Select(o => (uint)cells[o.x]).ToArray(),
+                    cells.OrderBy(cell => cell).Select(cell => (uint)cell).ToArray());
                 Compare.Same("every particle once", order.Select(o => o.x).OrderBy(i => i).ToArray(), state.ids);
                 Compare.Same("positions", GpuTest.Read<float4>(stages.Particles.Current, 997), state.positions);
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Predicted, 997).All(GpuTest.IsGarbage));

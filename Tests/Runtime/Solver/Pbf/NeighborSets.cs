@@ -23,7 +23,8 @@ namespace Rill.Tests
                     Assert.Fail($"particle {i} lists a neighbor twice: {string.Join(", ", lists[i].OrderBy(j => j))}");
                 int missing = sure[i].FirstOrDefault(j => !listed.Contains(j));
                 if (sure[i].Any(j => !listed.Contains(j)))
-                    Assert.Fail($"particle {i} at {points[i]} does not list particle {missing} at {points[missing]}, {math.distance(points[i], points[missing])} away");
+                    Assert.Fail($"particle {i} at {points[i]} does not list particle {missing} at {points[missing]}, " +
+                        $"{math.distance(points[i], points[missing])} away");
                 foreach (int j in listed)
                     if (j == i || math.distance(points[i], points[j]) > radius * (1.0 + Edge))
                         Assert.Fail($"particle {i} at {points[i]} lists particle {j} at {points[j]}, {math.distance(points[i], points[j])} away");

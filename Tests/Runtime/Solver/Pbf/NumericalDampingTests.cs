@@ -25,7 +25,8 @@ namespace Rill.Tests
         }
 
         // Neighbors of each other that are too far apart to press, m.
-        static float3[] Loose(float3 corner) => ParticleState.Lattice(0f, 0.5f, 5, 0.02f).positions.Select(p => (corner + 1.3f * p.xyz) * Spacing).ToArray();
+        static float3[] Loose(float3 corner) => ParticleState.Lattice(0f, 0.5f, 5,
+            0.02f).positions.Select(p => (corner + 1.3f * p.xyz) * Spacing).ToArray();
 
         // What holds it on the circle pushes along the radius at the path's end: it loses q Ω² Δt of its turning in a second.
         [TestCase(1f)]
@@ -80,7 +81,8 @@ namespace Rill.Tests
                         time += timeStep;
                         float expected = -(float)(Gravity * time) / Spacing;
                         foreach (float4 velocity in fluid.Read().velocities.Take(125))
-                            Assert.That(math.distance(velocity.xyz, new float3(0f, expected, 0f)), Is.LessThan(1e-3f * -expected), $"{velocity.xyz} d/s after {time} s");
+                            Assert.That(math.distance(velocity.xyz, new float3(0f, expected, 0f)), Is.LessThan(1e-3f * -expected),
+                                $"{velocity.xyz} d/s after {time} s");
                     }
                 }
                 Fall(4, 1f / 60f, 1, damping);
@@ -123,7 +125,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void A_drop_comes_back_with_the_fraction_of_its_velocity_that_bounce_says([Values(0f, 0.3f, 1f)] float bounciness, [Values(0.5f, 3f)] float speed, [Values(0.5f, 0f)] float damping)
+        public void A_drop_comes_back_with_the_fraction_of_its_velocity_that_bounce_says([Values(0f, 0.3f, 1f)] float bounciness,
+            [Values(0.5f, 3f)] float speed, [Values(0.5f, 0f)] float damping)
         {
             using (TestFluid fluid = Fluid(damping, 24f))
             {
@@ -138,7 +141,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Water_that_hits_the_floor_does_not_bounce([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater, [Values(0.5f, 2f)] float speed)
+        public void Water_that_hits_the_floor_does_not_bounce([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater,
+            [Values(0.5f, 2f)] float speed)
         {
             float impact = math.sqrt(speed * speed + 2f * Gravity * 2f * Spacing);
             float first = MaxRise(1f, deepWater, speed), less = MaxRise(0.33f, deepWater, speed);
@@ -292,7 +296,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Blocks_that_meet_in_free_space_keep_most_of_their_momentum([Values(1f, 0.5f, 0.2f)] float damping, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void Blocks_that_meet_in_free_space_keep_most_of_their_momentum([Values(1f, 0.5f, 0.2f)] float damping,
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Fluid(damping, new float3(60f, 40f, 40f), deepWater))
             {

@@ -25,12 +25,15 @@ namespace Rill.Tests
                 still = fluid.AddBlock(0f, new float3(Side, Layers, Side) * Spacing).Step(60).Read();
             using (var fluid = new TestFluid(Side * Spacing, Spacing, Side * Side * Layers, settings))
             {
-                using (var positions = new NativeArray<float4>(still.positions.Select(p => new float4(p.xyz * Spacing, 0f)).ToArray(), Allocator.Persistent))
-                using (var velocities = new NativeArray<float4>(still.positions.Select(p => new float4(Speed * Vortex(p.xyz), 0f)).ToArray(), Allocator.Persistent))
+                using (var positions = new NativeArray<float4>(still.positions.Select(p => new float4(p.xyz * Spacing, 0f)).ToArray(),
+                    Allocator.Persistent))
+                using (var velocities = new NativeArray<float4>(still.positions.Select(p => new float4(Speed * Vortex(p.xyz), 0f))
+                    .ToArray(), Allocator.Persistent))
                     fluid.Solver.Add(positions, velocities);
                 float amplitude = Amplitude(fluid.Step(Steps).Read()) * Spacing / Speed;
                 float wave = math.PI / Side;
-                TestContext.Out.WriteLine($"amplitude {amplitude:0.000} of the start's after {Steps} steps: a viscosity of {-math.log(amplitude) / (2f * wave * wave * Steps):0.000} d² a step");
+                TestContext.Out.WriteLine($"amplitude {amplitude:0.000} of the start's after {Steps} steps: a viscosity of " +
+                    $"{-math.log(amplitude) / (2f * wave * wave * Steps):0.000} d² a step");
                 Assert.That(amplitude, Is.InRange(0.7f, 1f));
             }
         }

@@ -67,7 +67,8 @@ namespace Rill.Tests
             double3[] points = Compare.Points(state.positions);
             var reference = new Constraint(30.0, points, Neighbors.BruteForce(points, Kernels.H)) { maxCorrection = 1e9 };
             double[] multipliers = Enumerable.Range(0, points.Length).Select(reference.Multiplier).ToArray();
-            double3 sum = Enumerable.Range(0, points.Length).Aggregate(new double3(0.0), (total, i) => total + reference.Correction(i, multipliers, out _));
+            double3 sum = Enumerable.Range(0, points.Length).Aggregate(new double3(0.0),
+                (total, i) => total + reference.Correction(i, multipliers, out _));
             Assert.That(math.length(sum), Is.LessThan(1e-12 * points.Length));
         }
 

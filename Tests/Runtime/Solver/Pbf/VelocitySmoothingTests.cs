@@ -21,7 +21,11 @@ namespace Rill.Tests
             double expected = material.SmoothingViscosity(Spacing) / material.density * waveNumber * waveNumber * TimeStep;
 
             // Five layers around a crest are all that one pass reaches.
-            double3[] points = (from x in Enumerable.Range(-2, 5) from y in Enumerable.Range(-2, 5) from z in Enumerable.Range(-2, 5) select new double3(x, y, z)).ToArray();
+            double3[] points = (from x in Enumerable.Range(-2, 5)
+                                from y in Enumerable.Range(-2, 5)
+                                from z in Enumerable.Range(-2,
+                5)
+                                select new double3(x, y, z)).ToArray();
             double3[] velocities = points.Select(p => new double3(Math.Cos(waveNumber * Spacing * p.y), 0.0, 0.0)).ToArray();
             int crest = Array.FindIndex(points, p => math.all(p == 0.0));
             var reference = new Reference.Velocities(points, velocities, Reference.Neighbors.BruteForce(points, Reference.Kernels.H));

@@ -15,7 +15,8 @@ namespace Rill.Tests
             using (var stages = Updated(ParticleState.Random(count, seed: count, speed: 20f), smoothing: 0f, iterations: 1))
             {
                 float4[] start = stages.Start, corrected = stages.Predicted, velocities = stages.Velocities;
-                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => ((double3)corrected[i].xyz - start[i].xyz) / TimeStep, i => 1e-5 * (1.0 + math.length(velocities[i].xyz)));
+                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => ((double3)corrected[i].xyz - start[i].xyz) / TimeStep,
+                    i => 1e-5 * (1.0 + math.length(velocities[i].xyz)));
                 Assert.That(velocities.All(v => v.w == 1f), "density where none is summed");
             }
         }
@@ -31,7 +32,8 @@ namespace Rill.Tests
                 // What neighbors see of each other is packed; what a particle keeps of itself is not.
                 double3[] seen = stages.Predicted.Select(p => Unpacked(p.w) / TimeStep).ToArray();
                 var reference = new Velocities(points, seen, neighbors);
-                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => (points[i] - start[i].xyz) / TimeStep + (reference.Smoothed(i, 0.3f) - seen[i]), i => 2e-4);
+                Compare.Vectors("velocities", count, i => velocities[i].xyz,
+                    i => (points[i] - start[i].xyz) / TimeStep + (reference.Smoothed(i, 0.3f) - seen[i]), i => 2e-4);
             }
         }
 
@@ -42,12 +44,14 @@ namespace Rill.Tests
         public void Every_component_of_a_packed_way_is_off_by_a_256th_of_the_largest_one(float shortest, float longest)
         {
             var random = new Unity.Mathematics.Random(11u);
-            ParticleState state = ParticleState.Lattice(300f, 120f, 12, jitter: 0.2f).With(p => random.NextFloat3Direction() * math.exp(random.NextFloat(math.log(shortest), math.log(longest))) * 60f);
+            ParticleState state = ParticleState.Lattice(300f, 120f, 12, jitter: 0.2f)
+                .With(p => random.NextFloat3Direction() * math.exp(random.NextFloat(math.log(shortest), math.log(longest))) * 60f);
             using (var stages = Updated(state, smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 float4[] start = stages.Start, corrected = stages.Predicted;
                 double3[] ways = corrected.Select((to, i) => (double3)(to.xyz - start[i].xyz)).ToArray();
-                Compare.Vectors("packed ways", ways.Length, i => (float3)Unpacked(corrected[i].w), i => ways[i], i => math.sqrt(3.0) / 256.0 * math.cmax(math.abs(ways[i])) + 1e-8);
+                Compare.Vectors("packed ways", ways.Length, i => (float3)Unpacked(corrected[i].w), i => ways[i],
+                    i => math.sqrt(3.0) / 256.0 * math.cmax(math.abs(ways[i])) + 1e-8);
                 Assert.That(ways.Count(path => math.length(path) > 0.0), Is.GreaterThan(100));
             }
         }
@@ -71,17 +75,21 @@ namespace Rill.Tests
         {
             // Far apart, at all distances from faces, edges and corners.
             var random = new Unity.Mathematics.Random(5u);
-            float3[] places = Enumerable.Range(0, 200).Select(i => new float3(i % 2 == 0 ? 0.5f + 2f * random.NextFloat() : 5f, 3f + 5f * (i / 2), i % 3 == 0 ? 0.5f + 2f * random.NextFloat() : 5f)).ToArray();
+            float3[] places = Enumerable.Range(0, 200)
+                .Select(i => new float3(i % 2 == 0 ? 0.5f + 2f * random.NextFloat() : 5f, 3f + 5f * (i / 2), i % 3 == 0
+                ? 0.5f + 2f * random.NextFloat() : 5f)).ToArray();
             using (var stages = Updated(new ParticleState(new float3(12f, 510f, 12f), places), smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 float4[] velocities = stages.Velocities, positions = stages.Predicted;
                 double own = Kernels.Poly6(0.0) / Kernels.RestDensity;
-                Compare.Scalars("densities", places.Length, i => velocities[i].w, i => own + Walls.Density(positions[i].xyz, stages.Layout.DomainSize) + Pair(positions, i), i => 2e-5);
+                Compare.Scalars("densities", places.Length, i => velocities[i].w,
+                    i => own + Walls.Density(positions[i].xyz, stages.Layout.DomainSize) + Pair(positions, i), i => 2e-5);
             }
 
             double Pair(float4[] positions, int i)
             {
-                return positions.Where((other, j) => j != i).Sum(other => Kernels.Poly6(math.distance(other.xyz, positions[i].xyz))) / Kernels.RestDensity;
+                return positions.Where((other, j) => j != i).Sum(other => Kernels.Poly6(math.distance(other.xyz, positions[i].xyz)))
+                    / Kernels.RestDensity;
             }
         }
 
@@ -119,7 +127,8 @@ namespace Rill.Tests
             using (var stages = Updated(state, smoothing: 0.01f, iterations: 1))
             {
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.EqualTo(299));
-                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(299)));
+                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount),
+                    Is.EqualTo(ParticleState.ArgumentsFor(299)));
             }
         }
 
@@ -130,7 +139,8 @@ namespace Rill.Tests
             using (var stages = Updated(ParticleState.Random(0, seed: 7), smoothing, iterations: 1))
             {
                 Assert.That(stages.Counter(ParticleCounter.Alive), Is.Zero);
-                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount), Is.EqualTo(ParticleState.ArgumentsFor(0)));
+                Assert.That(GpuTest.Read<uint>(stages.Particles.AliveArguments, ParticleState.ArgumentCount),
+                    Is.EqualTo(ParticleState.ArgumentsFor(0)));
                 Assert.That(GpuTest.Read<float4>(stages.Particles.Velocities, stages.Layout.Capacity).All(GpuTest.IsGarbage));
             }
         }

@@ -18,7 +18,8 @@ namespace Rill.Tests
             {
                 Velocities reference = swirl.Reference;
                 Compare.Vectors("curl", count, i => swirl.Curl[i].xyz, i => reference.Curl(i).value, i => 1e-4 + 1e-5 * reference.Curl(i).size);
-                Compare.Scalars("its magnitude", count, i => swirl.Curl[i].w, i => math.length((double3)swirl.Curl[i].xyz), i => 1e-4 + 1e-5 * swirl.Curl[i].w);
+                Compare.Scalars("its magnitude", count, i => swirl.Curl[i].w, i => math.length((double3)swirl.Curl[i].xyz),
+                    i => 1e-4 + 1e-5 * swirl.Curl[i].w);
             }
         }
 
@@ -31,7 +32,8 @@ namespace Rill.Tests
                 double3[] curls = Compare.Points(swirl.Curl);
                 double[] magnitudes = swirl.Curl.Select(curl => (double)curl.w).ToArray();
                 double strength = Vorticity / SolverStages.Spacing;
-                Compare.Vectors("velocities", count, i => swirl.Confined[i].xyz, i => reference.Confined(i, curls, magnitudes, strength, TimeStep, Viscosity), Tolerance);
+                Compare.Vectors("velocities", count, i => swirl.Confined[i].xyz,
+                    i => reference.Confined(i, curls, magnitudes, strength, TimeStep, Viscosity), Tolerance);
 
                 // Of a short eta the direction is uncertain.
                 double Tolerance(int i)

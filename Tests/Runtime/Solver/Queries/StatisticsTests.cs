@@ -37,8 +37,10 @@ namespace Rill.Tests
             AssertNear("kinetic energy", actual.kineticEnergy, 0.5 * mass * count * Math.Pow(expected.Speed * d, 2), 1e-5);
             AssertNear("potential energy", actual.potentialEnergy, 9.81 * mass * count * expected.CenterOfMass.y * d, 1e-5);
             AssertNear("energy", actual.Energy, actual.kineticEnergy + (double)actual.potentialEnergy, 1e-6);
-            Assert.That(math.length(actual.centerOfMass - expected.CenterOfMass * d), Is.LessThan(1e-5 * math.length(expected.CenterOfMass)), "center of mass");
-            Assert.That(math.length(actual.momentum - expected.Momentum * d * mass), Is.LessThan(1e-5 * mass * count * expected.Speed * d), "momentum");
+            Assert.That(math.length(actual.centerOfMass - expected.CenterOfMass * d),
+                Is.LessThan(1e-5 * math.length(expected.CenterOfMass)), "center of mass");
+            Assert.That(math.length(actual.momentum - expected.Momentum * d * mass), Is.LessThan(1e-5 * mass * count * expected.Speed * d),
+                "momentum");
             Assert.That(math.length(actual.furthest - expected.Furthest * d), Is.LessThan(1e-5), "furthest");
             Assert.That(actual.coincident, Is.EqualTo(expected.Coincident));
             Assert.That(actual.escaped, Is.Zero);
@@ -61,7 +63,8 @@ namespace Rill.Tests
         [Test]
         public void Fluid_without_compression_has_no_density_error()
         {
-            FluidStatistics statistics = Measure(new ParticleState(20f, new[] { new float3(3f, 3f, 3f), new float3(10f, 10f, 10f), new float3(15f, 15f, 10f) }));
+            FluidStatistics statistics = Measure(new ParticleState(20f,
+                new[] { new float3(3f, 3f, 3f), new float3(10f, 10f, 10f), new float3(15f, 15f, 10f) }));
             Assert.That(statistics.densityError, Is.Zero);
             Assert.That(statistics.densityError999, Is.Zero);
             Assert.That(statistics.densityErrorMax, Is.Zero);
@@ -80,7 +83,9 @@ namespace Rill.Tests
         {
             FluidStatistics statistics = Measure(ParticleState.Random(0, seed: 1));
             Assert.That(statistics.particles, Is.Zero);
-            foreach (float value in new[] { statistics.densityError, statistics.densityError999, statistics.densityErrorMax, statistics.interiorError, statistics.volumeRatio, statistics.jitter, statistics.speed, statistics.speedMax, statistics.neighborsMean, statistics.kineticEnergy, statistics.potentialEnergy })
+            foreach (float value in new[] { statistics.densityError, statistics.densityError999, statistics.densityErrorMax,
+                statistics.interiorError, statistics.volumeRatio, statistics.jitter, statistics.speed, statistics.speedMax,
+                statistics.neighborsMean, statistics.kineticEnergy, statistics.potentialEnergy })
                 Assert.That(value, Is.Zero);
         }
 
@@ -88,14 +93,16 @@ namespace Rill.Tests
         public void Particles_beyond_the_walls_inset_have_escaped()
         {
             var box = new float3(10f, 8f, 6f);
-            var places = new[] { new float3(0.41f, 4f, 3f), new float3(0.39f, 4f, 3f), new float3(5f, 7.59f, 3f), new float3(5f, 7.61f, 3f), new float3(5f, 4f, 9f), new float3(-3f, -3f, -3f), new float3(5f, 4f, 3f) };
+            var places = new[] { new float3(0.41f, 4f, 3f), new float3(0.39f, 4f, 3f), new float3(5f, 7.59f, 3f), new float3(5f, 7.61f, 3f),
+                new float3(5f, 4f, 9f), new float3(-3f, -3f, -3f), new float3(5f, 4f, 3f) };
             Assert.That(Measure(new ParticleState(box, places)).escaped, Is.EqualTo(4));
         }
 
         [Test]
         public void Particles_in_one_place_are_coincident()
         {
-            var places = new[] { new float3(3f), new float3(3f), new float3(3.04f, 3f, 3f), new float3(5f, 5f, 5f), new float3(5f, 5.06f, 5f), new float3(7f) };
+            var places = new[] { new float3(3f), new float3(3f), new float3(3.04f, 3f, 3f), new float3(5f, 5f, 5f),
+                new float3(5f, 5.06f, 5f), new float3(7f) };
             Assert.That(Measure(new ParticleState(10f, places)).coincident, Is.EqualTo(3));
         }
 

@@ -10,7 +10,8 @@ using Object = UnityEngine.Object;
 
 namespace Rill.Tests
 {
-    /// <summary>Whole fluids with a shear modulus: they spring back, swing at their own frequency, and nothing that is asked of them blows them up.</summary>
+    /// <summary>Whole fluids with a shear modulus: they spring back, swing at their own frequency, and nothing that is asked of them blows
+    /// them up.</summary>
     [Category("LongRun")]
     public class ElasticFluidTests
     {
@@ -22,7 +23,8 @@ namespace Rill.Tests
         public void A_stretched_ball_springs_back_by_its_modulus_and_one_without_stays()
         {
             float none = Recovered(0f), soft = Recovered(5f), firm = Recovered(50f), stiff = Recovered(500f);
-            TestContext.Out.WriteLine($"recovered after 0.25 s: {none:0.0000} without, {soft:0.0000} with 5 Pa, {firm:0.000} with 50 Pa, {stiff:0.00} with 500 Pa");
+            TestContext.Out.WriteLine(
+                $"recovered after 0.25 s: {none:0.0000} without, {soft:0.0000} with 5 Pa, {firm:0.000} with 50 Pa, {stiff:0.00} with 500 Pa");
             Assert.That(none, Is.EqualTo(0f).Within(1e-4f));
             Assert.That(firm / soft, Is.InRange(7f, 11f), "short of a swing the way is proportional to the modulus");
             Assert.That(stiff, Is.GreaterThan(0.6f));
@@ -32,7 +34,8 @@ namespace Rill.Tests
         public void What_springs_back_is_the_stretch_and_not_the_shape()
         {
             float never = Recovered(500f, stretched: false), forgotten = Recovered(500f, relaxationTime: 0.02f), kept = Recovered(500f);
-            TestContext.Out.WriteLine($"recovered after 0.25 s: {never:0.000} of what was always as long, {forgotten:0.000} of what forgets in 0.02 s, {kept:0.00} of what remembers");
+            TestContext.Out.WriteLine($"recovered after 0.25 s: {never:0.000} of what was always as long, {forgotten:0.000} of what " +
+                $"forgets in 0.02 s, {kept:0.00} of what remembers");
             Assert.That(never, Is.EqualTo(0f).Within(0.01f));
             Assert.That(forgotten, Is.LessThan(0.5f * kept));
         }
@@ -46,21 +49,26 @@ namespace Rill.Tests
             using (var fluid = Free(Modulus))
             {
                 float3 middle = 20f;
-                float3[] places = Places(p => math.length(p.xy) < Radius && math.abs(p.z) < 0.5f * Length).Select(p => (middle + p) * Spacing).ToArray();
+                float3[] places = Places(p => math.length(p.xy) < Radius && math.abs(p.z) < 0.5f * Length)
+                    .Select(p => (middle + p) * Spacing).ToArray();
                 fluid.Add(places, p => 0.5f * Along(p) * math.cross(new float3(0f, 0f, 1f), p - middle * Spacing));
                 var crossings = new List<double>();
                 double last = 0.0;
                 for (int step = 1; crossings.Count < 3 && step < 240; step++)
                 {
                     ParticleState state = fluid.Step().Read();
-                    double spin = Enumerable.Range(0, state.Count).Sum(i => Along(state.positions[i].xyz * Spacing) * math.cross(state.positions[i].xyz - middle, state.velocities[i].xyz).z);
+                    double spin = Enumerable.Range(0, state.Count)
+                        .Sum(i => Along(state.positions[i].xyz * Spacing) * math.cross(state.positions[i].xyz - middle,
+                        state.velocities[i].xyz).z);
                     if (step > 1 && spin * last < 0.0)
                         crossings.Add((step - spin / (spin - last)) * TimeStep);
                     last = spin;
                 }
                 double frequency = 1.0 / (crossings[2] - crossings[0]), expected = Math.Sqrt(Modulus / 1000.0) / (2.0 * Length * Spacing);
-                TestContext.Out.WriteLine($"{places.Length} particles swing at {frequency:0.0000} Hz, {100.0 * (frequency / expected - 1.0):0.0} % off √(G/ρ) / 2L = {expected:0.0000} Hz");
-                Assert.That(frequency, Is.EqualTo(expected).Within(0.1 * expected), "a gradient at the surface is that half a neighborhood further in, so it swings slower");
+                TestContext.Out.WriteLine($"{places.Length} particles swing at {frequency:0.0000} Hz, " +
+                    $"{100.0 * (frequency / expected - 1.0):0.0} % off √(G/ρ) / 2L = {expected:0.0000} Hz");
+                Assert.That(frequency, Is.EqualTo(expected).Within(0.1 * expected),
+                    "a gradient at the surface is that half a neighborhood further in, so it swings slower");
 
                 float Along(float3 p) => (float)Math.Cos(Math.PI * (p.z / Spacing - middle.z + 0.5f * Length) / Length);
             }
@@ -92,7 +100,8 @@ namespace Rill.Tests
                     spin += math.cross(state.positions[i].xyz - 20f, state.velocities[i].xyz);
                     size += math.length(state.velocities[i].xyz);
                 }
-                TestContext.Out.WriteLine($"momentum {math.length(momentum) / size:g3} of the speeds' sum {size:g3} d/s, spin {math.length(spin) / size:g3} d");
+                TestContext.Out.WriteLine(
+                    $"momentum {math.length(momentum) / size:g3} of the speeds' sum {size:g3} d/s, spin {math.length(spin) / size:g3} d");
                 Assert.That(size / state.Count, Is.GreaterThan(1f), "d/s: it swings");
                 Assert.That(math.length(momentum), Is.LessThan(1e-4f * size));
                 Assert.That(math.length(spin), Is.LessThan(0.05f * size));
@@ -160,7 +169,8 @@ namespace Rill.Tests
                     fastest = math.max(fastest, s.speedMax);
                     Assert.That(ReadStretch(fluid.Solver).Values.All(b => (Tensor.Identity + b).IsPositive));
                 }
-                TestContext.Out.WriteLine($"{modulus} Pa, {relaxationTime} s, {timeStep:0.0000} s a step: highest energy {highest / start:0.000} of the start's, {fluid.Measure().Energy / start:0.000} at the end; fastest {fastest:0.0} m/s");
+                TestContext.Out.WriteLine($"{modulus} Pa, {relaxationTime} s, {timeStep:0.0000} s a step: highest energy " +
+                    $"{highest / start:0.000} of the start's, {fluid.Measure().Energy / start:0.000} at the end; fastest {fastest:0.0} m/s");
                 Assert.That(highest, Is.LessThan(1.02f * start), "what was put into it is all that there is");
                 Assert.That(fastest, Is.LessThan(12f), "m/s; it falls at 3");
             }
@@ -182,7 +192,8 @@ namespace Rill.Tests
                 AddTo(scene.Fluid, places, new float3(1.2f, 0.6f, 0f));
                 scene.Step();
                 uint[] ids = scene.Read().ids;
-                scene.Fluid.Solver.Viscoelasticity.Conformation.SetData(ids.Select(id => new Viscoelasticity.Symmetric { diagonal = Mark(id) }).ToArray(), 0, 0, ids.Length);
+                scene.Fluid.Solver.Viscoelasticity.Conformation.SetData(
+                    ids.Select(id => new Viscoelasticity.Symmetric { diagonal = Mark(id) }).ToArray(), 0, 0, ids.Length);
                 scene.Add<FluidDrain>(new Vector3(0.35f, 0.1f, 0f), Vector3.up, drain => drain.Size = 0.2f * Vector3.one);
                 scene.Add<FluidEmitter>(new Vector3(-0.8f, 0.8f, 0f), Vector3.down, emitter => emitter.Rate = 0.02f);
                 int gone = 0, come = 0;
@@ -269,7 +280,8 @@ namespace Rill.Tests
         {
             SolverSettings settings = SolverSettings.Default;
             settings.sleepSpeed = 0.02f;
-            using (var fluid = new TestFluid(new float3(16f, 40f, 16f) * Spacing, Spacing, 2000, settings).AddBlock(0f, new float3(16f, 4f, 16f) * Spacing))
+            using (var fluid = new TestFluid(new float3(16f, 40f, 16f) * Spacing, Spacing, 2000, settings)
+                .AddBlock(0f, new float3(16f, 4f, 16f) * Spacing))
             {
                 fluid.Input.material.shearModulus = 300f;
                 fluid.Input.material.relaxationTime = 0.5f;
@@ -295,7 +307,9 @@ namespace Rill.Tests
             SolverSettings settings = SolverSettings.Default;
             settings.sleepSpeed = 0.1f;
             int3 regions = new int3(8, 3, 1);
-            using (var fluid = new TestFluid(new float3(64f, 24f, 8f) * Spacing, Spacing, 3000, settings).AddBlock(0f, new float3(64f, 4f, 8f) * Spacing).AddBlock(new float3(0f, 6f, 0f) * Spacing, new float3(4f, 4f, 8f) * Spacing))
+            using (var fluid = new TestFluid(new float3(64f, 24f, 8f) * Spacing, Spacing, 3000, settings)
+                .AddBlock(0f, new float3(64f, 4f, 8f) * Spacing).AddBlock(new float3(0f, 6f, 0f) * Spacing,
+                new float3(4f, 4f, 8f) * Spacing))
             {
                 fluid.Input.material.shearModulus = 1000f;
                 fluid.Input.material.relaxationTime = 10f;
@@ -371,7 +385,9 @@ namespace Rill.Tests
             fluid.Add(Places(p => math.length(p) < 6f).Select(p => (20f + draw * p) * Spacing).ToArray());
             fluid.Step();       // nothing moves yet: it is stretched no closer than it rests
             if (stretched && fluid.Solver.Viscoelasticity != null)
-                fluid.Solver.Viscoelasticity.Conformation.SetData(Enumerable.Repeat(new Viscoelasticity.Symmetric { diagonal = draw * draw - 1f }, fluid.Alive).ToArray(), 0, 0, fluid.Alive);
+                fluid.Solver.Viscoelasticity.Conformation.SetData(
+                    Enumerable.Repeat(new Viscoelasticity.Symmetric { diagonal = draw * draw - 1f }, fluid.Alive).ToArray(), 0, 0,
+                    fluid.Alive);
             return fluid;
         }
 
@@ -406,7 +422,8 @@ namespace Rill.Tests
             return math.sqrt(squares.x / squares.y);
         }
 
-        static uint[] ReadStates(TestFluid fluid) => fluid.Solver.Resting == null ? new[] { 2u } : GpuTest.Read<uint>(fluid.Solver.Resting.States, fluid.Solver.Resting.States.count);
+        static uint[] ReadStates(TestFluid fluid) => fluid.Solver.Resting == null ? new[] { 2u }
+            : GpuTest.Read<uint>(fluid.Solver.Resting.States, fluid.Solver.Resting.States.count);
 
         // By id, of the particles that took part in the last step.
         static Dictionary<uint, Tensor> ReadStretch(PbfSolver solver)

@@ -5,7 +5,8 @@ using Unity.Mathematics;
 
 namespace Rill.Tests
 {
-    /// <summary>A viscous fluid that spreads on a floor by its weight (Huppert, J. Fluid Mech. 121, 1982), in a narrow tank whose sides slip.</summary>
+    /// <summary>A viscous fluid that spreads on a floor by its weight (Huppert, J. Fluid Mech. 121, 1982), in a narrow tank whose sides
+    /// slip.</summary>
     [Category("LongRun")]
     public class GravityCurrentTests
     {
@@ -31,7 +32,8 @@ namespace Rill.Tests
 
                 double first = Mean(fluid.Step(First)), last = Mean(fluid.Step(Last - First));
                 double exponent = Math.Log(last / first) / Math.Log((double)Last / First);
-                double theory = 0.4457 * 1.411 * Math.Pow(Gravity * Math.Pow(Side * Spacing, 6) * Last * fluid.Input.timeStep / (3.0 * Viscosity), 0.2) / Spacing;
+                double theory = 0.4457 * 1.411
+                    * Math.Pow(Gravity * Math.Pow(Side * Spacing, 6) * Last * fluid.Input.timeStep / (3.0 * Viscosity), 0.2) / Spacing;
                 TestContext.Out.WriteLine($"mean at {first:0.00} and {last:0.00} d, {theory:0.00} by theory; as t^{exponent:0.000}");
                 Assert.That(exponent, Is.EqualTo(0.2).Within(0.01));
                 Assert.That(last, Is.EqualTo(theory).Within(0.04 * theory));

@@ -19,8 +19,11 @@ namespace Rill.Tests
                     double3[] before = Compare.Points(stage.Before), solved = stage.Reference.Solve(before, strength);
                     float4[] after = stage.Run().After;
                     double change = Rms(before, solved), error = Rms(Compare.Points(after), solved);
-                    double bound = 30.0 * strength * math.asfloat(stage.Stages.Counter(ParticleCounter.ViscosityBound)), left = ErrorLeft(ImplicitViscosity.PassesFor(strength), bound);
-                    TestContext.Out.WriteLine($"{count} at {strength}: changed by {change:g3} d/s, {error / Math.Max(change, 1e-9):g3} of it wrong, {left:g3} allowed; eigenvalues up to 1 + {bound:g3}, {strength * LatticeKernels.ViscosityEigenvalue:g3} on the lattice");
+                    double bound = 30.0 * strength * math.asfloat(stage.Stages.Counter(ParticleCounter.ViscosityBound)),
+                        left = ErrorLeft(ImplicitViscosity.PassesFor(strength), bound);
+                    TestContext.Out.WriteLine($"{count} at {strength}: changed by {change:g3} d/s, {error / Math.Max(change, 1e-9):g3} " +
+                        $"of it wrong, {left:g3} allowed; eigenvalues up to 1 + {bound:g3}, " +
+                        $"{strength * LatticeKernels.ViscosityEigenvalue:g3} on the lattice");
                     Assert.That(error, Is.LessThan(1.001 * left * change + 1e-5), "Chebyshev's bound");
                     Assert.That(left, Is.LessThan(0.05));
                     Assert.That(after.Select(v => v.w), Is.EqualTo(stage.Before.Select(v => v.w)), "densities");
@@ -43,7 +46,8 @@ namespace Rill.Tests
                     spin += math.cross(stage.Places[i], after[i] - before[i]);
                     size += math.length(after[i] - before[i]);
                 }
-                TestContext.Out.WriteLine($"momentum {math.length(momentum) / size:g3}, spin {math.length(spin) / size:g3} d of {size / after.Length:g3} d/s");
+                TestContext.Out.WriteLine(
+                    $"momentum {math.length(momentum) / size:g3}, spin {math.length(spin) / size:g3} d of {size / after.Length:g3} d/s");
                 Assert.That(size / after.Length, Is.GreaterThan(0.01), "something was done");
                 Assert.That(math.length(momentum), Is.LessThan(1e-6 * size));
                 Assert.That(math.length(spin), Is.LessThan(1e-5 * size));

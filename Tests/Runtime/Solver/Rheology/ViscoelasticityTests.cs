@@ -21,14 +21,16 @@ namespace Rill.Tests
                 Tensor[] before = stage.Stretch;
                 stage.Run();
                 Elasticity reference = stage.Reference;
-                double relaxing = Math.Exp(-0.5 * TimeStep / RelaxationTime), stiffness = Modulus / 1000.0 * Math.Pow(TimeStep / SolverStages.Spacing, 2);
+                double relaxing = Math.Exp(-0.5 * TimeStep / RelaxationTime),
+                    stiffness = Modulus / 1000.0 * Math.Pow(TimeStep / SolverStages.Spacing, 2);
                 Tensor[] after = Enumerable.Range(0, count).Select(i => reference.Deformed(i, before[i], relaxing)).ToArray();
                 Tensor[] stresses = Enumerable.Range(0, count).Select(i => reference.Stress(i, after[i], stiffness)).ToArray();
                 VectorSum[] changes = Enumerable.Range(0, count).Select(i => reference.Change(i, stresses)).ToArray();
                 Tensor[] stretch = stage.Stretch;
                 float4[] velocities = stage.After;
                 Compare.Scalars("stretch", count, i => (stretch[i] - after[i]).Length, i => 0.0, i => 1e-4);
-                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => stage.Before[i].xyz + changes[i].value / TimeStep, i => 1e-4 + 1e-4 * changes[i].size / TimeStep);
+                Compare.Vectors("velocities", count, i => velocities[i].xyz, i => stage.Before[i].xyz + changes[i].value / TimeStep,
+                    i => 1e-4 + 1e-4 * changes[i].size / TimeStep);
                 Assert.That(velocities.Select(v => v.w), Is.EqualTo(stage.Before.Select(v => v.w)), "densities");
             }
         }
@@ -61,10 +63,12 @@ namespace Rill.Tests
                 {
                     stage.Come(shear);
                     double past = step * TimeStep / RelaxationTime, left = Math.Exp(-past);
-                    Tensor expected = Tensor.Symmetric(new double3(2.0 * s * s * (1.0 - left * (1.0 + past)), 0.0, 0.0), new double3(0.0, 0.0, s * (1.0 - left)));
+                    Tensor expected = Tensor.Symmetric(new double3(2.0 * s * s * (1.0 - left * (1.0 + past)), 0.0, 0.0),
+                        new double3(0.0, 0.0, s * (1.0 - left)));
                     worst = Math.Max(worst, stage.Stretch.Max(b => (b - expected).Length) / s);
                 }
-                TestContext.Out.WriteLine($"off by at most {worst:0.00000} of the last shear stress; (Δt/τ)² is {Math.Pow(TimeStep / RelaxationTime, 2):0.00000}");
+                TestContext.Out.WriteLine(
+                    $"off by at most {worst:0.00000} of the last shear stress; (Δt/τ)² is {Math.Pow(TimeStep / RelaxationTime, 2):0.00000}");
                 Assert.That(worst, Is.LessThan(0.5 * Math.Pow(TimeStep / RelaxationTime, 2)), "second order in the time step");
             }
         }
@@ -111,7 +115,8 @@ namespace Rill.Tests
                     size += math.length(change);
                     longest = Math.Max(longest, math.length(change) * TimeStep);
                 }
-                TestContext.Out.WriteLine($"momentum {math.length(sum) / size:g3}, spin {math.length(spin) / size:g3} d of {size / after.Length:g3} d/s; longest way {longest:g3} d");
+                TestContext.Out.WriteLine($"momentum {math.length(sum) / size:g3}, spin {math.length(spin) / size:g3} d of " +
+                    $"{size / after.Length:g3} d/s; longest way {longest:g3} d");
                 Assert.That(longest, Is.GreaterThan(0.001).And.LessThan(0.5), "something was done, and nothing was cut off");
                 Assert.That(math.length(sum), Is.LessThan(1e-6 * size));
                 Assert.That(math.length(spin), Is.LessThan(1e-5 * size));
@@ -120,7 +125,8 @@ namespace Rill.Tests
 
         // A flow of up to half a spacing to the next one, back and forth at random: harder than any that the solver lets through.
         [Test]
-        public void However_it_is_torn_the_stretch_stays_finite_and_positive([Values(0.001f, 1000f)] float relaxationTime, [Values(1f, 1e6f)] float modulus)
+        public void However_it_is_torn_the_stretch_stays_finite_and_positive([Values(0.001f, 1000f)] float relaxationTime,
+            [Values(1f, 1e6f)] float modulus)
         {
             using (var stage = new Stage(ParticleState.Lattice(20f, 5f, 8, jitter: 0.1f), modulus, relaxationTime))
             {
@@ -133,7 +139,8 @@ namespace Rill.Tests
                     most = Math.Max(most, stage.Stretch.Max(b => b.Trace));
                 }
                 TestContext.Out.WriteLine($"largest trace {most:g3}, fastest {fastest * TimeStep:g3} d a substep");
-                Assert.That(most, Is.LessThanOrEqualTo((modulus > 1f ? 2.0 : 10.0) * (1.0 + 1e-5)), "soft fluid is drawn out far, one as stiff as may be to twice its length");
+                Assert.That(most, Is.LessThanOrEqualTo((modulus > 1f ? 2.0 : 10.0) * (1.0 + 1e-5)),
+                    "soft fluid is drawn out far, one as stiff as may be to twice its length");
                 Assert.That(fastest * TimeStep, Is.LessThanOrEqualTo(0.5 * (1.0 + 1e-5)));
             }
         }
@@ -205,7 +212,8 @@ namespace Rill.Tests
 
             public Elasticity Reference => new Elasticity(Compare.Points(Stages.Start), Places, Neighbors.ByCells(Places, Kernels.H));
 
-            public Tensor[] Stretch => GpuTest.Read<Viscoelasticity.Symmetric>(stage.Conformation, Ids.Length).Select(b => Tensor.Symmetric(b.diagonal, b.others)).ToArray();
+            public Tensor[] Stretch => GpuTest.Read<Viscoelasticity.Symmetric>(stage.Conformation, Ids.Length)
+                .Select(b => Tensor.Symmetric(b.diagonal, b.others)).ToArray();
 
             public void Set(Func<int, Tensor> stretch)
             {
@@ -223,7 +231,8 @@ namespace Rill.Tests
                 return this;
             }
 
-            /// <summary>A substep in which the particles come to their places as a linear map has them; the fastest that the stress makes one, d/s.</summary>
+            /// <summary>A substep in which the particles come to their places as a linear map has them; the fastest that the stress makes
+            /// one, d/s.</summary>
             public double Come(Tensor map)
             {
                 double3 center = Places.Aggregate((a, b) => a + b) / Places.Length;

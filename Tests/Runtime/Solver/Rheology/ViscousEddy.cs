@@ -40,14 +40,16 @@ namespace Rill.Tests
                 fluid.Input.gravity = 0f;
                 fluid.Input.timeStep = timeStep;
                 fluid.Input.material.velocitySmoothing = 0f;
-                fluid.Add(places.Select(p => (p + 2f) * spacing).ToArray(), p => 2f * spacing * Velocity(p / spacing)).Step();       // the first step has no lists
+                // the first step has no lists
+                fluid.Add(places.Select(p => (p + 2f) * spacing).ToArray(), p => 2f * spacing * Velocity(p / spacing)).Step();
                 double before = Along(fluid.Read());
                 fluid.Input.material = material;
                 return Along(fluid.Step(steps).Read()) / before;
             }
         }
 
-        /// <summary>What implicit steps leave of it in fluid without an end, by the heat equation: over the eddy's spectrum, k⁴ exp(-k²w²/2).</summary>
+        /// <summary>What implicit steps leave of it in fluid without an end, by the heat equation: over the eddy's spectrum, k⁴
+        /// exp(-k²w²/2).</summary>
         /// <param name="strength">ν Δt / d².</param>
         public double Expected(double strength, int steps)
         {

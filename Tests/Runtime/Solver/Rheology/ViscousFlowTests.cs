@@ -44,11 +44,14 @@ namespace Rill.Tests
                 fluid.Input.gravity = 0f;
                 fluid.Input.material.dynamicViscosity = viscosity * fluid.Input.material.density;
                 fluid.Input.material.velocitySmoothing = 0f;        // it takes spin
-                float3[] ball = ParticleState.Lattice(0f, 0.5f, (int)Box).positions.Select(p => p.xyz).Where(p => math.distance(p, 0.5f * Box) < Radius).ToArray();
+                float3[] ball = ParticleState.Lattice(0f, 0.5f, (int)Box).positions.Select(p => p.xyz)
+                .Where(p => math.distance(p, 0.5f * Box) < Radius).ToArray();
                 fluid.Add(ball.Select(p => p * Spacing).ToArray(), p => math.cross(new float3(0f, Rate, 0f), p - 0.5f * Box * Spacing));
                 Turning start = TurningOf(fluid.Read()), end = TurningOf(fluid.Step(Steps).Read());
-                double spin = end.spin / start.spin, inertia = end.inertia / start.inertia, strain = end.energy * end.inertia / (end.spin * end.spin) - 1.0;
-                TestContext.Out.WriteLine($"{viscosity} m²/s: spin {spin:0.00000} of the start's, inertia {inertia:0.000}, energy of other motion {strain:0.0000} of the turning's");
+                double spin = end.spin / start.spin, inertia = end.inertia / start.inertia,
+                    strain = end.energy * end.inertia / (end.spin * end.spin) - 1.0;
+                TestContext.Out.WriteLine($"{viscosity} m²/s: spin {spin:0.00000} of the start's, inertia {inertia:0.000}, energy of " +
+                    $"other motion {strain:0.0000} of the turning's");
                 Assert.That(spin, Is.EqualTo(1.0).Within(2e-4));
                 if (viscosity >= 1f)
                     Assert.That(strain, Is.LessThan(0.005), "turns as a rigid body");
@@ -65,7 +68,8 @@ namespace Rill.Tests
                 settings.substeps = 2;
                 var fluid = new TestFluid(new float3(1f, 1f, 0.5f), 0.05f, 2000, settings);
                 fluid.Input.material.dynamicViscosity = dynamicViscosity;
-                return fluid.AddBlock(0f, new float3(0.5f, 0.6f, 0.5f)).Step(5).AddBlock(new float3(0.5f, 0f, 0f), new float3(0.2f, 0.2f, 0.5f)).Step(10);
+                return fluid.AddBlock(0f, new float3(0.5f, 0.6f, 0.5f)).Step(5).AddBlock(new float3(0.5f, 0f, 0f),
+                    new float3(0.2f, 0.2f, 0.5f)).Step(10);
             }
             using (TestFluid without = Dam(0f), with = Dam(1e-20f))
                 TestFluid.AssertSame(with.Read(), without.Read());
@@ -73,7 +77,8 @@ namespace Rill.Tests
 
         // Honey in half a box of water's depth, more of it added on the way.
         [Test]
-        public void Viscous_fluid_comes_to_rest_whole([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater, [Values(10f, 1e6f)] float dynamicViscosity)
+        public void Viscous_fluid_comes_to_rest_whole([Values(DeepWater.Off, DeepWater.On)] DeepWater deepWater,
+            [Values(10f, 1e6f)] float dynamicViscosity)
         {
             var settings = SolverSettings.Default;
             settings.deepWater = deepWater;
@@ -83,7 +88,8 @@ namespace Rill.Tests
                 fluid.AddBlock(0f, new float3(0.5f, 0.6f, 0.5f)).Step(5).AddBlock(new float3(0.5f, 0f, 0f), new float3(0.2f, 0.2f, 0.5f));
                 float start = fluid.Measure().Energy;
                 FluidStatistics end = fluid.Step(60).MeasureWhole();
-                TestContext.Out.WriteLine($"C+ {end.densityError:0.0000}, volume {end.volumeRatio:0.000}, speed {end.speed:0.0000} m/s, jitter {end.jitter:0.0000} m/s, energy {end.Energy / start:0.000}, last change {end.viscosityChange:g3} m/s");
+                TestContext.Out.WriteLine($"C+ {end.densityError:0.0000}, volume {end.volumeRatio:0.000}, speed {end.speed:0.0000} " +
+                    $"m/s, jitter {end.jitter:0.0000} m/s, energy {end.Energy / start:0.000}, last change {end.viscosityChange:g3} m/s");
                 Assert.That(end.Energy, Is.LessThan(start));
                 // Honey is solved. Of 1e6 Pa s slow motion is left by any number of passes, each of which takes more of it than the one
                 // before: 48 end in a last change of 0.13 to 0.18 m/s, 96 of 0.24. The statistics have to show that.
@@ -98,7 +104,9 @@ namespace Rill.Tests
             double without = Whirl.Left(places, 0f, spacing, timeStep, Steps), left = Whirl.Left(places, viscosity, spacing, timeStep, Steps);
             double decay = Math.Log(without / left), expected = -Math.Log(Whirl.Expected(strength, Steps));
             double inBlock = strength > Reaches ? -Math.Log(Whirl.ExpectedInBlock(strength, Steps)) : expected;
-            TestContext.Out.WriteLine($"ν Δt/d² {strength:g3}, {ImplicitViscosity.PassesFor(strength)} passes: {100.0 * (decay / expected - 1.0):0.0} % off {expected:g4}, {100.0 * (decay / inBlock - 1.0):0.0} % off {inBlock:g4} in the block; {-Math.Log(without):g3} without viscosity");
+            TestContext.Out.WriteLine($"ν Δt/d² {strength:g3}, {ImplicitViscosity.PassesFor(strength)} passes: " +
+                $"{100.0 * (decay / expected - 1.0):0.0} % off {expected:g4}, {100.0 * (decay / inBlock - 1.0):0.0} % off {inBlock:g4} " +
+                $"in the block; {-Math.Log(without):g3} without viscosity");
             Assert.That(decay, Is.EqualTo(inBlock).Within(0.03 * inBlock));
         }
 

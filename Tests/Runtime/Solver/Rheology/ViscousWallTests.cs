@@ -16,7 +16,8 @@ namespace Rill.Tests
         // Starts at rest; the profile after some steps is that of implicit steps of the heat equation. At first the fluid beside the plates
         // shears within 2 layers, which ten across are too few for: 2.5 %.
         [Test]
-        public void Fluid_that_falls_between_plates_has_the_profile_of_its_viscosity([Values(1, 2)] int finer, [Values(0.06f, 0.6f, 6f)] float strength)
+        public void Fluid_that_falls_between_plates_has_the_profile_of_its_viscosity([Values(1, 2)] int finer,
+            [Values(0.06f, 0.6f, 6f)] float strength)
         {
             int gap = 10 * finer, steps = Steps(strength);
             strength *= finer * finer;
@@ -25,11 +26,14 @@ namespace Rill.Tests
                 float fall = 8f * strength * PathPerStep / (gap * gap);        // g Δt²
                 fluid.Input.gravity = new float3(0f, -fall * fluid.Spacing / (TimeStep * TimeStep), 0f);
                 fluid.Step(1 + steps);
-                AssertProfile(fluid, gap, x => -Sum(m => m % 2 == 0 ? 0.0 : 4.0 / (m * Math.PI) * Math.Sin(m * Math.PI * x / gap) * fall * Gained(Left(m, gap, strength), steps)), gap == 10 && strength < 0.1f ? 0.03 : 0.02);
+                AssertProfile(fluid, gap, x => -Sum(m => m % 2 == 0 ? 0.0
+                    : 4.0 / (m * Math.PI) * Math.Sin(m * Math.PI * x / gap) * fall * Gained(Left(m, gap, strength), steps)), gap == 10
+                    && strength < 0.1f ? 0.03 : 0.02);
             }
         }
 
-        // Layers that have slid past each other by 2 d are no lattice any more and up to 3 % less viscous, so the plate slides half a spacing at most.
+        // Layers that have slid past each other by 2 d are no lattice any more and up to 3 % less viscous, so the plate slides half a
+        // spacing at most.
         [Test]
         public void Fluid_beside_a_plate_that_slides_is_dragged_by_its_viscosity([Values(1, 2)] int finer, [Values(0.06f, 0.6f, 6f)] float strength)
         {
@@ -39,7 +43,9 @@ namespace Rill.Tests
             {
                 float path = Math.Min(PathPerStep, 0.5f / steps);
                 Slide(fluid, gap, friction: 1f, path, 1 + steps);
-                AssertProfile(fluid, gap, x => path * (x / gap + Sum(m => 2.0 / (m * Math.PI) * (m % 2 == 0 ? 1.0 : -1.0) * Math.Sin(m * Math.PI * x / gap) * Math.Pow(Left(m, gap, strength), steps))));
+                AssertProfile(fluid, gap, x => path
+                    * (x / gap + Sum(m => 2.0 / (m * Math.PI) * (m % 2 == 0 ? 1.0 : -1.0) * Math.Sin(m * Math.PI * x / gap)
+                    * Math.Pow(Left(m, gap, strength), steps))));
             }
         }
 
@@ -53,7 +59,8 @@ namespace Rill.Tests
                 fluid.Input.material.wallFriction = 0f;
                 fluid.Input.gravity = new float3(0f, -Fall * Spacing / (TimeStep * TimeStep), 0f);
                 double[] speeds = Profile(fluid.Step(Steps), 10).Select(layer => layer.speed).ToArray();
-                TestContext.Out.WriteLine($"falls by {-speeds.Average():g4} d a step, {Steps * Fall:g4} freely, layers by {speeds.Max() - speeds.Min():g3}");
+                TestContext.Out.WriteLine(
+                    $"falls by {-speeds.Average():g4} d a step, {Steps * Fall:g4} freely, layers by {speeds.Max() - speeds.Min():g3}");
                 Assert.That(speeds, Is.All.EqualTo(-Steps * Fall).Within(0.005 * Steps * Fall));
             }
         }
@@ -88,7 +95,8 @@ namespace Rill.Tests
         {
             float spacing = Spacing / finer;
             int length = 4 * gap;
-            var fluid = new TestFluid(new float3(gap + behind, length + 2 * Margin, Thickness + 2 * Margin) * spacing, spacing, gap * length * Thickness);
+            var fluid = new TestFluid(new float3(gap + behind, length + 2 * Margin, Thickness + 2 * Margin) * spacing, spacing,
+                gap * length * Thickness);
             fluid.Input.gravity = 0f;
             fluid.Input.timeStep = TimeStep;
             fluid.Input.material.velocitySmoothing = 0f;
@@ -119,7 +127,8 @@ namespace Rill.Tests
                     where math.abs(state.positions[i].y - middle) < 0.3f * gap
                     group i by (int)math.floor(state.positions[i].x) into layer
                     orderby layer.Key
-                    select (layer.Average(i => (double)state.positions[i].x), layer.Average(i => (double)state.velocities[i].y) * TimeStep)).ToArray();
+                    select (layer.Average(i => (double)state.positions[i].x), layer.Average(i => (double)state.velocities[i].y) * TimeStep))
+                    .ToArray();
         }
 
         static void AssertProfile(TestFluid fluid, int gap, Func<double, double> expected, double tolerance = 0.02)
@@ -127,7 +136,8 @@ namespace Rill.Tests
             (double x, double speed)[] profile = Profile(fluid, gap);
             double largest = profile.Max(layer => Math.Abs(expected(layer.x)));
             double[] errors = profile.Select(layer => (layer.speed - expected(layer.x)) / largest).ToArray();
-            TestContext.Out.WriteLine($"largest {largest:g3} d a step; off by " + string.Join(" ", errors.Select(e => $"{100.0 * e:0.0}")) + " % of it");
+            TestContext.Out.WriteLine($"largest {largest:g3} d a step; off by " + string.Join(" ", errors.Select(e => $"{100.0 * e:0.0}"))
+                + " % of it");
             Assert.That(profile.Length, Is.EqualTo(gap), "layers");
             Assert.That(errors, Is.All.EqualTo(0.0).Within(tolerance));
         }

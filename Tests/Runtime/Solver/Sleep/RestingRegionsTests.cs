@@ -21,7 +21,8 @@ namespace Rill.Tests
         [TestCase(40, 48, 40, 0, 1.5f, 1)]
         [TestCase(60, 20, 9, 7, 1.5f, 1)]
         [TestCase(60, 20, 9, 47, 0.7f, 2)]
-        public void What_moves_keeps_the_regions_around_it_awake_and_those_beyond_at_hand(int x, int y, int z, int mover, float meanDisplacement, int fastParticles)
+        public void What_moves_keeps_the_regions_around_it_awake_and_those_beyond_at_hand(int x, int y, int z, int mover,
+            float meanDisplacement, int fastParticles)
         {
             int3 counts = (new int3(x, y, z) + 7) / 8;
             int total = counts.x * counts.y * counts.z;
@@ -42,7 +43,8 @@ namespace Rill.Tests
                 for (int i = mover * 20; i < mover * 20 + fastParticles; i++)
                     state.velocities[i] = new float4((i % 2 == 0 ? 1.2f : -1.2f) * RestingRegions.JitterRatio * Way / TimeStep, 0f, 0f, 0f);
                 stage.Set(state);
-                Assert.That(stage.Run(1), Is.EqualTo(Enumerable.Range(0, total).Select(region => Around(region, mover, counts)).ToArray()), "fast particles whose velocities cancel");
+                Assert.That(stage.Run(1), Is.EqualTo(Enumerable.Range(0, total).Select(region => Around(region, mover, counts)).ToArray()),
+                    "fast particles whose velocities cancel");
             }
         }
 
@@ -57,7 +59,9 @@ namespace Rill.Tests
                 TestFluid.AssertSame(sleeping.Step(30).Read(), before);
 
                 FluidStatistics rested = sleeping.MeasureWhole(), moved = awake.Step(steps + 30).MeasureWhole();
-                TestContext.Out.WriteLine($"asleep after {steps} steps; C+ {100f * rested.densityError:0.000} % asleep, {100f * moved.densityError:0.000} % awake; volume {rested.volumeRatio:0.0000}, {moved.volumeRatio:0.0000}; noise awake {moved.speed:0.000} m/s");
+                TestContext.Out.WriteLine($"asleep after {steps} steps; C+ {100f * rested.densityError:0.000} % asleep, " +
+                    $"{100f * moved.densityError:0.000} % awake; volume {rested.volumeRatio:0.0000}, {moved.volumeRatio:0.0000}; noise " +
+                    $"awake {moved.speed:0.000} m/s");
                 Assert.That(moved.speed, Is.GreaterThan(0f));
                 Assert.That(rested.densityError, Is.EqualTo(moved.densityError).Within(0.005f));
                 Assert.That(rested.volumeRatio, Is.EqualTo(moved.volumeRatio).Within(0.01f));
@@ -83,7 +87,8 @@ namespace Rill.Tests
                     underIt.Add(states[0]);
                     asleep.Add(states.Count(s => s != Awake) / (float)states.Length);
                 }
-                TestContext.Out.WriteLine("asleep " + string.Join(" ", asleep.Select(fraction => fraction.ToString("0.00"))) + "; under it " + string.Join(" ", underIt));
+                TestContext.Out.WriteLine("asleep " + string.Join(" ", asleep.Select(fraction => fraction.ToString("0.00"))) + "; under it "
+                    + string.Join(" ", underIt));
                 fluid.MeasureWhole();
                 int slept = underIt.FindIndex(state => state != Awake);
                 Assert.That(slept, Is.GreaterThan(0), "the pool slept while the block fell");
@@ -166,11 +171,13 @@ namespace Rill.Tests
             SolverSettings settings = Sleeping(SleepSpeed);
             settings.deepWater = DeepWater.On;
             settings.iterations = 2;
-            using (var fluid = new TestFluid(new float3(8f, 28f, 8f) * Spacing, Spacing, 8 * 20 * 8, settings).AddBlock(0f, new float3(8f, 20f, 8f) * Spacing))
+            using (var fluid = new TestFluid(new float3(8f, 28f, 8f) * Spacing, Spacing, 8 * 20 * 8, settings)
+                .AddBlock(0f, new float3(8f, 20f, 8f) * Spacing))
             {
                 FluidStatistics statistics = fluid.Step(120).MeasureWhole();
                 uint[] states = States(fluid);
-                TestContext.Out.WriteLine($"states {string.Join(" ", states)}; C+ {100f * statistics.densityError:0.000} %, volume {statistics.volumeRatio:0.000}");
+                TestContext.Out.WriteLine(
+                    $"states {string.Join(" ", states)}; C+ {100f * statistics.densityError:0.000} %, volume {statistics.volumeRatio:0.000}");
                 Assert.That(states, Is.All.EqualTo(Asleep));
                 Assert.That(statistics.densityError, Is.LessThan(0.01f));
                 Assert.That(statistics.volumeRatio, Is.InRange(0.97f, 1.03f));
@@ -197,11 +204,14 @@ namespace Rill.Tests
         }
 
         // What does not change how particles at rest move: who else looks at them, and what wakes regions by itself.
-        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed", "removesKilled", "tracksPhases" };     // those that are removed wake what is around them
+        // those that are removed wake what is around them
+        static readonly string[] Others = { "needsDensity", "colliders", "frameFrom", "frameTo", "sources", "foam", "foamSeed",
+            "removesKilled", "tracksPhases" };
 
         static IEnumerable<string> FieldsOfTheInput() => typeof(StepInput).GetFields().Where(field => !Others.Contains(field.Name))
             .SelectMany(field => field.FieldType == typeof(SolverSettings) || field.FieldType == typeof(FluidMaterial)
-                ? field.FieldType.GetFields(BindingFlags.Public | BindingFlags.Instance).Select(part => field.Name + "." + part.Name) : new[] { field.Name });
+                ? field.FieldType.GetFields(BindingFlags.Public | BindingFlags.Instance).Select(part => field.Name + "." + part.Name)
+                    : new[] { field.Name });
 
         static object Changed(object value, IEnumerable<string> path)
         {
@@ -253,7 +263,8 @@ namespace Rill.Tests
         // 48 x 4 x 8 particles on the floor of a tall box that they fill.
         static TestFluid Pool(float sleepSpeed)
         {
-            return new TestFluid(new float3(48f, 80f, 8f) * Spacing, Spacing, 2000, Sleeping(sleepSpeed)).AddBlock(0f, new float3(48f, 4f, 8f) * Spacing);
+            return new TestFluid(new float3(48f, 80f, 8f) * Spacing, Spacing, 2000, Sleeping(sleepSpeed))
+                .AddBlock(0f, new float3(48f, 4f, 8f) * Spacing);
         }
 
         // The steps that it took.

@@ -27,7 +27,8 @@ namespace Rill.Tests
                     d.Size = new Vector3(0.6f, 0.2f, 0.4f);
                     d.Radius = 0.27f;
                 });
-                uint[] expected = Enumerable.Range(0, before.Count).Where(i => !IsInside(drain, before.positions[i].xyz * Spacing - 0.5f)).Select(i => before.ids[i]).OrderBy(id => id).ToArray();
+                uint[] expected = Enumerable.Range(0, before.Count).Where(i => !IsInside(drain, before.positions[i].xyz * Spacing - 0.5f))
+                    .Select(i => before.ids[i]).OrderBy(id => id).ToArray();
                 scene.Step();
                 uint[] left = scene.Read().ids.OrderBy(id => id).ToArray();
                 Assert.That(before.Count - expected.Length, Is.GreaterThan(100));
@@ -49,7 +50,8 @@ namespace Rill.Tests
 
         // Particles that do not meet: each goes straight. A drain that moves takes what it moves over too.
         [Test]
-        public void What_comes_through_a_drain_within_a_step_goes_and_nothing_else([Values(DrainShape.Box, DrainShape.Sphere)] DrainShape shape, [Values] bool moves, [Values(1, 3)] int substeps)
+        public void What_comes_through_a_drain_within_a_step_goes_and_nothing_else(
+            [Values(DrainShape.Box, DrainShape.Sphere)] DrainShape shape, [Values] bool moves, [Values(1, 3)] int substeps)
         {
             using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 1000))
             {
@@ -60,7 +62,8 @@ namespace Rill.Tests
                 var random = new Unity.Mathematics.Random(9u);
                 float3[] places = Enumerable.Range(0, 512).Select(i => (new float3(i % 8, i / 8 % 8, i / 64) - 3.5f) * 0.22f).ToArray();
                 using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
-                using (var velocities = new Unity.Collections.NativeArray<float3>(places.Select(_ => 20f * random.NextFloat3Direction()).ToArray(), Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(places.Select(_ => 20f * random.NextFloat3Direction())
+                    .ToArray(), Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
                 FluidDrain drain = scene.Add<FluidDrain>(new Vector3(0f, 5f, 0f), new Vector3(1f, 0.3f, 0.5f), d =>
                 {
@@ -79,7 +82,8 @@ namespace Rill.Tests
                 int gone = 0, crossed = 0;
                 for (int i = 0; i < after.Count; i++)
                 {
-                    float3 a = Local(drain, last, from[after.ids[i]]), b = Local(drain, (drain.transform.position, drain.transform.rotation), after.positions[i].xyz * Spacing - 1f);
+                    float3 a = Local(drain, last, from[after.ids[i]]),
+                        b = Local(drain, (drain.transform.position, drain.transform.rotation), after.positions[i].xyz * Spacing - 1f);
                     if (Crosses(shape, a, b, 0.97f))
                         Assert.That(left.Contains(after.ids[i]), Is.False, $"{a} to {b} leads through");
                     if (!Crosses(shape, a, b, 1.03f))
@@ -95,7 +99,8 @@ namespace Rill.Tests
 
         // What bounced counts as come from behind the surface, no deeper than its way of a step: 0.17 m.
         [Test]
-        public void A_drain_behind_a_plate_takes_what_bounced_no_further_behind_it_than_the_way_of_a_step([Values(0f, 0.8f)] float bounciness, [Values(0.03f, 0.2f)] float depth)
+        public void A_drain_behind_a_plate_takes_what_bounced_no_further_behind_it_than_the_way_of_a_step(
+            [Values(0f, 0.8f)] float bounciness, [Values(0.03f, 0.2f)] float depth)
         {
             using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 100))
             {
@@ -107,8 +112,11 @@ namespace Rill.Tests
                 collider.Size = new Vector3(2f, 0.02f, 2f);
                 collider.Bounciness = bounciness;
                 scene.Add<FluidDrain>(new Vector3(0f, -0.01f - depth, 0f), Vector3.forward, d => d.Size = new Vector3(2f, 0.01f, 2f));
-                using (var positions = new Unity.Collections.NativeArray<float3>(Enumerable.Range(0, 64).Select(i => new float3(i % 8 * 0.2f - 0.7f, 0.3f + i * 0.003f, i / 8 * 0.2f - 0.7f)).ToArray(), Unity.Collections.Allocator.Persistent))
-                using (var velocities = new Unity.Collections.NativeArray<float3>(Enumerable.Repeat(new float3(0f, -10f, 0f), 64).ToArray(), Unity.Collections.Allocator.Persistent))
+                using (var positions = new Unity.Collections.NativeArray<float3>(Enumerable.Range(0, 64)
+                    .Select(i => new float3(i % 8 * 0.2f - 0.7f, 0.3f + i * 0.003f, i / 8 * 0.2f - 0.7f)).ToArray(),
+                    Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(Enumerable.Repeat(new float3(0f, -10f, 0f), 64).ToArray(),
+                    Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
                 scene.Step(6);
                 int drained = scene.AssertConserved().drained;
@@ -149,7 +157,8 @@ namespace Rill.Tests
                 Object.DestroyImmediate(first.gameObject);
                 if (!takes)
                     LogAssert.Expect(LogType.Warning, new Regex("has no size"));
-                FluidDrain second = scene.Add<FluidDrain>(new Vector3(0f, 0.4f, 0f), Vector3.forward, d => d.Size = Vector3.one * (takes ? 0.1f : 0f));
+                FluidDrain second = scene.Add<FluidDrain>(new Vector3(0f, 0.4f, 0f), Vector3.forward,
+                    d => d.Size = Vector3.one * (takes ? 0.1f : 0f));
                 Pass(scene, 1);
                 Assert.That(second.Drained, Is.Zero);
                 Pass(scene, 20);
@@ -197,7 +206,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Nobody_in_a_fast_jet_gets_past_a_thin_drain([Values(1, 3)] int substeps, [Values(10f, 40f)] float speed, [Values(0f, 0.005f)] float limit)
+        public void Nobody_in_a_fast_jet_gets_past_a_thin_drain([Values(1, 3)] int substeps, [Values(10f, 40f)] float speed,
+            [Values(0f, 0.005f)] float limit)
         {
             using (var scene = new SourceScene(new Vector3(2f, 2f, 2f), Spacing, 5000))
             {
@@ -240,8 +250,10 @@ namespace Rill.Tests
                 scene.Fluid.Gravity = Vector3.zero;
                 scene.Add<FluidDrain>(Vector3.zero, Vector3.right, d => d.Size = new Vector3(2f, 2f, 0.01f));
                 // One crosses the drain in the second step, one begins a step and a half beyond it and one will be as far before it.
-                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.75f, 0.5f, 0f), new float3(0.75f, 0f, 0.5f), new float3(-1.75f, -0.5f, 0f) }, Unity.Collections.Allocator.Persistent))
-                using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(30f, 0f, 0f), new float3(30f, 0f, 0f), new float3(30f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
+                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.75f, 0.5f, 0f),
+                    new float3(0.75f, 0f, 0.5f), new float3(-1.75f, -0.5f, 0f) }, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(30f, 0f, 0f), new float3(30f, 0f, 0f),
+                    new float3(30f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
                 for (int i = 0; i < 3; i++)
                 {
@@ -269,8 +281,10 @@ namespace Rill.Tests
                 });
                 for (int i = 0; i < 5; i++)
                     scene.Step().Measure();     // which orders the particles again, those just let in too
-                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.85f, 0.5f, 0.5f), new float3(-0.85f, -0.5f, 0.5f) }, Unity.Collections.Allocator.Persistent))
-                using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(10f, 0f, 0f), new float3(10f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
+                using (var positions = new Unity.Collections.NativeArray<float3>(new[] { new float3(-0.85f, 0.5f, 0.5f),
+                new float3(-0.85f, -0.5f, 0.5f) }, Unity.Collections.Allocator.Persistent))
+                using (var velocities = new Unity.Collections.NativeArray<float3>(new[] { new float3(10f, 0f, 0f),
+                    new float3(10f, 0f, 0f) }, Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
                 scene.Measure();
                 scene.Step(5);
@@ -295,7 +309,8 @@ namespace Rill.Tests
                     Assert.That(scene.Count(ParticleCounter.Drained), Is.LessThanOrEqualTo((int)(most + 1e-3)));
                 }
                 double all = limit * 0.5 / scene.ParticleVolume;
-                Assert.That(scene.Count(ParticleCounter.Drained), Is.InRange((int)all - 5, (int)(all + 1e-3)), "of a few thousand, up to five have the next lot");
+                Assert.That(scene.Count(ParticleCounter.Drained), Is.InRange((int)all - 5, (int)(all + 1e-3)),
+                    "of a few thousand, up to five have the next lot");
                 scene.AssertConserved();
             }
         }
@@ -313,7 +328,8 @@ namespace Rill.Tests
                 });
                 scene.Step();
                 var left = scene.Read().ids.ToLookup(id => id);
-                float3[] gone = Enumerable.Range(0, before.Count).Where(i => !left.Contains(before.ids[i])).Select(i => before.positions[i].xyz).ToArray();
+                float3[] gone = Enumerable.Range(0, before.Count).Where(i => !left.Contains(before.ids[i]))
+                    .Select(i => before.positions[i].xyz).ToArray();
                 Assert.That(gone.Length, Is.InRange(3900, 4000));
                 for (int octant = 0; octant < 8; octant++)
                 {
@@ -404,14 +420,16 @@ namespace Rill.Tests
                     emitter.Lifetime = 0.1f;
                 });
                 scene.Step(30);
-                using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(0f, -0.8f, 0f), new float3(0.2f, -0.8f, 0f) }, Unity.Collections.Allocator.Persistent))
+                using (var places = new Unity.Collections.NativeArray<float3>(new[] { new float3(0f, -0.8f, 0f),
+                    new float3(0.2f, -0.8f, 0f) }, Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(places, places);
                 scene.Step(20);
                 ParticleState state = scene.Read();
                 uint[] tags = GpuTest.Read<uint>(scene.Fluid.Solver.Tags, state.Count);
                 Assert.That(tags.Count(tag => tag == 0), Is.EqualTo(2));
                 Assert.That(tags.Where(tag => tag != 0).Select(tag => tag >> 24), Is.All.EqualTo(5));
-                Assert.That(state.positions.Zip(tags, (p, tag) => (p, tag)).Where(pair => pair.tag == 0).Select(pair => pair.p.y * Spacing), Is.All.LessThan(0.5f), "tags go with their particles");
+                Assert.That(state.positions.Zip(tags, (p, tag) => (p, tag)).Where(pair => pair.tag == 0).Select(pair => pair.p.y * Spacing),
+                    Is.All.LessThan(0.5f), "tags go with their particles");
                 scene.AssertConserved();
             }
         }
@@ -449,7 +467,8 @@ namespace Rill.Tests
         {
             using (var scene = new SourceScene(new Vector3(0.5f, 0.5f, 0.5f), Spacing, 1500, deepWater))
             {
-                float3[] places = Enumerable.Range(0, 1250).Select(i => (new float3(i % 10, i / 10 % 10, i / 100 * 0.8f) + 0.5f) * Spacing - 0.25f).ToArray();
+                float3[] places = Enumerable.Range(0, 1250)
+                    .Select(i => (new float3(i % 10, i / 10 % 10, i / 100 * 0.8f) + 0.5f) * Spacing - 0.25f).ToArray();
                 using (var positions = new Unity.Collections.NativeArray<float3>(places, Unity.Collections.Allocator.Persistent))
                 using (var velocities = new Unity.Collections.NativeArray<float3>(places.Length, Unity.Collections.Allocator.Persistent))
                     scene.Fluid.AddParticles(positions, velocities);
@@ -465,7 +484,8 @@ namespace Rill.Tests
                 scene.Step(20);         // 0.0667 m³ of 0.156
                 Object.DestroyImmediate(drain.gameObject);
                 FluidStatistics drained = scene.Step(100).AssertConserved();
-                TestContext.Out.WriteLine($"{full.densityError:0.000} with {full.particles}, {drained.densityError:0.000} with {drained.particles}, p99.9 {drained.densityError999:0.000}");
+                TestContext.Out.WriteLine($"{full.densityError:0.000} with {full.particles}, {drained.densityError:0.000} with " +
+                    $"{drained.particles}, p99.9 {drained.densityError999:0.000}");
                 Assert.That(drained.particles, Is.InRange(715, 725));
                 Assert.That(drained.densityError, Is.LessThan(0.03f));
                 Assert.That(drained.centerOfMass.y, Is.InRange(0.17f, 0.2f));

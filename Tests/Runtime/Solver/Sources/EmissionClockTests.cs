@@ -9,7 +9,8 @@ namespace Rill.Tests
         const int NoLimit = int.MaxValue;
 
         [Test]
-        public void After_any_time_the_rate_times_the_time_is_due_to_within_one_particle([Values(0.0, 1e-7, 3.3e-5, 0.001, 0.7)] double rate, [Values(1.0 / 60, 1.0 / 7, 1e-3)] double step)
+        public void After_any_time_the_rate_times_the_time_is_due_to_within_one_particle([Values(0.0, 1e-7, 3.3e-5, 0.001,
+            0.7)] double rate, [Values(1.0 / 60, 1.0 / 7, 1e-3)] double step)
         {
             var clock = new EmissionClock();
             long due = 0;
@@ -38,7 +39,8 @@ namespace Rill.Tests
 
         // The instants of all particles, step by step, are a rate's: one after the other at the same distance.
         [Test]
-        public void Each_particle_is_due_at_its_own_instant_whatever_the_steps([Values(1.0 / 60, 0.011, 0.2)] double step, [Values(0.0, 0.0137)] double delay)
+        public void Each_particle_is_due_at_its_own_instant_whatever_the_steps([Values(1.0 / 60, 0.011, 0.2)] double step,
+            [Values(0.0, 0.0137)] double delay)
         {
             const double rate = 3.7e-4;
             var clock = new EmissionClock();

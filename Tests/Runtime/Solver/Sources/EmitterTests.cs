@@ -24,7 +24,8 @@ namespace Rill.Tests
         };
 
         [Test]
-        public void A_jet_lets_in_the_rate_times_the_time_at_any_frame_rate([Values(1f / 30f, 1f / 60f, 1f / 144f, 0.05f)] float frame, [Values(0.003f, 0.02f)] float rate)
+        public void A_jet_lets_in_the_rate_times_the_time_at_any_frame_rate([Values(1f / 30f, 1f / 60f, 1f / 144f, 0.05f)] float frame,
+            [Values(0.003f, 0.02f)] float rate)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
@@ -33,7 +34,8 @@ namespace Rill.Tests
                 {
                     scene.Fluid.Advance(frame);
                     double due = rate * scene.Fluid.FluidTime / scene.ParticleVolume;
-                    Assert.That(scene.Count(ParticleCounter.Emitted), Is.InRange((int)Math.Floor(due - 1e-3), (int)Math.Floor(due + 1e-3)), $"after {scene.Fluid.FluidTime} s");
+                    Assert.That(scene.Count(ParticleCounter.Emitted), Is.InRange((int)Math.Floor(due - 1e-3), (int)Math.Floor(due + 1e-3)),
+                        $"after {scene.Fluid.FluidTime} s");
                 }
                 FluidStatistics statistics = scene.AssertConserved();
                 Assert.That(statistics.blocked + statistics.waiting + statistics.refused, Is.Zero);
@@ -59,7 +61,8 @@ namespace Rill.Tests
                 {
                     float age = steps / 60f - (state.ids[i] + 1) * scene.ParticleVolume / rate;
                     float3 metres = state.positions[i].xyz * Spacing - (float3)Box * 0.5f;
-                    Assert.That(metres.x, Is.EqualTo(-0.9f + 0.5f * Spacing + speed * age).Within(0.1f * Spacing), $"particle {state.ids[i]} of age {age}");
+                    Assert.That(metres.x, Is.EqualTo(-0.9f + 0.5f * Spacing + speed * age).Within(0.1f * Spacing),
+                        $"particle {state.ids[i]} of age {age}");
                     Assert.That(math.length(metres.yz - new float2(0.1f, 0.2f)), Is.LessThan(0.1f + 0.1f * Spacing));
                     Assert.That(math.distance(state.velocities[i].xyz * Spacing, new float3(speed, 0f, 0f)), Is.LessThan(0.15f));
                 }
@@ -96,7 +99,8 @@ namespace Rill.Tests
                     Vector3 place = new Vector3(-0.8f + (turns ? 0f : moved * fraction), turns ? 0f : -0.9f, 0f);
                     Vector3 direction = turns ? Quaternion.Euler(0f, 0f, -70f * fraction) * Vector3.up : Vector3.up;
                     float3 expected = place + direction * (0.5f * Spacing + speed * (float)(all - instant));
-                    Assert.That(math.distance(state.positions[i].xyz * Spacing - (float3)Box * 0.5f, expected), Is.LessThan(0.25f * Spacing), $"particle {state.ids[i]}, let in at {instant} s of {all} s");
+                    Assert.That(math.distance(state.positions[i].xyz * Spacing - (float3)Box * 0.5f, expected),
+                        Is.LessThan(0.25f * Spacing), $"particle {state.ids[i]}, let in at {instant} s of {all} s");
                 }
                 Assert.That(scene.AssertConserved().waiting, Is.Zero);
             }
@@ -125,7 +129,8 @@ namespace Rill.Tests
                 for (int frame = 0; frame <= frames; frame++)
                 {
                     Quaternion turn = Quaternion.Euler(0f, 25f * frame, 8f * frame);
-                    emitter.transform.SetPositionAndRotation(new Vector3(-0.5f + 0.12f * frame, -0.3f, 0f) + turn * new Vector3(0.3f, 0f, 0f), turn * Quaternion.LookRotation(Vector3.up, Vector3.forward));
+                    emitter.transform.SetPositionAndRotation(new Vector3(-0.5f + 0.12f * frame, -0.3f, 0f) + turn * new Vector3(0.3f, 0f,
+                        0f), turn * Quaternion.LookRotation(Vector3.up, Vector3.forward));
                     time += FrameOf(scene, stepsInAFrame);
                     at[frame + 1] = (time, emitter.transform.position, emitter.transform.rotation);
                 }
@@ -137,12 +142,14 @@ namespace Rill.Tests
                 {
                     double instant = (state.ids[i] + 1) * scene.ParticleVolume / rate;
                     int frame = Array.FindIndex(at, a => a.time >= instant - 1e-9);
-                    float part = (float)((instant - at[frame - 1].time) / (at[frame].time - at[frame - 1].time)), duration = (float)(at[frame].time - at[frame - 1].time);
+                    float part = (float)((instant - at[frame - 1].time) / (at[frame].time - at[frame - 1].time)),
+                        duration = (float)(at[frame].time - at[frame - 1].time);
                     Vector3 position = Vector3.Lerp(at[frame - 1].position, at[frame].position, part);
                     Quaternion rotation = Quaternion.Slerp(at[frame - 1].rotation, at[frame].rotation, part);
                     float3 axis = rotation * Vector3.forward, linear = (float3)(at[frame].position - at[frame - 1].position) / duration;
                     (at[frame].rotation * Quaternion.Inverse(at[frame - 1].rotation)).ToAngleAxis(out float angle, out Vector3 around);
-                    float3 spin = angle > 180f ? -math.radians(360f - angle) / duration * (float3)around : math.radians(angle) / duration * (float3)around;
+                    float3 spin = angle > 180f ? -math.radians(360f - angle) / duration * (float3)around
+                        : math.radians(angle) / duration * (float3)around;
 
                     // Where on the outlet it left follows from where it has got to: offset = arm + share age (spin x arm).
                     float age = (float)(time - instant);
@@ -151,13 +158,15 @@ namespace Rill.Tests
                     float3 turned = fraction * age * spin;
                     float3 arm = (offset - math.cross(turned, offset) + turned * math.dot(turned, offset)) / (1f + math.lengthsq(turned));
                     float3 expected = axis * speed + fraction * (linear + math.cross(spin, arm));
-                    Assert.That(math.abs(math.dot(arm, axis)), Is.LessThan(0.1f * Spacing), $"particle {state.ids[i]} left in the plane of the outlet");
+                    Assert.That(math.abs(math.dot(arm, axis)), Is.LessThan(0.1f * Spacing),
+                        $"particle {state.ids[i]} left in the plane of the outlet");
                     Assert.That(math.length(arm), Is.LessThan(0.4f + 0.1f * Spacing), $"particle {state.ids[i]} left within the outlet");
                     // A place is off by up to 0.02 d along each axis so that no pattern is perfect, and viscosity takes a little beside others.
                     worst = math.max(worst, math.distance(velocity, expected) / (fraction * math.length(spin) * 0.035f * Spacing + 0.01f));
                     fastest = math.max(fastest, math.length(velocity - axis * speed));
                 }
-                TestContext.Out.WriteLine($"{state.Count} particles, at most {fastest:0.00} m/s besides the jet's, off by {worst:0.00} of what may be");
+                TestContext.Out.WriteLine(
+                    $"{state.Count} particles, at most {fastest:0.00} m/s besides the jet's, off by {worst:0.00} of what may be");
                 Assert.That(worst, Is.LessThan(1f));
                 Assert.That(fastest, fraction > 0f ? Is.GreaterThan(2f * fraction) : Is.LessThan(0.05f));
             }
@@ -171,17 +180,20 @@ namespace Rill.Tests
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
                 scene.Fluid.Gravity = Vector3.zero;
-                FluidEmitter emitter = scene.Add(new Vector3(-0.9f, -0.9f, 0f), Vector3.up, Jet(0.002f, speed, 0.01f));        // too far apart to touch
+                // too far apart to touch
+                FluidEmitter emitter = scene.Add(new Vector3(-0.9f, -0.9f, 0f), Vector3.up, Jet(0.002f, speed, 0.01f));
                 for (int i = 0; i * frame < 1.01f; i++)
                 {
                     emitter.transform.position = new Vector3(-0.9f + cart * frame * i, -0.9f, 0f);
                     scene.Fluid.Advance(frame);
                 }
                 ParticleState state = scene.Read();
-                float[] along = state.positions.Zip(state.velocities, (p, v) => (p, v)).Where(pair => pair.p.x > 3f).Select(pair => pair.v.x * Spacing).ToArray();
+                float[] along = state.positions.Zip(state.velocities, (p, v) => (p, v)).Where(pair => pair.p.x > 3f)
+                    .Select(pair => pair.v.x * Spacing).ToArray();
                 TestContext.Out.WriteLine($"{along.Length} of {state.Count} particles, {along.Min():0.000} to {along.Max():0.000} m/s");
                 Assert.That(along.Length, Is.GreaterThan(1));
-                Assert.That(along, Is.All.EqualTo(cart).Within(0.01f), "a step's way over a step's time is off by a quarter at 144 Hz, and after a hitch by seven times");
+                Assert.That(along, Is.All.EqualTo(cart).Within(0.01f),
+                    "a step's way over a step's time is off by a quarter at 144 Hz, and after a hitch by seven times");
             }
         }
 
@@ -219,7 +231,9 @@ namespace Rill.Tests
                 }
                 FluidStatistics statistics = scene.AssertConserved();
                 ParticleState state = scene.Read();
-                TestContext.Out.WriteLine($"{statistics.particles} particles, neighbors {statistics.neighborsMean:0.0}, C+ {statistics.densityError:0.000}, waiting {statistics.waiting}, mean {state.velocities.Average(v => v.x) * Spacing:0.00} m/s");
+                TestContext.Out.WriteLine($"{statistics.particles} particles, neighbors {statistics.neighborsMean:0.0}, C+ " +
+                    $"{statistics.densityError:0.000}, waiting {statistics.waiting}, mean " +
+                    $"{state.velocities.Average(v => v.x) * Spacing:0.00} m/s");
                 Assert.That(statistics.waiting + statistics.blocked, Is.Zero);
                 Assert.That(statistics.neighborsMean, Is.EqualTo(12f).Within(1f));
                 Assert.That(state.velocities.Average(v => v.x) * Spacing, Is.EqualTo(3f + cart).Within(0.3f));
@@ -299,14 +313,16 @@ namespace Rill.Tests
                 float radius = math.sqrt(rate / 2f / math.PI);
                 Assert.That(across.Max(p => math.length(p)), Is.InRange(radius - Spacing, radius + Spacing));
                 FluidStatistics statistics = scene.AssertConserved();
-                TestContext.Out.WriteLine($"radius {radius:0.000} m, neighbors {statistics.neighborsMean:0.0}, C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}");
+                TestContext.Out.WriteLine($"radius {radius:0.000} m, neighbors {statistics.neighborsMean:0.0}, C+ " +
+                    $"{statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}");
                 Assert.That(statistics.densityErrorMax, Is.LessThan(0.2f));
                 Assert.That(statistics.blocked + statistics.waiting, Is.Zero);
             }
         }
 
         [Test]
-        public void What_is_no_number_while_it_lets_water_in_is_named_and_loses_nothing([Values("rate NaN", "speed NaN", "transform is not finite")] string what, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void What_is_no_number_while_it_lets_water_in_is_named_and_loses_nothing([Values("rate NaN", "speed NaN",
+            "transform is not finite")] string what, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             const float rate = 0.006f;      // 0.8 particles a step
             using (var scene = new SourceScene(Box, Spacing, 500, deepWater))
@@ -374,7 +390,8 @@ namespace Rill.Tests
 
         // Of the last ones of a state, those nearer to any other than is allowed.
         static int CountTooNear(ParticleState state, int fresh) => Enumerable.Range(state.Count - fresh, fresh)
-            .Count(i => Enumerable.Range(0, state.Count).Any(j => j != i && math.distance(state.positions[i].xyz, state.positions[j].xyz) < Emitters.Clearance - 1e-3f));
+            .Count(i => Enumerable.Range(0, state.Count)
+                .Any(j => j != i && math.distance(state.positions[i].xyz, state.positions[j].xyz) < Emitters.Clearance - 1e-3f));
 
         [Test]
         public void Two_particles_in_one_place_would_be_seen()
@@ -398,7 +415,8 @@ namespace Rill.Tests
                 });
                 scene.Step(120);
                 FluidStatistics statistics = scene.AssertConserved();
-                TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, C+ {statistics.densityError}");
+                TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, " +
+                    $"C+ {statistics.densityError}");
                 Assert.That(statistics.particles, Is.InRange(200, 229), "up to the density that is allowed");
                 Assert.That(statistics.densityError, Is.LessThan(0.07f));
                 Assert.That(statistics.waiting, Is.EqualTo(480), "a second's worth");
@@ -448,7 +466,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void An_outlet_that_a_collider_covers_in_part_lets_in_what_the_rest_holds([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode)
+        public void An_outlet_that_a_collider_covers_in_part_lets_in_what_the_rest_holds(
+            [Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
@@ -468,7 +487,8 @@ namespace Rill.Tests
                 }
                 FluidStatistics statistics = scene.AssertConserved();
                 double due = emitter.DueVolume / scene.ParticleVolume;
-                TestContext.Out.WriteLine($"{statistics.emitted} of {due} let in, {statistics.waiting} wait, {statistics.blocked} given up, C+ max {statistics.densityErrorMax:0.00}");
+                TestContext.Out.WriteLine($"{statistics.emitted} of {due} let in, {statistics.waiting} wait, {statistics.blocked} " +
+                    $"given up, C+ max {statistics.densityErrorMax:0.00}");
                 Assert.That(statistics.emitted + statistics.waiting + statistics.blocked, Is.EqualTo(due).Within(1));
                 Assert.That(statistics.emitted, Is.GreaterThan(0.2 * due));
                 Assert.That(statistics.waiting, Is.GreaterThan(0.2 * due), "half of the outlet is not enough for the rate");
@@ -479,7 +499,8 @@ namespace Rill.Tests
 
         // Less than a particle a step: the places that the flow alone would use are those that the collider covers.
         [Test]
-        public void A_low_rate_finds_what_a_collider_leaves_of_the_outlet([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode, [Values(1f, 20f)] float speed, [Values(0.0006f, 0.004f)] float rate)
+        public void A_low_rate_finds_what_a_collider_leaves_of_the_outlet([Values(EmitterMode.Jet, EmitterMode.Spray)] EmitterMode mode,
+            [Values(1f, 20f)] float speed, [Values(0.0006f, 0.004f)] float rate)
         {
             using (var scene = new SourceScene(Box, Spacing, 5000))
             {
@@ -645,7 +666,8 @@ namespace Rill.Tests
                 });
                 scene.Step(120);
                 FluidStatistics statistics = scene.AssertConserved();
-                TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, C+ {statistics.densityError}");
+                TestContext.Out.WriteLine($"{statistics.particles} of 216, waiting {statistics.waiting}, blocked {statistics.blocked}, " +
+                    $"C+ {statistics.densityError}");
                 Assert.That(statistics.particles, Is.InRange(200, 229), "up to the density that is allowed");
                 Assert.That(statistics.densityError, Is.LessThan(0.005f), "216 are at rest density, and 224 went in where colliders did not count");
             }
@@ -670,7 +692,8 @@ namespace Rill.Tests
                 {
                     scene.Step();
                     FluidStatistics statistics = scene.AssertConserved();
-                    TestContext.Out.WriteLine($"{statistics.emitted} let in, C+ {statistics.densityError:0.000}, p99.9 {statistics.densityError999:0.000}, max {statistics.densityErrorMax:0.000}");
+                    TestContext.Out.WriteLine($"{statistics.emitted} let in, C+ {statistics.densityError:0.000}, p99.9 " +
+                        $"{statistics.densityError999:0.000}, max {statistics.densityErrorMax:0.000}");
                     Assert.That(statistics.densityErrorMax, Is.LessThan(0.3f));
                 }
                 Assert.That(scene.Count(ParticleCounter.Emitted), Is.GreaterThan(1500));
@@ -705,7 +728,9 @@ namespace Rill.Tests
             using (var scene = new SourceScene(Box, Spacing, 40 * 40 * 2 + room).Fill(0.1f))
             {
                 scene.Add(new Vector3(0f, 0.9f, 0f), Vector3.down, Jet(0.02f));
-                LogAssert.Expect(LogType.Warning, new Regex("FluidEmitter 'FluidEmitter'.*capacity of FluidSimulation 'Fluid': .* particles are all in use.*Raise the capacity"));
+                LogAssert.Expect(LogType.Warning,
+                    new Regex(
+                    "FluidEmitter 'FluidEmitter'.*capacity of FluidSimulation 'Fluid': .* particles are all in use.*Raise the capacity"));
                 for (int i = 0; i < 40; i++)
                 {
                     scene.Step();

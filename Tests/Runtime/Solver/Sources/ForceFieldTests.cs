@@ -14,7 +14,8 @@ namespace Rill.Tests
         static readonly ForceFieldKind[] Kinds = { ForceFieldKind.Direction, ForceFieldKind.Point, ForceFieldKind.Vortex, ForceFieldKind.Wind };
 
         [Test]
-        public void Each_kind_falloff_and_bound_accelerates_as_it_is_defined([ValueSource(nameof(Kinds))] ForceFieldKind kind, [Values] ForceFieldFalloff falloff, [Values] ForceFieldBounds bounds)
+        public void Each_kind_falloff_and_bound_accelerates_as_it_is_defined([ValueSource(nameof(Kinds))] ForceFieldKind kind,
+            [Values] ForceFieldFalloff falloff, [Values] ForceFieldBounds bounds)
         {
             ParticleState state = ParticleState.Random(997, 3, speed: 20f);
             var random = new Unity.Mathematics.Random(5);
@@ -26,7 +27,8 @@ namespace Rill.Tests
             for (int i = 0; i < state.Count; i++)
             {
                 float3 expected = state.velocities[i].xyz + Oracle(field, state.positions[i].xyz, state.velocities[i], out bool acts) / 60f;
-                Assert.That(math.distance(after[i].xyz, expected), Is.LessThan(2e-5f * (1f + math.length(expected))), $"particle at {state.positions[i].xyz}");
+                Assert.That(math.distance(after[i].xyz, expected), Is.LessThan(2e-5f * (1f + math.length(expected))),
+                    $"particle at {state.positions[i].xyz}");
                 Assert.That(after[i].w, Is.EqualTo(state.velocities[i].w));
                 touched += acts ? 1 : 0;
             }
@@ -51,7 +53,8 @@ namespace Rill.Tests
         [Test]
         public void At_the_centre_nothing_is_infinite([ValueSource(nameof(Kinds))] ForceFieldKind kind, [Values] ForceFieldFalloff falloff)
         {
-            var state = new ParticleState(10f, new[] { new float3(5f), new float3(5f + 1e-6f), new float3(5f, 5f, 5.001f), new float3(float.NaN), new float3(1f) });
+            var state = new ParticleState(10f,
+                new[] { new float3(5f), new float3(5f + 1e-6f), new float3(5f, 5f, 5.001f), new float3(float.NaN), new float3(1f) });
             state.velocities[4] = new float4(float.PositiveInfinity);
             FieldRegion field = Region(kind, falloff, ForceFieldBounds.Sphere, 5f, 1e9f);
             float4[] after = Accelerate(state, field);
@@ -183,7 +186,8 @@ namespace Rill.Tests
                 FluidStatistics statistics = scene.Step(300).AssertConserved();
                 float mean = scene.Read().positions.Average(p => math.distance(p.xyz, 10f)) * 0.05f;
                 float ball = math.pow(0.1f / (4f / 3f * math.PI), 1f / 3f);
-                TestContext.Out.WriteLine($"mean distance {mean:0.000} m, of a ball {0.75f * ball:0.000} m, C+ {statistics.densityError:0.000}, speed {statistics.speed:0.00} m/s");
+                TestContext.Out.WriteLine($"mean distance {mean:0.000} m, of a ball {0.75f * ball:0.000} m, C+ " +
+                    $"{statistics.densityError:0.000}, speed {statistics.speed:0.00} m/s");
                 Assert.That(mean, Is.EqualTo(0.75f * ball).Within(0.04f));
                 Assert.That(statistics.densityError, Is.LessThan(0.1f));
             }
@@ -200,7 +204,9 @@ namespace Rill.Tests
                     f.Strength = 4f;
                 });
                 ParticleState turned = scene.Step(40).Read();
-                Assert.That(Enumerable.Range(0, turned.Count).Average(i => math.cross(turned.positions[i].xyz - 10f, turned.velocities[i].xyz).y), Is.GreaterThan(2f), "up is the axis: counter-clockwise from below in a left-handed frame");
+                Assert.That(Enumerable.Range(0, turned.Count)
+                    .Average(i => math.cross(turned.positions[i].xyz - 10f, turned.velocities[i].xyz).y), Is.GreaterThan(2f),
+                    "up is the axis: counter-clockwise from below in a left-handed frame");
             }
             using (var scene = new SourceScene(new Vector3(1f, 0.4f, 1f), 0.05f, 2000).Fill(0.2f))
             {
@@ -230,7 +236,8 @@ namespace Rill.Tests
                     f.Drag = 1000f;
                 });
                 FluidStatistics statistics = scene.Step(30).AssertConserved();
-                TestContext.Out.WriteLine($"C+ {statistics.densityError:0.00}, speed {statistics.speed:0.0}, at most {statistics.speedMax:0.0} m/s, {statistics.substeps} substeps");
+                TestContext.Out.WriteLine($"C+ {statistics.densityError:0.00}, speed {statistics.speed:0.0}, at most " +
+                    $"{statistics.speedMax:0.0} m/s, {statistics.substeps} substeps");
                 Assert.That(statistics.nonFinite, Is.Zero);
                 Assert.That(statistics.speedMax, Is.LessThan(120f));
             }

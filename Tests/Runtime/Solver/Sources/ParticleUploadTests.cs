@@ -45,7 +45,8 @@ namespace Rill.Tests
             Compare.Same("ids", GpuTest.Read<uint>(particles.Ids, count), batch.ids);
             Assert.That(Counter(ParticleCounter.Alive), Is.EqualTo(count));
             // Clearing wrote the first place.
-            Assert.That(GpuTest.Read<float4>(particles.Current, Capacity).Skip(Math.Max(count, 1)).All(GpuTest.IsGarbage), "places behind the batch are left alone");
+            Assert.That(GpuTest.Read<float4>(particles.Current, Capacity).Skip(Math.Max(count, 1)).All(GpuTest.IsGarbage),
+                "places behind the batch are left alone");
         }
 
         [TestCase(129)]
@@ -59,7 +60,8 @@ namespace Rill.Tests
                 emission.Append(particles, Capacity, positions, velocities);
 
             Compare.Same("positions", GpuTest.Read<float4>(particles.Current, count), batch.positions);
-            Compare.Same("velocities", GpuTest.Read<float4>(particles.Velocities, count), Enumerable.Repeat(new float4(velocity.xyz, 1f), count).ToArray());
+            Compare.Same("velocities", GpuTest.Read<float4>(particles.Velocities, count),
+                Enumerable.Repeat(new float4(velocity.xyz, 1f), count).ToArray());
         }
 
         [Test]
@@ -67,7 +69,8 @@ namespace Rill.Tests
         {
             using (var positions = new NativeArray<float4>(3, Allocator.Persistent))
             using (var velocities = new NativeArray<float4>(2, Allocator.Persistent))
-                Assert.That(() => emission.Append(particles, Capacity, positions, velocities), Throws.ArgumentException.With.Message.Contains("3 positions with 2 velocities"));
+                Assert.That(() => emission.Append(particles, Capacity, positions, velocities),
+                    Throws.ArgumentException.With.Message.Contains("3 positions with 2 velocities"));
         }
 
         [TestCase(0, 0)]
@@ -94,7 +97,8 @@ namespace Rill.Tests
 
             Assert.That(Counter(ParticleCounter.Alive), Is.EqualTo(Capacity));
             Assert.That(Counter(ParticleCounter.Refused), Is.EqualTo(210));
-            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, Capacity), first.positions.Concat(second.positions.Take(400)).ToArray());
+            Compare.Same("positions", GpuTest.Read<float4>(particles.Current, Capacity),
+                first.positions.Concat(second.positions.Take(400)).ToArray());
         }
 
         [Test]

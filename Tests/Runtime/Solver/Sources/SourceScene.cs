@@ -84,12 +84,14 @@ namespace Rill.Tests
         {
             FluidStatistics s = Measure();
             ParticleState state = Read();
-            string counts = $"added {s.added}, emitted {s.emitted}, drained {s.drained}, not finite {s.nonFinite}, alive {state.Count}, refused {s.refused}, blocked {s.blocked}, waiting {s.waiting}, recycling {s.recycling}";
+            string counts = $"added {s.added}, emitted {s.emitted}, drained {s.drained}, not finite {s.nonFinite}, alive " +
+                $"{state.Count}, refused {s.refused}, blocked {s.blocked}, waiting {s.waiting}, recycling {s.recycling}";
             Assert.That(s.added + s.emitted - s.drained - s.nonFinite - state.Count, Is.Zero, counts);
             Assert.That(s.particles, Is.EqualTo(state.Count), counts);
             Assert.That(state.ids.Distinct().Count(), Is.EqualTo(state.Count), "different ids");
             Assert.That(s.escaped, Is.Zero, "escaped");
-            Assert.That(state.positions.All(p => math.all(math.isfinite(p.xyz))) && state.velocities.All(v => math.all(math.isfinite(v.xyz))), "finite");
+            Assert.That(state.positions.All(p => math.all(math.isfinite(p.xyz)))
+                && state.velocities.All(v => math.all(math.isfinite(v.xyz))), "finite");
             return s;
         }
 

@@ -20,7 +20,8 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Steps_of_a_fifteenth_of_a_second_leave_the_water_inside_and_give_it_no_energy([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void Steps_of_a_fifteenth_of_a_second_leave_the_water_inside_and_give_it_no_energy(
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             using (TestFluid fluid = Dam(deepWater))
             {
@@ -34,15 +35,18 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Gravity_that_flips_each_second_keeps_throwing_the_water_about_and_no_more([Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
+        public void Gravity_that_flips_each_second_keeps_throwing_the_water_about_and_no_more(
+            [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             const float height = 12f * Spacing;
-            using (var fluid = new TestFluid(new float3(8f * Spacing, height, 8f * Spacing), Spacing, 400, Settings(deepWater)).AddBlock(0f, new float3(8f, 6f, 8f) * Spacing))
+            using (var fluid = new TestFluid(new float3(8f * Spacing, height, 8f * Spacing), Spacing, 400, Settings(deepWater))
+                .AddBlock(0f, new float3(8f, 6f, 8f) * Spacing))
             {
                 for (int second = 0; second < 4; second++)
                 {
                     for (int part = 0; part < 4; part++)
-                        Assert.That(fluid.Step(15).MeasureWhole().speedMax, Is.LessThan(1.5f * math.sqrt(2f * 9.81f * height) + 1f), $"second {second}");
+                        Assert.That(fluid.Step(15).MeasureWhole().speedMax, Is.LessThan(1.5f * math.sqrt(2f * 9.81f * height) + 1f),
+                            $"second {second}");
                     fluid.Input.gravity = -fluid.Input.gravity;
                 }
                 Assert.That(fluid.Measure().densityError, Is.LessThan(0.05f));
@@ -56,7 +60,8 @@ namespace Rill.Tests
                 Assert.That(fluid.Step(steps).MeasureWhole().Energy, Is.LessThan(1.005f * start), $"part {part}");
         }
 
-        static TestFluid Dam(DeepWater deepWater) => new TestFluid(new float3(16f, 16f, 8f) * Spacing, Spacing, 512, Settings(deepWater)).AddBlock(0f, 8f * Spacing);
+        static TestFluid Dam(DeepWater deepWater) => new TestFluid(new float3(16f, 16f, 8f) * Spacing, Spacing, 512, Settings(deepWater))
+            .AddBlock(0f, 8f * Spacing);
 
         static SolverSettings Settings(DeepWater deepWater)
         {

@@ -56,12 +56,14 @@ namespace Rill.Tests
 
         void AssertPhases(SourceScene scene, int frame)
         {
-            Dictionary<uint, uint> expected = PhasesOf(water.States[frame].ids, water.Tags[frame]), actual = PhasesOf(scene.Read().ids, GpuTest.Read<uint>(scene.Fluid.Solver.Tags, water.States[frame].Count));
+            Dictionary<uint, uint> expected = PhasesOf(water.States[frame].ids, water.Tags[frame]),
+                actual = PhasesOf(scene.Read().ids, GpuTest.Read<uint>(scene.Fluid.Solver.Tags, water.States[frame].Count));
             Assert.That(actual, Is.EquivalentTo(expected));
             Assert.That(frame < 4 || expected.Values.Contains(2u));
         }
 
-        static Dictionary<uint, uint> PhasesOf(uint[] ids, uint[] tags) => Enumerable.Range(0, ids.Length).ToDictionary(i => ids[i], i => tags[i] >> ParticleTags.PhaseShift);
+        static Dictionary<uint, uint> PhasesOf(uint[] ids, uint[] tags)
+            => Enumerable.Range(0, ids.Length).ToDictionary(i => ids[i], i => tags[i] >> ParticleTags.PhaseShift);
 
         [Test]
         public void Between_frames_each_particle_goes_on_along_its_velocity()
@@ -133,10 +135,13 @@ namespace Rill.Tests
                 scene.Fluid.FlushQueries();
                 Assert.That(actual.TryGetSample(out FluidProbeSample played));
                 Assert.That(expected.TryGetSample(out FluidProbeSample sample));
-                TestContext.Out.WriteLine($"density {sample.density} and {played.density}, height {sample.height} and {played.height} m, velocity {sample.velocity.x} {sample.velocity.y} {sample.velocity.z} and {played.velocity.x} {played.velocity.y} {played.velocity.z} m/s");
+                TestContext.Out.WriteLine($"density {sample.density} and {played.density}, height {sample.height} and {played.height} " +
+                    $"m, velocity {sample.velocity.x} {sample.velocity.y} {sample.velocity.z} and {played.velocity.x} " +
+                    $"{played.velocity.y} {played.velocity.z} m/s");
                 Assert.That(played.density, Is.EqualTo(sample.density).Within(2e-3f));
                 Assert.That(played.height, Is.EqualTo(sample.height).Within(0.01f * RecordedWater.Spacing));
-                Assert.That(math.length(played.velocity - sample.velocity), Is.LessThan(5e-3f), "the cells of a step are those before its correction");
+                Assert.That(math.length(played.velocity - sample.velocity), Is.LessThan(5e-3f),
+                    "the cells of a step are those before its correction");
                 uint drawn = Drawn(scene), before = Drawn(live);
                 Assert.That(drawn, Is.EqualTo(before).Within(before / 50), "ellipsoids");
                 Assert.That(before, Is.GreaterThan(100));
@@ -146,7 +151,8 @@ namespace Rill.Tests
         static uint Drawn(SourceScene scene)
         {
             Assert.That(scene.Fluid.Solver.SurfaceIsCurrent);
-            return GpuTest.Read<uint>(scene.Fluid.Solver.Surface.Counters, scene.Fluid.Solver.Surface.Counters.count)[(int)SurfaceParticles.Counter.Drawn];
+            return GpuTest.Read<uint>(scene.Fluid.Solver.Surface.Counters,
+                scene.Fluid.Solver.Surface.Counters.count)[(int)SurfaceParticles.Counter.Drawn];
         }
 
         [Test]
@@ -163,7 +169,8 @@ namespace Rill.Tests
                 Assert.That((scene.Fluid.IsPlayedBack, scene.Fluid.StepCount), Is.EqualTo((false, 12 + 3)));
                 scene.AssertConserved();
                 Assert.That(scene.Read().Count, Is.EqualTo(water.States[9].Count));
-                Assert.That(scene.Read().positions.Zip(water.States[9].positions, (a, b) => math.distance(a.xyz, b.xyz)).Max(), Is.GreaterThan(0.1f), "it moves");
+                Assert.That(scene.Read().positions.Zip(water.States[9].positions, (a, b) => math.distance(a.xyz, b.xyz)).Max(),
+                    Is.GreaterThan(0.1f), "it moves");
             }
         }
 
@@ -193,8 +200,10 @@ namespace Rill.Tests
             using (SourceScene scene = RecordedWater.MakeScene())
             using (var reader = new RecordingReader(new MemoryStream(less)))
             {
-                int bytes = 6 + ((fields & RecordingFields.Velocities) != 0 ? 6 : 0) + ((fields & RecordingFields.Ids) != 0 ? 4 : 0) + ((fields & RecordingFields.Phases) != 0 ? 1 : 0);
-                Assert.That(reader.Header.Layout.Words(reader.MaxParticles) * 4, Is.InRange(bytes * reader.MaxParticles, bytes * reader.MaxParticles + 12));
+                int bytes = 6 + ((fields & RecordingFields.Velocities) != 0 ? 6 : 0) + ((fields & RecordingFields.Ids) != 0 ? 4 : 0)
+                    + ((fields & RecordingFields.Phases) != 0 ? 1 : 0);
+                Assert.That(reader.Header.Layout.Words(reader.MaxParticles) * 4,
+                    Is.InRange(bytes * reader.MaxParticles, bytes * reader.MaxParticles + 12));
                 FluidPlayback playback = RecordedWater.Play(scene, less);
                 playback.Time = 7.5 / 60.0;
                 scene.Step();
@@ -239,14 +248,16 @@ namespace Rill.Tests
             var damaged = (byte[])recording.Clone();
             long at;
             using (var reader = new RecordingReader(new MemoryStream(recording)))
-                at = RecordingFormat.HeaderBytes + Enumerable.Range(0, 4).Sum(i => RecordingFormat.FrameHeaderBytes + 4 * reader.Header.Layout.Words(water.States[i].Count));
+                at = RecordingFormat.HeaderBytes + Enumerable.Range(0, 4)
+                    .Sum(i => RecordingFormat.FrameHeaderBytes + 4 * reader.Header.Layout.Words(water.States[i].Count));
             damaged[at + 1000] ^= 16;
             using (SourceScene scene = RecordedWater.MakeScene())
             {
                 FluidPlayback playback = RecordedWater.Play(scene, damaged);
                 playback.Time = 3.0 / 60.0;
                 scene.Step();
-                LogAssert.Expect(LogType.Error, new Regex("FluidPlayback 'Fluid' leaves out frame 4 of 'memory': Frame 4 of the recording was changed"));
+                LogAssert.Expect(LogType.Error,
+                    new Regex("FluidPlayback 'Fluid' leaves out frame 4 of 'memory': Frame 4 of the recording was changed"));
                 playback.Time = 4.0 / 60.0;
                 scene.Step(3);
                 Assert.That(playback.ShownFrame, Is.EqualTo(3));
@@ -293,7 +304,8 @@ namespace Rill.Tests
             {
                 FluidPlayback playback = scene.Fluid.gameObject.AddComponent<FluidPlayback>();
                 Assert.Throws<ArgumentNullException>(() => playback.Open(null));
-                Assert.That(Assert.Throws<FileNotFoundException>(() => playback.Open(Path.Combine(Path.GetTempPath(), "rill-no-such-file"))).Message, Does.Contain("rill-no-such-file"));
+                Assert.That(Assert.Throws<FileNotFoundException>(() =>
+                    playback.Open(Path.Combine(Path.GetTempPath(), "rill-no-such-file"))).Message, Does.Contain("rill-no-such-file"));
                 playback.OpenFile = _ => new MemoryStream(recording.Take(100).ToArray());
                 Assert.That(Assert.Throws<InvalidDataException>(() => playback.Open("short")).Message, Does.Contain("'short' holds no whole frame"));
                 playback.Platform = RuntimePlatform.WebGLPlayer;

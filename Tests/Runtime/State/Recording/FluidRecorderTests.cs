@@ -69,7 +69,8 @@ namespace Rill.Tests
             {
                 water.Run(4);
                 bool recordsStill = water.Recorder.IsRecording;
-                Expect("FluidRecorder 'Fluid' stopped to record: all 4 frames that Buffered Frames allows are pending, 0 from the GPU and 4 to the disk. Record fewer Fields or at a lower Rate");
+                Expect("FluidRecorder 'Fluid' stopped to record: all 4 frames that Buffered Frames allows are pending, 0 from the GPU " +
+                    "and 4 to the disk. Record fewer Fields or at a lower Rate");
                 water.Run(3);
                 bool recordsThen = water.Recorder.IsRecording, writesThen = water.Recorder.IsWriting;
                 disk.Go();
@@ -125,16 +126,20 @@ namespace Rill.Tests
         {
             using (var water = new RecordedWater())
             {
-                Assert.That(Assert.Throws<InvalidOperationException>(() => water.Recorder.Record("other")).Message, Does.Contain("already records into 'memory'"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => water.Recorder.Record("other")).Message,
+                    Does.Contain("already records into 'memory'"));
                 Assert.Throws<ArgumentNullException>(() => water.Recorder.Record(null));
                 water.End();
-                Assert.That(Assert.Throws<InvalidOperationException>(() => water.Recorder.Record("other")).Message, Does.Contain("enable both before"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => water.Recorder.Record("other")).Message,
+                    Does.Contain("enable both before"));
                 water.Recorder.enabled = true;
                 water.Recorder.Platform = RuntimePlatform.WebGLPlayer;
-                Assert.That(Assert.Throws<InvalidOperationException>(() => water.Recorder.Record("other")).Message, Does.Contain("WebGL has no threads"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() => water.Recorder.Record("other")).Message,
+                    Does.Contain("WebGL has no threads"));
                 water.Recorder.Platform = null;
                 water.Recorder.OpenFile = File.Create;
-                Assert.Throws<DirectoryNotFoundException>(() => water.Recorder.Record(Path.Combine(Path.GetTempPath(), "rill-no-such-folder", "file")));
+                Assert.Throws<DirectoryNotFoundException>(() => water.Recorder.Record(Path.Combine(Path.GetTempPath(),
+                    "rill-no-such-folder", "file")));
                 Assert.That(water.Recorder.IsRecording, Is.False);
                 LogAssert.Expect(LogType.Warning, new Regex("rate -1 is outside 0 to 1000"));
                 water.Recorder.Rate = -1f;

@@ -23,8 +23,10 @@ namespace Rill.Tests
                 {
                     (uint3 steps, float3 velocity, uint id) = Unpack(words.Skip(FrameLayout.PackedHeader).ToArray(), layout, count, i);
                     float3 position = 0.5f + (float3)steps * layout.StepSize(state.box);
-                    Assert.That(math.all(math.abs(position - state.positions[i].xyz) <= 0.5f * layout.StepSize(state.box) + 2e-6f), $"{i}: {position} for {state.positions[i].xyz}");
-                    Assert.That(math.all(math.abs(velocity - state.velocities[i].xyz) <= math.abs(state.velocities[i].xyz) / 2048f + 1e-7f), $"{i}: {velocity} for {state.velocities[i].xyz}");
+                    Assert.That(math.all(math.abs(position - state.positions[i].xyz) <= 0.5f * layout.StepSize(state.box) + 2e-6f),
+                        $"{i}: {position} for {state.positions[i].xyz}");
+                    Assert.That(math.all(math.abs(velocity - state.velocities[i].xyz) <= math.abs(state.velocities[i].xyz) / 2048f + 1e-7f),
+                        $"{i}: {velocity} for {state.velocities[i].xyz}");
                     Assert.That(id, Is.EqualTo(state.ids[i]));
                 }
             }
@@ -62,7 +64,8 @@ namespace Rill.Tests
                 for (int i = 0; i < 300; i++)
                 {
                     int at = Array.IndexOf(shown.ids, state.ids[i]);
-                    Assert.That(math.all(math.abs(shown.positions[at].xyz - state.positions[i].xyz) <= tolerance), $"{shown.positions[at].xyz} for {state.positions[i].xyz}");
+                    Assert.That(math.all(math.abs(shown.positions[at].xyz - state.positions[i].xyz) <= tolerance),
+                        $"{shown.positions[at].xyz} for {state.positions[i].xyz}");
                 }
             }
         }
@@ -79,7 +82,8 @@ namespace Rill.Tests
                 ParticleState state = fluid.Read();
                 Assert.That(state.Count, Is.EqualTo(300));
                 for (int i = 0; i < state.Count; i++)
-                    Assert.That(math.all(state.positions[i].xyz >= 0f) && math.all(state.positions[i].xyz <= 10f) && math.all(math.isfinite(state.velocities[i].xyz)), $"{state.positions[i]} {state.velocities[i]}");
+                    Assert.That(math.all(state.positions[i].xyz >= 0f) && math.all(state.positions[i].xyz <= 10f)
+                        && math.all(math.isfinite(state.velocities[i].xyz)), $"{state.positions[i]} {state.velocities[i]}");
             }
         }
 
@@ -138,7 +142,8 @@ namespace Rill.Tests
         {
             int exponent = (int)(bits >> 10 & 31);
             float fraction = (bits & 1023) / 1024f, sign = (bits & 0x8000) != 0 ? -1f : 1f;
-            return exponent == 31 ? (fraction == 0f ? sign * float.PositiveInfinity : float.NaN) : sign * (exponent == 0 ? fraction * math.pow(2f, -14) : (1f + fraction) * math.pow(2f, exponent - 15));
+            return exponent == 31 ? (fraction == 0f ? sign * float.PositiveInfinity : float.NaN)
+                : sign * (exponent == 0 ? fraction * math.pow(2f, -14) : (1f + fraction) * math.pow(2f, exponent - 15));
         }
     }
 }

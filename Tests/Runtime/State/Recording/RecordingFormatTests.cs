@@ -12,7 +12,8 @@ namespace Rill.Tests
     /// <summary>Recordings as bytes: what is whole comes back in any order, and what is no recording is refused in words.</summary>
     public class RecordingFormatTests
     {
-        static readonly RecordingHeader Header = new RecordingHeader(new FrameLayout(RecordingFields.All, false), 500, 0.05f, new float3(20f, 30f, 16f));
+        static readonly RecordingHeader Header = new RecordingHeader(new FrameLayout(RecordingFields.All, false), 500, 0.05f,
+            new float3(20f, 30f, 16f));
         static readonly int[] Counts = { 0, 1, 2, 3, 100, 499, 500 };
 
         byte[] bytes;
@@ -26,12 +27,14 @@ namespace Rill.Tests
             using (RecordingReader reader = Open(bytes))
             {
                 Assert.That((reader.FrameCount, reader.MaxParticles, reader.WasCutShort), Is.EqualTo((Counts.Length, 500, false)));
-                Assert.That((reader.Header.Spacing, reader.Header.DomainSize, reader.Header.Capacity, reader.Header.Layout.Fields, reader.Header.Layout.Bits), Is.EqualTo((0.05f, new float3(20f, 30f, 16f), 500, RecordingFields.All, 16)));
+                Assert.That((reader.Header.Spacing, reader.Header.DomainSize, reader.Header.Capacity, reader.Header.Layout.Fields,
+                    reader.Header.Layout.Bits), Is.EqualTo((0.05f, new float3(20f, 30f, 16f), 500, RecordingFields.All, 16)));
                 var frame = new RecordedFrame();
                 foreach (int number in new[] { 6, 0, 3, 5, 5, 1, 4, 2 })
                 {
                     reader.Read(number, frame);
-                    Assert.That((frame.number, frame.particles, frame.step, frame.time, frame.nextId), Is.EqualTo((number, Counts[number], 2 * number + 1, number / 30.0, 7u)));
+                    Assert.That((frame.number, frame.particles, frame.step, frame.time, frame.nextId),
+                        Is.EqualTo((number, Counts[number], 2 * number + 1, number / 30.0, 7u)));
                     Assert.That(frame.words.Take(Words(number)), Is.EqualTo(Particles(number)));
                 }
             }
@@ -41,7 +44,8 @@ namespace Rill.Tests
         public void The_frame_at_a_time_is_the_last_that_is_not_later()
         {
             using (RecordingReader reader = Open(bytes))
-                foreach ((double time, int frame) in new[] { (-1.0, 0), (0.0, 0), (0.9 / 30.0, 0), (1.0 / 30.0, 1), (3.5 / 30.0, 3), (6.0 / 30.0, 6), (99.0, 6) })
+                foreach ((double time, int frame) in new[] { (-1.0, 0), (0.0, 0), (0.9 / 30.0, 0), (1.0 / 30.0, 1), (3.5 / 30.0, 3),
+                    (6.0 / 30.0, 6), (99.0, 6) })
                     Assert.That(reader.FrameAt(time), Is.EqualTo(frame), $"{time} s");
         }
 
@@ -101,20 +105,26 @@ namespace Rill.Tests
 
         static IEnumerable<TestCaseData> Refusals()
         {
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => Encoding.ASCII.GetBytes("PNG and so on")), "does not begin with 'RillRecd'").SetName("no recording");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => Encoding.ASCII.GetBytes("PNG and so on")),
+                "does not begin with 'RillRecd'").SetName("no recording");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => b.Take(40).ToArray()), "ends after 40 of the 64 bytes").SetName("header cut");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 2)), "has version 2, but this package reads up to 1. Update").SetName("newer version");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 2)),
+                "has version 2, but this package reads up to 1. Update").SetName("newer version");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 8, 0)), "its version is 0").SetName("version 0");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 12, 255)), "its fields 255 are unknown").SetName("unknown fields");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 16, 17)), "coordinates have 17 bits").SetName("other bits");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 23, 255)), "its capacity is").SetName("huge capacity");
             yield return new TestCaseData(new Func<byte[], byte[]>(b => With(b, 27, 255)), "its spacing is").SetName("negative spacing");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => { b = (byte[])b.Clone(); b[30] ^= 1; return b; }), "checksum of its header is another").SetName("changed header");
-            yield return new TestCaseData(new Func<byte[], byte[]>(b => { b = (byte[])b.Clone(); b[RecordingFormat.HeaderBytes + 500] ^= 1; return b; }), "was changed since it was written").SetName("changed frame");
+            yield return new TestCaseData(new Func<byte[], byte[]>(b => { b = (byte[])b.Clone(); b[30] ^= 1; return b; }),
+                "checksum of its header is another").SetName("changed header");
+            yield return new TestCaseData(new Func<byte[],
+                byte[]>(b => { b = (byte[])b.Clone(); b[RecordingFormat.HeaderBytes + 500] ^= 1; return b; }),
+                "was changed since it was written").SetName("changed frame");
         }
 
         [TestCaseSource(nameof(Refusals))]
-        public void A_refusal_says_what_is_wrong(Func<byte[], byte[]> change, string expected) => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
+        public void A_refusal_says_what_is_wrong(Func<byte[], byte[]> change, string expected)
+            => Assert.That(Refusal(change(bytes)), Does.Contain(expected));
 
         // A checksum does not keep out who can compute one.
         [Test]
@@ -123,7 +133,11 @@ namespace Rill.Tests
             var entries = new List<IndexEntry>();
             using (RecordingReader reader = Open(bytes))
                 for (int i = 0; i < Counts.Length; i++)
-                    entries.Add(new IndexEntry { position = i == 0 ? RecordingFormat.HeaderBytes : Ends()[i - 1], time = i / 30.0, particles = Counts[i], step = 2 * i + 1 });
+                    entries.Add(new IndexEntry
+                    {
+                        position = i == 0 ? RecordingFormat.HeaderBytes : Ends()[i - 1], time = i / 30.0,
+                        particles = Counts[i], step = 2 * i + 1
+                    });
             Assert.That(RefusalWith(entries, e => { }), Is.Null);
             Assert.That(RefusalWith(entries, e => Set(e, 2, v => { v.position += 1; return v; })), Does.Contain("frame 2 of its index lies at byte"));
             Assert.That(RefusalWith(entries, e => Set(e, 2, v => { v.particles = 501; return v; })), Does.Contain("with 501 particles"));

@@ -10,7 +10,8 @@ namespace UnityEngine.Rendering
         readonly Dictionary<Type, ContextItem> items = new Dictionary<Type, ContextItem>();
 
         public T Get<T>() where T : ContextItem, new() =>
-            items.TryGetValue(typeof(T), out ContextItem item) ? (T)item : throw new InvalidOperationException($"Type {typeof(T).FullName} has not been created yet.");
+            items.TryGetValue(typeof(T), out ContextItem item) ? (T)item
+            : throw new InvalidOperationException($"Type {typeof(T).FullName} has not been created yet.");
 
         public T Create<T>() where T : ContextItem, new()
         {

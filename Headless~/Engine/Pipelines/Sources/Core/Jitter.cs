@@ -1,6 +1,7 @@
 namespace UnityEngine.Rendering
 {
-    /// <summary>By how much a frame's projection is moved for temporal antialiasing: URP 17.1.0, Runtime/TemporalAA.cs; HDRP 16.0, HDCamera.cs (GetJitteredProjectionMatrix).</summary>
+    /// <summary>By how much a frame's projection is moved for temporal antialiasing: URP 17.1.0, Runtime/TemporalAA.cs; HDRP 16.0,
+    /// HDCamera.cs (GetJitteredProjectionMatrix).</summary>
     internal static class Jitter
     {
         public static Matrix4x4 MatrixOf(int frame, int width, int height)

@@ -3,7 +3,8 @@ using UnityEngine.Experimental.Rendering;
 namespace UnityEngine.Rendering
 {
     /// <summary>A texture of a pipeline's, which may use less than the whole of it.</summary>
-    /// <remarks>Read in SRP Core 17.1.0, not in 14, Runtime/Textures/RTHandle.cs: a handle converts to its texture and to an identifier of all its slices' first.</remarks>
+    /// <remarks>Read in SRP Core 17.1.0, not in 14, Runtime/Textures/RTHandle.cs: a handle converts to its texture and to an identifier of
+    /// all its slices' first.</remarks>
     public class RTHandle
     {
         internal RenderTexture texture;
@@ -36,10 +37,12 @@ namespace UnityEngine.Rendering
         internal static RTHandle Need(ref RTHandle handle, string name, RenderTextureDescriptor shape, FilterMode filter)
         {
             RenderTexture now = handle?.texture;
-            if (now != null && now.width == shape.width && now.height == shape.height && now.volumeDepth == shape.volumeDepth && now.graphicsFormat == shape.graphicsFormat)
+            if (now != null && now.width == shape.width && now.height == shape.height && now.volumeDepth == shape.volumeDepth
+                && now.graphicsFormat == shape.graphicsFormat)
                 return handle;
             handle?.Release();
-            var made = new RenderTexture(shape) { name = name, filterMode = filter, wrapMode = TextureWrapMode.Clamp, hideFlags = HideFlags.HideAndDontSave };
+            var made = new RenderTexture(shape) { name = name, filterMode = filter, wrapMode = TextureWrapMode.Clamp,
+                hideFlags = HideFlags.HideAndDontSave };
             made.Create();
             return handle = new RTHandle(made);
         }

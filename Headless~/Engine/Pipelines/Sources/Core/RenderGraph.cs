@@ -48,7 +48,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
     /// knows of is left out unless it says otherwise; a handle is good for one frame and inside of passes only. Stricter
     /// than Unity: a pass gets no texture that it has not declared, where Unity gives out whatever lies in memory.
     /// </summary>
-    /// <remarks>Read in SRP Core 17.1.0: Runtime/RenderGraph/RenderGraph.cs, RenderGraphBuilders.cs, RenderGraphResourceRegistry.cs, Compiler/PassesData.cs.</remarks>
+    /// <remarks>Read in SRP Core 17.1.0: Runtime/RenderGraph/RenderGraph.cs, RenderGraphBuilders.cs, RenderGraphResourceRegistry.cs,
+    /// Compiler/PassesData.cs.</remarks>
     public class RenderGraph
     {
         internal sealed class Resource
@@ -105,7 +106,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
         internal bool IsCurrent(in TextureHandle handle) => handle.frame == frame && handle.index > 0 && handle.index <= resources.Count;
 
-        public IUnsafeRenderGraphBuilder AddUnsafePass<PassData>(string passName, out PassData passData, [CallerFilePath] string file = "", [CallerLineNumber] int line = 0) where PassData : class, new()
+        public IUnsafeRenderGraphBuilder AddUnsafePass<PassData>(string passName, out PassData passData, [CallerFilePath] string file = "",
+            [CallerLineNumber] int line = 0) where PassData : class, new()
         {
             if (!isRecording)
                 throw new InvalidOperationException($"Render Graph Execution error: the pass '{passName}' is added outside of a recording.");
@@ -181,7 +183,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
             public void UseGlobal(int propertyId, AccessFlags flags)
             {
                 if (!graph.globals.TryGetValue(propertyId, out TextureHandle handle))
-                    throw new ArgumentException($"Trying to read global texture property {propertyId} but no previous pass in the graph assigned a value to this global.");
+                    throw new ArgumentException($"Trying to read global texture property {propertyId} but no previous pass in the " +
+                        $"graph assigned a value to this global.");
                 Use(handle, flags);
             }
 
@@ -200,7 +203,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
             {
                 foreach ((TextureHandle handle, AccessFlags flags) in used)
                     if ((flags & AccessFlags.Read) != 0 && !graph.Find(handle).IsWritten)
-                        throw new InvalidOperationException($"In pass '{Name}' - Trying to read from a texture ({graph.Find(handle).Name}) that nothing has written to yet.");
+                        throw new InvalidOperationException(
+                            $"In pass '{Name}' - Trying to read from a texture ({graph.Find(handle).Name}) that nothing has written to yet.");
             }
         }
 
@@ -227,7 +231,8 @@ namespace UnityEngine.Rendering.RenderGraphModule
 
             public void Dispose() => pass.IsClosed = true;
 
-            Pass Open() => pass.IsClosed ? throw new InvalidOperationException($"The builder of the pass '{pass.Name}' is used after it was disposed of.") : pass;
+            Pass Open() => pass.IsClosed ? throw new InvalidOperationException(
+                $"The builder of the pass '{pass.Name}' is used after it was disposed of.") : pass;
         }
     }
 
@@ -249,11 +254,13 @@ namespace UnityEngine.Rendering.RenderGraphModule
         RTHandle Get()
         {
             // Unity's registry is null there: a NullReferenceException without a word.
-            RenderGraph running = RenderGraph.Executing ?? throw new InvalidOperationException("A TextureHandle is used outside of a pass of the render graph.");
+            RenderGraph running = RenderGraph.Executing
+                ?? throw new InvalidOperationException("A TextureHandle is used outside of a pass of the render graph.");
             if (running != graph || !running.IsCurrent(this))
                 throw new InvalidOperationException($"Trying to use a texture of another frame or graph (pass {RenderGraph.Running.Name}).");
             if (!RenderGraph.Running.HasDeclared(this))
-                throw new InvalidOperationException($"Trying to use a texture ({running.Find(this).Name}) that the pass '{RenderGraph.Running.Name}' has not declared: Make sure you declare it for reading in your pass.");
+                throw new InvalidOperationException($"Trying to use a texture ({running.Find(this).Name}) that the pass " +
+                    $"'{RenderGraph.Running.Name}' has not declared: Make sure you declare it for reading in your pass.");
             return running.Find(this).Handle;
         }
     }

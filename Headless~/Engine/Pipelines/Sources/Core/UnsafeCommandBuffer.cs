@@ -16,7 +16,8 @@ namespace UnityEngine.Rendering
 
     public struct CommandBufferHelpers
     {
-        /// <summary>The wrapped one itself (SRP Core 17.1.0, Runtime/CommandBuffers/CommandBufferHelpers.cs): nothing that it is told is checked.</summary>
+        /// <summary>The wrapped one itself (SRP Core 17.1.0, Runtime/CommandBuffers/CommandBufferHelpers.cs): nothing that it is told is
+        /// checked.</summary>
         public static CommandBuffer GetNativeCommandBuffer(UnsafeCommandBuffer baseBuffer) => baseBuffer.m_WrappedCommandBuffer;
     }
 }

@@ -29,7 +29,8 @@ namespace UnityEngine.Experimental.Rendering
             get
             {
                 RenderTextureDescriptor desc = StereoView.Eyes.descriptor;
-                (desc.width, desc.height) = (System.Math.Max((int)(desc.width * TextureScale), 1), System.Math.Max((int)(desc.height * TextureScale), 1));
+                (desc.width, desc.height) = (System.Math.Max((int)(desc.width * TextureScale), 1),
+                    System.Math.Max((int)(desc.height * TextureScale), 1));
                 return desc;
             }
         }

@@ -10,7 +10,8 @@ namespace UnityEngine.Rendering.HighDefinition
         Refraction = 13,
     }
 
-    /// <summary>What a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): of a new project all these fields are on.</summary>
+    /// <summary>What a camera draws (HDRP 14.0.8, Runtime/RenderPipeline/Settings/FrameSettings.cs): of a new project all these fields are
+    /// on.</summary>
     public struct FrameSettings
     {
         uint enabled;
@@ -55,7 +56,8 @@ namespace UnityEngine.Rendering.HighDefinition
         public ref FrameSettings renderingPathCustomFrameSettings => ref own;
     }
 
-    /// <summary>Beside a light of HDRP's own units. One that lacks it is taken for the Built-in pipeline's: the pipeline's own shading makes π lux of its intensity (HDRP 14.0, Runtime/Lighting/LightLoop/GpuLightsBuilder.Jobs.cs).</summary>
+    /// <summary>Beside a light of HDRP's own units. One that lacks it is taken for the Built-in pipeline's: the pipeline's own shading
+    /// makes π lux of its intensity (HDRP 14.0, Runtime/Lighting/LightLoop/GpuLightsBuilder.Jobs.cs).</summary>
     public class HDAdditionalLightData : MonoBehaviour { }
 
     /// <summary>A camera as the pipeline sees it. Sizes are those of this frame from before beginCameraRendering on.</summary>
@@ -88,13 +90,16 @@ namespace UnityEngine.Rendering.HighDefinition
         {
             camera.TryGetComponent(out HDAdditionalCameraData data);
             xr = XRPass.Of(camera, data == null || data.xrRendering);
-            (actualWidth, actualHeight) = xr.enabled ? (xr.renderTargetDesc.width, xr.renderTargetDesc.height) : (camera.pixelWidth, camera.pixelHeight);
+            (actualWidth, actualHeight) = xr.enabled ? (xr.renderTargetDesc.width, xr.renderTargetDesc.height)
+                : (camera.pixelWidth, camera.pixelHeight);
             // Not with a headset, unless the project asks for it (GetJitteredProjectionMatrix).
             bool isJittered = data != null && data.antialiasing == HDAdditionalCameraData.AntialiasingMode.TemporalAntialiasing && !xr.enabled;
-            main.Update(camera.worldToCameraMatrix, camera.projectionMatrix, isJittered ? Jitter.MatrixOf(Time.frameCount, actualWidth, actualHeight) : Matrix4x4.identity, camera.transform.position);
+            main.Update(camera.worldToCameraMatrix, camera.projectionMatrix, isJittered
+                ? Jitter.MatrixOf(Time.frameCount, actualWidth, actualHeight) : Matrix4x4.identity, camera.transform.position);
             for (int eye = 0; eye < xr.viewCount; eye++)
                 eyes[eye].Update(xr.GetViewMatrix(eye), xr.GetProjMatrix(eye), Matrix4x4.identity, xr.GetViewMatrix(eye).inverse.GetColumn(3));
-            FrameSettings settings = data != null && data.customRenderingSettings ? data.renderingPathCustomFrameSettings : FrameSettings.NewDefault();
+            FrameSettings settings = data != null && data.customRenderingSettings ? data.renderingPathCustomFrameSettings
+                : FrameSettings.NewDefault();
             settings.Sanitize(supported);
             frameSettings = settings;
         }

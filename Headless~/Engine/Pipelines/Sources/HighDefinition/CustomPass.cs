@@ -21,13 +21,16 @@ namespace UnityEngine.Rendering.HighDefinition
         public readonly CullingResults cameraCullingResults;
         public readonly RTHandle cameraColorBuffer, cameraDepthBuffer, cameraMotionVectorsBuffer;
 
-        internal CustomPassContext(ScriptableRenderContext context, CommandBuffer cmd, HDCamera camera, CullingResults culled, RTHandle color, RTHandle depth, RTHandle motion)
+        internal CustomPassContext(ScriptableRenderContext context, CommandBuffer cmd, HDCamera camera, CullingResults culled,
+            RTHandle color, RTHandle depth, RTHandle motion)
         {
-            (renderContext, this.cmd, hdCamera, cameraCullingResults, cameraColorBuffer, cameraDepthBuffer, cameraMotionVectorsBuffer) = (context, cmd, camera, culled, color, depth, motion);
+            (renderContext, this.cmd, hdCamera, cameraCullingResults, cameraColorBuffer, cameraDepthBuffer, cameraMotionVectorsBuffer) =
+                (context, cmd, camera, culled, color, depth, motion);
         }
     }
 
-    /// <summary>Set up before it first runs, cleaned up when its volume ends. HDRP 16.0, Runtime/RenderPipeline/RenderPass/CustomPass/CustomPass.cs.</summary>
+    /// <summary>Set up before it first runs, cleaned up when its volume ends. HDRP 16.0,
+    /// Runtime/RenderPipeline/RenderPass/CustomPass/CustomPass.cs.</summary>
     [Serializable]
     public abstract class CustomPass
     {
@@ -93,7 +96,8 @@ namespace UnityEngine.Rendering.HighDefinition
         /// <summary>Those of a camera, the highest priority first.</summary>
         internal static List<CustomPassVolume> Of(Camera camera, CustomPassInjectionPoint point)
         {
-            List<CustomPassVolume> found = active.FindAll(volume => volume.injectionPoint == point && (volume.targetCamera == null ? volume.isGlobal : volume.targetCamera == camera));
+            List<CustomPassVolume> found = active.FindAll(volume => volume.injectionPoint == point
+                && (volume.targetCamera == null ? volume.isGlobal : volume.targetCamera == camera));
             found.Sort((a, b) => b.priority.CompareTo(a.priority));
             return found;
         }

@@ -7,21 +7,24 @@ namespace UnityEngine.Rendering.HighDefinition
 {
     /// <summary>
     /// All cameras begin before the first is drawn. Of each: depth, opaque draws, sky, custom passes, draws before the refraction, the copy
-    /// of the colour for what refracts, custom passes, transparent draws, picture. Textures are arrays with a slice for each eye, larger than the camera, which
+    /// of the colour for what refracts, custom passes, transparent draws, picture. Textures are arrays with a slice for each eye, larger
+    /// than the camera, which
     /// uses their first texels; what lies beyond is magenta. No shadow maps, lights or volumes of its own; no tone mapping.
     /// </summary>
     /// <remarks>
     /// HDRP 16.0: Runtime/RenderPipeline/HDRenderPipeline.cs (Render: BeginCameraRendering, culling and custom pass volumes of all cameras
     /// come before ExecuteRenderRequest), HDRenderPipeline.RenderGraph.cs (order of passes; the color pyramid is made
     /// where refraction is on; single pass from the prepass on, custom passes included), HDRenderPipeline.Prepass.cs (motion vectors come with the
-    /// prepass, or a black texture for them where they are off; those of the camera itself are left out here: they stay 0), CustomPass.cs (a pass may write them), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
+    /// prepass, or a black texture for them where they are off; those of the camera itself are left out here: they stay 0), CustomPass.cs
+    /// (a pass may write them), Runtime/RenderPipeline/HDRenderQueue.cs (ranges of queues), Runtime/ShaderLibrary/TextureXR.hlsl (arrays).
     /// </remarks>
     public class HDRenderPipeline : RenderPipeline
     {
         const float Scale = 0.7f, HistoryScale = 0.8f;      // of what a camera uses of the textures, and of those that live on
         const int FirstBeforeRefraction = 2650, LastBeforeRefraction = 2850, FirstTransparent = 2900, LastTransparent = 3100;
 
-        static readonly int depthId = Shader.PropertyToID("_CameraDepthTexture"), pyramidId = Shader.PropertyToID("_ColorPyramidTexture"), motionId = Shader.PropertyToID("_CameraMotionVectorsTexture");
+        static readonly int depthId = Shader.PropertyToID("_CameraDepthTexture"), pyramidId = Shader.PropertyToID("_ColorPyramidTexture"),
+            motionId = Shader.PropertyToID("_CameraMotionVectorsTexture");
         static readonly Func<string, bool> depthOnly = mode => mode == "DepthForwardOnly" || mode == "DepthOnly";
         static readonly Func<string, bool> forward = mode => mode == "" || mode == "SRPDefaultUnlit" || mode == "ForwardOnly";
 
@@ -180,10 +183,12 @@ namespace UnityEngine.Rendering.HighDefinition
             CommandBuffer cmd = CommandBufferPool.Get(pass.name);
             try
             {
-                bool hasColor = pass.targetColorBuffer == CustomPass.TargetBuffer.Camera, hasDepth = pass.targetDepthBuffer == CustomPass.TargetBuffer.Camera;
+                bool hasColor = pass.targetColorBuffer == CustomPass.TargetBuffer.Camera,
+                    hasDepth = pass.targetDepthBuffer == CustomPass.TargetBuffer.Camera;
                 if (hasColor || hasDepth)
                     Bind(hasColor ? color : null, hasDepth ? depth : null, new Rect(0, 0, hd.actualWidth, hd.actualHeight));
-                pass.Run(new CustomPassContext(context, cmd, hd, CullingResults.OfScene(), color, depth, hd.frameSettings.IsEnabled(FrameSettingsField.MotionVectors) ? motion : black));
+                pass.Run(new CustomPassContext(context, cmd, hd, CullingResults.OfScene(), color, depth,
+                    hd.frameSettings.IsEnabled(FrameSettingsField.MotionVectors) ? motion : black));
                 cmd.Execute();
             }
             finally
@@ -201,21 +206,26 @@ namespace UnityEngine.Rendering.HighDefinition
             RenderTextureDescriptor packed = Shape(hd, Scale, GraphicsFormat.None);
             packed.height += packed.height / 2;
             RTHandle.Need(ref depthPyramid, "_CameraDepthBufferMipChain", packed, FilterMode.Point);
-            RTHandle.Need(ref colorPyramid, "_CameraColorBufferMipChain", Shape(hd, HistoryScale, GraphicsFormat.R16G16B16A16_SFloat), FilterMode.Bilinear);
+            RTHandle.Need(ref colorPyramid, "_CameraColorBufferMipChain", Shape(hd, HistoryScale, GraphicsFormat.R16G16B16A16_SFloat),
+                FilterMode.Bilinear);
             if (black != null && black.rt.volumeDepth == hd.Slices)
                 return;
-            RTHandle.Need(ref black, "_BlackTexture", new RenderTextureDescriptor(1, 1, GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = hd.Slices }, FilterMode.Point);
+            RTHandle.Need(ref black, "_BlackTexture",
+                new RenderTextureDescriptor(1, 1, GraphicsFormat.R8G8B8A8_UNorm,
+                GraphicsFormat.None) { dimension = TextureDimension.Tex2DArray, volumeDepth = hd.Slices }, FilterMode.Point);
             RenderState.SetTarget(black.rt, 0, RenderTargetIdentifier.AllDepthSlices);
             RenderState.Clear(false, true, Color.clear, 1);
         }
 
         static RenderTextureDescriptor Shape(HDCamera hd, float scale, GraphicsFormat format) =>
-            new RenderTextureDescriptor(Mathf.CeilToInt(hd.actualWidth / scale), Mathf.CeilToInt(hd.actualHeight / scale), format, format == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
+            new RenderTextureDescriptor(Mathf.CeilToInt(hd.actualWidth / scale), Mathf.CeilToInt(hd.actualHeight / scale), format,
+            format == GraphicsFormat.None ? GraphicsFormat.D32_SFloat : GraphicsFormat.None)
             {
                 dimension = TextureDimension.Tex2DArray, volumeDepth = hd.Slices,
             };
 
-        static Vector2 PartOf(RTHandle handle, HDCamera hd) => new Vector2((float)hd.actualWidth / handle.rt.width, (float)hd.actualHeight / handle.rt.height);
+        static Vector2 PartOf(RTHandle handle, HDCamera hd)
+            => new Vector2((float)hd.actualWidth / handle.rt.width, (float)hd.actualHeight / handle.rt.height);
 
         static readonly List<RenderTexture> colors = new List<RenderTexture>();
 

@@ -8,7 +8,8 @@ namespace UnityEngine.Rendering.HighDefinition
 
     public class HDRenderPipelineAsset : RenderPipelineAsset
     {
-        public RenderPipelineSettings currentPlatformRenderPipelineSettings { get; set; } = new RenderPipelineSettings { supportCustomPass = true, supportMotionVectors = true };
+        public RenderPipelineSettings currentPlatformRenderPipelineSettings { get; set; } =
+            new RenderPipelineSettings { supportCustomPass = true, supportMotionVectors = true };
 
         protected override RenderPipeline CreatePipeline() => new HDRenderPipeline(this);
     }

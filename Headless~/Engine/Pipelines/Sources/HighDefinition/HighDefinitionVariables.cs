@@ -4,7 +4,8 @@ using UnityEngine.Headless;
 namespace UnityEngine.Rendering.HighDefinition
 {
     /// <summary>
-    /// What HDRP tells shaders: the camera in one constant buffer, relative to its position, and two eyes in another, each relative to its own; the light of the sky; the exposure. What HDRP does
+    /// What HDRP tells shaders: the camera in one constant buffer, relative to its position, and two eyes in another, each relative to its
+    /// own; the light of the sky; the exposure. What HDRP does
     /// not set is not to be relied on: it is NaN here.
     /// </summary>
     /// <remarks>Names and order: ShaderVariablesGlobal.cs.hlsl of HDRP 14.0.8 and 17.0.3; what is relative: HDCamera.UpdateViewConstants.</remarks>
@@ -18,14 +19,18 @@ namespace UnityEngine.Rendering.HighDefinition
         const int Matrices = 11;
 #endif
 
-        static readonly int eyes = Shader.PropertyToID("ShaderVariablesXR"), globals = Shader.PropertyToID("ShaderVariablesGlobal"), sky = Shader.PropertyToID("_SkyTexture"), exposure = Shader.PropertyToID("_ExposureTexture");
-        static readonly Matrix4x4 notSet = new Matrix4x4(Vector4.one * float.NaN, Vector4.one * float.NaN, Vector4.one * float.NaN, Vector4.one * float.NaN);
+        static readonly int eyes = Shader.PropertyToID("ShaderVariablesXR"), globals = Shader.PropertyToID("ShaderVariablesGlobal"),
+            sky = Shader.PropertyToID("_SkyTexture"), exposure = Shader.PropertyToID("_ExposureTexture");
+        static readonly Matrix4x4 notSet = new Matrix4x4(Vector4.one * float.NaN, Vector4.one * float.NaN, Vector4.one * float.NaN,
+            Vector4.one * float.NaN);
 
         static readonly Matrix4x4[] noEyes = { notSet, notSet };
 
         readonly Vector4[] values = new Vector4[Bytes / 16];
-        readonly GraphicsBuffer buffer = new GraphicsBuffer(GraphicsBuffer.Target.Constant, Bytes / 16, 16), eyeBuffer = new GraphicsBuffer(GraphicsBuffer.Target.Constant, Bytes / 16, 16);
-        readonly Texture2D exposureTexture = new Texture2D(1, 1, TextureFormat.RFloat, false, true) { name = "_ExposureTexture", hideFlags = HideFlags.HideAndDontSave };
+        readonly GraphicsBuffer buffer = new GraphicsBuffer(GraphicsBuffer.Target.Constant, Bytes / 16, 16),
+            eyeBuffer = new GraphicsBuffer(GraphicsBuffer.Target.Constant, Bytes / 16, 16);
+        readonly Texture2D exposureTexture = new Texture2D(1, 1, TextureFormat.RFloat, false, true) { name = "_ExposureTexture",
+            hideFlags = HideFlags.HideAndDontSave };
         RenderTexture skyArray;
 
         public void SetCamera(HDCamera camera)
@@ -60,7 +65,8 @@ namespace UnityEngine.Rendering.HighDefinition
         // Of those below, the ones that eyes do not have.
         static readonly bool[] isOfCamera = { false, true, false, false, false, false, true, false, false, false, false, false };
 
-        // View, of the camera, inverse; projection, inverse; both, of the camera, inverse; unjittered, in 17 its inverse; of the last frame, its inverse.
+        // View, of the camera, inverse; projection, inverse; both, of the camera, inverse; unjittered, in 17 its inverse; of the last
+        // frame, its inverse.
         static Matrix4x4[] MatricesOf(ViewMatrices of) => new[]
         {
             of.view, of.view, of.view.inverse, of.projection, of.projection.inverse, of.both, of.both, of.both.inverse, of.steady,
@@ -84,10 +90,12 @@ namespace UnityEngine.Rendering.HighDefinition
             EnvironmentLighting.Bind();
             Texture cube = Shader.GetGlobalTexture("unity_SpecCube0");
             EnvironmentLighting.Unbind();
-            if (skyArray == null || skyArray.width != cube.width || skyArray.graphicsFormat != cube.graphicsFormat || skyArray.mipmapCount != cube.mipmapCount)
+            if (skyArray == null || skyArray.width != cube.width || skyArray.graphicsFormat != cube.graphicsFormat
+                || skyArray.mipmapCount != cube.mipmapCount)
             {
                 Release();
-                skyArray = new RenderTexture(new RenderTextureDescriptor(cube.width, cube.height, cube.graphicsFormat, Experimental.Rendering.GraphicsFormat.None, cube.mipmapCount)
+                skyArray = new RenderTexture(new RenderTextureDescriptor(cube.width, cube.height, cube.graphicsFormat,
+                    Experimental.Rendering.GraphicsFormat.None, cube.mipmapCount)
                 {
                     dimension = TextureDimension.CubeArray, volumeDepth = 6, useMipMap = cube.mipmapCount > 1, autoGenerateMips = false,
                 })

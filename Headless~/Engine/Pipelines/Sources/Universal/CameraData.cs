@@ -84,7 +84,8 @@ namespace UnityEngine.Rendering.Universal
         public TextureHandle motionVectorColor { get; set; }
         public TextureHandle motionVectorDepth { get; set; }
 
-        public override void Reset() => cameraColor = cameraDepth = cameraDepthTexture = cameraOpaqueTexture = motionVectorColor = motionVectorDepth = TextureHandle.nullHandle;
+        public override void Reset() => cameraColor = cameraDepth = cameraDepthTexture = cameraOpaqueTexture = motionVectorColor =
+            motionVectorDepth = TextureHandle.nullHandle;
     }
 #else
     public struct CameraData

@@ -22,7 +22,8 @@ namespace UnityEngine.Rendering.Universal
         {
             Light light = Light.MainDirectional();
             bool isOn = light is object && light.shadows != LightShadows.None && light.shadowStrength > 0
-                && ScreenShadows.TryFit(camera, light, distance, FrameRenderer.InLayers, FrameRenderer.Seen, out Matrix4x4 view, out Matrix4x4 projection, out float width) && DrawMap(light, view, projection, width, distance);
+                && ScreenShadows.TryFit(camera, light, distance, FrameRenderer.InLayers, FrameRenderer.Seen, out Matrix4x4 view,
+                out Matrix4x4 projection, out float width) && DrawMap(light, view, projection, width, distance);
             if (!isOn)
             {
                 Shader.DisableKeyword(Keyword);
@@ -34,7 +35,8 @@ namespace UnityEngine.Rendering.Universal
 
         bool DrawMap(Light light, in Matrix4x4 view, in Matrix4x4 projection, float width, float distance)
         {
-            RTHandle.Need(ref map, "_MainLightShadowmapTexture", new RenderTextureDescriptor(Texels, Texels, GraphicsFormat.None, GraphicsFormat.D32_SFloat), FilterMode.Bilinear);
+            RTHandle.Need(ref map, "_MainLightShadowmapTexture",
+                new RenderTextureDescriptor(Texels, Texels, GraphicsFormat.None, GraphicsFormat.D32_SFloat), FilterMode.Bilinear);
             float texel = width / Texels;
             // ShadowUtils.GetShadowBias: in texels of the map, away from the light. A light without settings of its own has those of the
             // asset, which begin at 1.
@@ -53,7 +55,8 @@ namespace UnityEngine.Rendering.Universal
             Shader.Globals.SetTexture(Shader.PropertyToID("_MainLightShadowmapTexture"), map.rt, RenderTextureSubElement.Depth);
             // z and w: fades out over the last part of the distance, by the square of it.
             float start = distance * 0.9f, scale = 1 / (distance * distance - start * start);
-            Shader.SetGlobalVector("_MainLightShadowParams", new Vector4(light.shadowStrength, light.shadows == LightShadows.Soft ? 1 : 0, scale, -start * start * scale));
+            Shader.SetGlobalVector("_MainLightShadowParams",
+                new Vector4(light.shadowStrength, light.shadows == LightShadows.Soft ? 1 : 0, scale, -start * start * scale));
             Shader.SetGlobalVector("_MainLightShadowmapSize", new Vector4(1f / Texels, 1f / Texels, Texels, Texels));
             float half = 0.5f / Texels;
             Shader.SetGlobalVector("_MainLightShadowOffset0", new Vector4(-half, -half, half, -half));

@@ -10,7 +10,8 @@ namespace UnityEngine.Rendering.Universal
     {
         static readonly int
             viewProjection = Shader.PropertyToID("_NonJitteredViewProjMatrix"), previousViewProjection = Shader.PropertyToID("_PrevViewProjMatrix"),
-            viewProjections = Shader.PropertyToID("_NonJitteredViewProjMatrixStereo"), previousViewProjections = Shader.PropertyToID("_PrevViewProjMatrixStereo");
+            viewProjections = Shader.PropertyToID("_NonJitteredViewProjMatrixStereo"),
+                previousViewProjections = Shader.PropertyToID("_PrevViewProjMatrixStereo");
 
         readonly Matrix4x4[] now = new Matrix4x4[2], previous = new Matrix4x4[2];
         int lastFrame = -1;

@@ -21,7 +21,8 @@ namespace UnityEngine.Rendering.Universal
         public virtual void OnCameraCleanup(CommandBuffer cmd) { }
 
 #if SRP_17
-        internal const string Compatibility = "This rendering path is for compatibility mode only (when Render Graph is disabled). Use Render Graph API instead.";
+        internal const string Compatibility =
+            "This rendering path is for compatibility mode only (when Render Graph is disabled). Use Render Graph API instead.";
 
         public bool requiresIntermediateTexture { get; set; }
 
@@ -33,7 +34,9 @@ namespace UnityEngine.Rendering.Universal
             Debug.LogWarning("Execute is not implemented, the pass " + ToString() + " won't be executed in the current render loop.");
 
         public virtual void RecordRenderGraph(RenderGraph renderGraph, ContextContainer frameData) =>
-            Debug.LogWarning("The render pass " + ToString() + " does not have an implementation of the RecordRenderGraph method. Please implement this method, or consider turning on Compatibility Mode (RenderGraph disabled) in the menu Edit > Project Settings > Graphics > URP. Otherwise the render pass will have no effect.");
+            Debug.LogWarning("The render pass " + ToString() + " does not have an implementation of the RecordRenderGraph method. " +
+            "Please implement this method, or consider turning on Compatibility Mode (RenderGraph disabled) in the menu Edit > Project " +
+            "Settings > Graphics > URP. Otherwise the render pass will have no effect.");
 #else
         public virtual void OnCameraSetup(CommandBuffer cmd, ref RenderingData renderingData) { }
         public abstract void Execute(ScriptableRenderContext context, ref RenderingData renderingData);

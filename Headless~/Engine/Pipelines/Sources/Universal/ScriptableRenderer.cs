@@ -6,7 +6,8 @@ using UnityEngine.Rendering.RenderGraphModule;
 
 namespace UnityEngine.Rendering.Universal
 {
-    /// <summary>Passes of a camera by event; those of the same event in the order in which they came. Read in URP 17.1.0, Runtime/ScriptableRenderer.cs.</summary>
+    /// <summary>Passes of a camera by event; those of the same event in the order in which they came. Read in URP 17.1.0,
+    /// Runtime/ScriptableRenderer.cs.</summary>
     public abstract class ScriptableRenderer : IDisposable
     {
         readonly List<ScriptableRenderPass> queue = new List<ScriptableRenderPass>();
@@ -45,7 +46,8 @@ namespace UnityEngine.Rendering.Universal
         {
             if (isExecuting)
                 return target;
-            Debug.LogError("You can only call cameraColorTargetHandle inside the scope of a ScriptableRenderPass. Otherwise the pipeline camera target texture might have not been created or might have already been disposed.");
+            Debug.LogError("You can only call cameraColorTargetHandle inside the scope of a ScriptableRenderPass. Otherwise the " +
+                "pipeline camera target texture might have not been created or might have already been disposed.");
             return null;
         }
 

@@ -26,6 +26,7 @@ namespace UnityEngine.Rendering.Universal
     {
         /// <summary>Adds the component where there is none.</summary>
         public static UniversalAdditionalCameraData GetUniversalAdditionalCameraData(this Camera camera) =>
-            camera.gameObject.TryGetComponent(out UniversalAdditionalCameraData data) ? data : camera.gameObject.AddComponent<UniversalAdditionalCameraData>();
+            camera.gameObject.TryGetComponent(out UniversalAdditionalCameraData data) ? data
+            : camera.gameObject.AddComponent<UniversalAdditionalCameraData>();
     }
 }

@@ -55,7 +55,8 @@ namespace UnityEngine.Rendering.Universal
                 return;
             var overlays = new List<Camera>();
             foreach (Camera camera in data != null ? data.cameraStack : new List<Camera>())
-                if (camera != null && camera.isActiveAndEnabled && camera.TryGetComponent(out UniversalAdditionalCameraData own) && own.renderType == CameraRenderType.Overlay)
+                if (camera != null && camera.isActiveAndEnabled && camera.TryGetComponent(out UniversalAdditionalCameraData own)
+                    && own.renderType == CameraRenderType.Overlay)
                     overlays.Add(camera);
             // The eyes are known before a camera begins, and are those of the base camera in the whole stack.
             XRPass xr = XRPass.Of(baseCamera, data == null || data.allowXRRendering);
@@ -94,7 +95,8 @@ namespace UnityEngine.Rendering.Universal
             try
             {
                 FrameRenderer.Cull(camera);
-                renderer.Render(context, settings, camera, baseCamera, baseCamera == camera ? renderer : RendererOf(baseCamera) as UniversalRenderer, xr, isLast);
+                renderer.Render(context, settings, camera, baseCamera, baseCamera == camera ? renderer
+                    : RendererOf(baseCamera) as UniversalRenderer, xr, isLast);
             }
             finally
             {

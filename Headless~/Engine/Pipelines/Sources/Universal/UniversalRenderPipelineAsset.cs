@@ -2,7 +2,8 @@ using System;
 
 namespace UnityEngine.Rendering.Universal
 {
-    /// <summary>Settings with the defaults of a new asset (URP 17.1.0, Runtime/Data/UniversalRenderPipelineAsset.cs): no depth and no opaque texture, the latter at half size.</summary>
+    /// <summary>Settings with the defaults of a new asset (URP 17.1.0, Runtime/Data/UniversalRenderPipelineAsset.cs): no depth and no
+    /// opaque texture, the latter at half size.</summary>
     public class UniversalRenderPipelineAsset : RenderPipelineAsset
     {
         [SerializeField] internal ScriptableRendererData[] m_RendererDataList = Array.Empty<ScriptableRendererData>();

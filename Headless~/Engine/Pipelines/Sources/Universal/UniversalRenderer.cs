@@ -19,7 +19,8 @@ namespace UnityEngine.Rendering.Universal
     /// Runtime/ScriptableRenderer.cs, 17.1.0): who binds one of his own and leaves it spoils the next draws.
     /// Render graph: OnMainRendering in Runtime/UniversalRendererRenderGraph.cs (17.1.0): all passes from one event up to
     /// the next run there; every pass of URP's binds its own targets.
-    /// Two eyes: RenderCameraStack and UpdateCameraData in Runtime/UniversalRenderPipeline.cs (17.1.0): textures are those of the headset, arrays of two
+    /// Two eyes: RenderCameraStack and UpdateCameraData in Runtime/UniversalRenderPipeline.cs (17.1.0): textures are those of the headset,
+    /// arrays of two
     /// slices; BeginXRRendering in Runtime/ScriptableRenderer.cs: single pass from after the shadows on, passes of users included.
     /// Motion vectors: Runtime/Passes/MotionVectorRenderPass.cs (17.1.0 and one of 14): drawn where temporal antialiasing or a pass asks,
     /// before the post processing in 14, after the copy of depth in 17; the depth that it tests is the scene's; objects of the opaque
@@ -28,11 +29,15 @@ namespace UnityEngine.Rendering.Universal
     /// </remarks>
     public sealed class UniversalRenderer : ScriptableRenderer
     {
-        static readonly int depthTextureId = Shader.PropertyToID("_CameraDepthTexture"), opaqueTextureId = Shader.PropertyToID("_CameraOpaqueTexture");
-        static readonly Func<string, bool> forward = mode => mode == "" || mode == "SRPDefaultUnlit" || mode == "UniversalForward" || mode == "UniversalForwardOnly";
+        static readonly int depthTextureId = Shader.PropertyToID("_CameraDepthTexture"),
+            opaqueTextureId = Shader.PropertyToID("_CameraOpaqueTexture");
+        static readonly Func<string, bool> forward = mode => mode == "" || mode == "SRPDefaultUnlit" || mode == "UniversalForward"
+            || mode == "UniversalForwardOnly";
         static readonly Func<string, bool> depthOnly = mode => mode == "DepthOnly";
         static readonly Func<string, bool> motionVectors = mode => mode == "MotionVectors";
-        static readonly int motionTextureId = Shader.PropertyToID("_MotionVectorTexture"), motionDepthId = Shader.PropertyToID("_MotionVectorDepthTexture"), motionParams = Shader.PropertyToID("unity_MotionVectorsParams");
+        static readonly int motionTextureId = Shader.PropertyToID("_MotionVectorTexture"),
+            motionDepthId = Shader.PropertyToID("_MotionVectorDepthTexture"),
+            motionParams = Shader.PropertyToID("unity_MotionVectorsParams");
 
         readonly MainLightShadows shadows = new MainLightShadows();
         RTHandle colorAttachment, depthAttachment, depthTexture, opaqueTexture, motionColor, motionDepth;
@@ -62,10 +67,12 @@ namespace UnityEngine.Rendering.Universal
 #endif
         }
 
-        internal void Render(ScriptableRenderContext context, UniversalRenderPipelineAsset settings, Camera camera, Camera baseCamera, UniversalRenderer baseRenderer, XRPass xr, bool isLast)
+        internal void Render(ScriptableRenderContext context, UniversalRenderPipelineAsset settings, Camera camera, Camera baseCamera,
+            UniversalRenderer baseRenderer, XRPass xr, bool isLast)
         {
             camera.TryGetComponent(out UniversalAdditionalCameraData data);
-            frame = new Frame { context = context, settings = settings, camera = camera, baseCamera = baseCamera, data = data, xr = xr, isLast = isLast, isOverlay = camera != baseCamera };
+            frame = new Frame { context = context, settings = settings, camera = camera, baseCamera = baseCamera, data = data, xr = xr,
+                isLast = isLast, isOverlay = camera != baseCamera };
             SetCamera();
             AddRenderPasses(ref frame.legacy);
             SortPasses();
@@ -98,15 +105,19 @@ namespace UnityEngine.Rendering.Universal
         {
             Camera camera = frame.camera;
             // A scale within 0.05 of 1 is 1, and so is that of cameras that are not the game's (InitializeStackedCameraData).
-            float asked = frame.settings.renderScale, scale = Math.Abs(1 - asked) < 0.05f || !UniversalRenderPipeline.IsGameCamera(camera) ? 1 : asked;
+            float asked = frame.settings.renderScale, scale = Math.Abs(1 - asked) < 0.05f || !UniversalRenderPipeline.IsGameCamera(camera)
+                ? 1 : asked;
             int width = Math.Max((int)(camera.pixelWidth * scale), 1), height = Math.Max((int)(camera.pixelHeight * scale), 1);
             // The headset's, which are scaled by all of renderScale, near 1 or not (XRSystem.SetRenderScale).
             if (frame.xr.enabled)
-                (width, height) = (Math.Max((int)(frame.xr.renderTargetDesc.width * asked), 1), Math.Max((int)(frame.xr.renderTargetDesc.height * asked), 1));
-            frame.shape = Shape(width, height, frame.settings.supportsHDR && camera.allowHDR ? GraphicsFormat.R16G16B16A16_SFloat : Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
+                (width, height) = (Math.Max((int)(frame.xr.renderTargetDesc.width * asked), 1),
+                    Math.Max((int)(frame.xr.renderTargetDesc.height * asked), 1));
+            frame.shape = Shape(width, height, frame.settings.supportsHDR && camera.allowHDR ? GraphicsFormat.R16G16B16A16_SFloat
+                : Player.LinearColorSpace ? GraphicsFormat.R8G8B8A8_SRGB : GraphicsFormat.R8G8B8A8_UNorm, GraphicsFormat.None);
             frame.isJittered = TemporalJitter.IsOn(camera, frame.data);
             Matrix4x4 jitter = frame.isJittered ? Jitter.MatrixOf(Time.frameCount, width, height) : Matrix4x4.identity;
-            frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, jitter = jitter, xr = frame.xr };
+            frame.matrices = new CameraMatrices { view = camera.worldToCameraMatrix, projection = camera.projectionMatrix, jitter = jitter,
+                xr = frame.xr };
             CameraRenderType type = frame.isOverlay ? CameraRenderType.Overlay : CameraRenderType.Base;
             AntialiasingMode antialiasing = frame.data != null ? frame.data.antialiasing : AntialiasingMode.None;
 #if SRP_17
@@ -136,7 +147,8 @@ namespace UnityEngine.Rendering.Universal
         // GetRenderPassInputs and InitializeAdditionalCameraData.
         void FindInputs()
         {
-            frame.needsDepth = frame.settings.supportsCameraDepthTexture || frame.data != null && frame.data.requiresDepthTexture || frame.camera.cameraType == CameraType.SceneView;
+            frame.needsDepth = frame.settings.supportsCameraDepthTexture || frame.data != null && frame.data.requiresDepthTexture
+                || frame.camera.cameraType == CameraType.SceneView;
             frame.needsColor = frame.settings.supportsCameraOpaqueTexture || frame.data != null && frame.data.requiresColorTexture;
             frame.earliestDepth = int.MaxValue;
             foreach (ScriptableRenderPass pass in activeRenderPassQueue)
@@ -182,7 +194,8 @@ namespace UnityEngine.Rendering.Universal
             if (frame.needsColor)
             {
                 RenderTextureDescriptor shape = frame.shape;
-                int divisor = frame.settings.opaqueDownsampling == Downsampling.None ? 1 : frame.settings.opaqueDownsampling == Downsampling._2xBilinear ? 2 : 4;
+                int divisor = frame.settings.opaqueDownsampling == Downsampling.None ? 1
+                    : frame.settings.opaqueDownsampling == Downsampling._2xBilinear ? 2 : 4;
                 (shape.width, shape.height) = (Math.Max(shape.width / divisor, 1), Math.Max(shape.height / divisor, 1));
                 RTHandle.Need(ref opaqueTexture, "_CameraOpaqueTexture", shape, divisor == 1 ? FilterMode.Point : FilterMode.Bilinear);
             }
@@ -191,11 +204,13 @@ namespace UnityEngine.Rendering.Universal
         // In a graph of 17 there are handles to them in every frame; memory where a pass uses them.
         void MakeMotionTargets()
         {
-            RTHandle.Need(ref motionColor, "_MotionVectorTexture", Shape(frame.shape.width, frame.shape.height, GraphicsFormat.R16G16_SFloat, GraphicsFormat.None), FilterMode.Point);
+            RTHandle.Need(ref motionColor, "_MotionVectorTexture",
+                Shape(frame.shape.width, frame.shape.height, GraphicsFormat.R16G16_SFloat, GraphicsFormat.None), FilterMode.Point);
             RTHandle.Need(ref motionDepth, "_MotionVectorDepthTexture", DepthShape(frame.shape), FilterMode.Point);
         }
 
-        RenderTextureDescriptor DepthShape(RenderTextureDescriptor shape) => Shape(shape.width, shape.height, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
+        RenderTextureDescriptor DepthShape(RenderTextureDescriptor shape)
+            => Shape(shape.width, shape.height, GraphicsFormat.None, GraphicsFormat.D32_SFloat);
 
         RenderTextureDescriptor Shape(int width, int height, GraphicsFormat color, GraphicsFormat depth)
         {
@@ -210,7 +225,8 @@ namespace UnityEngine.Rendering.Universal
         void ExecutePasses()
         {
             int copiesDepth = frame.earliestDepth <= (int)RenderPassEvent.BeforeRenderingOpaques ? -1
-                : frame.earliestDepth < int.MaxValue ? Math.Min((int)RenderPassEvent.AfterRenderingTransparents, frame.earliestDepth - 1) : (int)RenderPassEvent.AfterRenderingOpaques;
+                : frame.earliestDepth < int.MaxValue ? Math.Min((int)RenderPassEvent.AfterRenderingTransparents, frame.earliestDepth - 1)
+                : (int)RenderPassEvent.AfterRenderingOpaques;
             (boundColor, boundDepth) = (null, null);
             SetUpCameras();
             var steps = new List<(int At, Action Run)>
@@ -226,7 +242,8 @@ namespace UnityEngine.Rendering.Universal
             if (frame.needsMotion)
             {
                 MakeMotionTargets();
-                steps.Insert(steps.FindIndex(step => step.At > (int)MotionEvent) is int motionAt && motionAt >= 0 ? motionAt : steps.Count, ((int)MotionEvent, DrawMotion));
+                steps.Insert(steps.FindIndex(step => step.At > (int)MotionEvent) is int motionAt && motionAt >= 0 ? motionAt : steps.Count,
+                    ((int)MotionEvent, DrawMotion));
             }
             if (frame.needsDepth && copiesDepth >= 0)
                 steps.Insert(steps.FindIndex(step => step.At > copiesDepth) is int at && at >= 0 ? at : steps.Count, (copiesDepth, CopyDepth));
@@ -351,7 +368,8 @@ namespace UnityEngine.Rendering.Universal
             (Matrix4x4 view, Matrix4x4 projection) = (RenderState.View, RenderState.Projection);
             run();
             if (view != RenderState.View || projection != RenderState.Projection)
-                throw new GpuUsageException($"The pass {pass.GetType().Name} leaves other view and projection matrices behind than those of the camera: later draws of the frame use them.");
+                throw new GpuUsageException($"The pass {pass.GetType().Name} leaves other view and projection matrices behind than " +
+                    $"those of the camera: later draws of the frame use them.");
         }
 
         // ---- the steps
@@ -377,7 +395,8 @@ namespace UnityEngine.Rendering.Universal
             BuiltinVariables.SetCamera(frame.camera, frame.camera.pixelWidth, frame.camera.pixelHeight);
             BuiltinVariables.SetViewProjection(frame.matrices.View(0), frame.matrices.Projection(0));
             if (frame.xr.singlePassEnabled)
-                BuiltinVariables.SetStereo(new[] { frame.matrices.View(0), frame.matrices.View(1) }, new[] { frame.matrices.Projection(0), frame.matrices.Projection(1) });
+                BuiltinVariables.SetStereo(new[] { frame.matrices.View(0), frame.matrices.View(1) },
+                    new[] { frame.matrices.Projection(0), frame.matrices.Projection(1) });
         }
 
         void DrawShadows() => shadows.Draw(frame.camera, frame.settings.shadowDistance, SetMatrices);
@@ -391,7 +410,8 @@ namespace UnityEngine.Rendering.Universal
                 RenderState.Clear(frame.data.clearDepth, false, default, 1);
                 return;
             }
-            bool color = !(camera.clearFlags == CameraClearFlags.Nothing || camera.clearFlags == CameraClearFlags.Skybox && RenderSettings.skybox != null);
+            bool color = !(camera.clearFlags == CameraClearFlags.Nothing || camera.clearFlags == CameraClearFlags.Skybox
+                && RenderSettings.skybox != null);
             RenderState.Clear(true, color, camera.backgroundColor, 1);
         }
 

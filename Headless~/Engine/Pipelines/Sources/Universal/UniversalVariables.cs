@@ -6,9 +6,11 @@ namespace UnityEngine.Rendering.Universal
     internal static class UniversalVariables
     {
         static readonly int
-            mainLightPosition = Id("_MainLightPosition"), mainLightColor = Id("_MainLightColor"), builtInPosition = Id("_WorldSpaceLightPos0"), builtInColor = Id("_LightColor0"),
+            mainLightPosition = Id("_MainLightPosition"), mainLightColor = Id("_MainLightColor"),
+            builtInPosition = Id("_WorldSpaceLightPos0"), builtInColor = Id("_LightColor0"),
             scaledScreen = Id("_ScaledScreenParams"), screenSize = Id("_ScreenSize"),
-            environment = Id("_GlossyEnvironmentCubeMap"), environmentHdr = Id("_GlossyEnvironmentCubeMap_HDR"), builtInCube = Id("unity_SpecCube0"), builtInHdr = Id("unity_SpecCube0_HDR"),
+            environment = Id("_GlossyEnvironmentCubeMap"), environmentHdr = Id("_GlossyEnvironmentCubeMap_HDR"),
+                builtInCube = Id("unity_SpecCube0"), builtInHdr = Id("unity_SpecCube0_HDR"),
             environmentColor = Id("_GlossyEnvironmentColor");
 
         static int Id(string name) => Shader.PropertyToID(name);

@@ -3,7 +3,8 @@ namespace UnityEngine.Headless
     /// <summary>What scripts called that the host does not have; the host reads it after a run.</summary>
     internal sealed class StubCalls
     {
-        internal static readonly System.Collections.Generic.SortedDictionary<string, int> Called = new System.Collections.Generic.SortedDictionary<string, int>(System.StringComparer.Ordinal);
+        internal static readonly System.Collections.Generic.SortedDictionary<string,
+            int> Called = new System.Collections.Generic.SortedDictionary<string, int>(System.StringComparer.Ordinal);
 
         /// <summary>For what cannot be left undone.</summary>
         internal static System.Exception Missing(string member)

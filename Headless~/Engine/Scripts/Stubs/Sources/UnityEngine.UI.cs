@@ -347,7 +347,8 @@ namespace UnityEngine.UI
         public float maxValue { get => m_MaxValue; set { m_MaxValue = value; Set(m_Value, true); } }
         public bool wholeNumbers { get => m_WholeNumbers; set { m_WholeNumbers = value; Set(m_Value, true); } }
         public virtual float value { get => m_WholeNumbers ? Mathf.Round(m_Value) : m_Value; set => Set(value, true); }
-        public float normalizedValue { get => Mathf.InverseLerp(m_MinValue, m_MaxValue, value); set => this.value = Mathf.Lerp(m_MinValue, m_MaxValue, value); }
+        public float normalizedValue { get => Mathf.InverseLerp(m_MinValue, m_MaxValue, value);
+            set => this.value = Mathf.Lerp(m_MinValue, m_MaxValue, value); }
         public Direction direction { get; set; }
         public SliderEvent onValueChanged { get => m_OnValueChanged; set => m_OnValueChanged = value; }
         public virtual void SetValueWithoutNotify(float input) => Set(input, false);

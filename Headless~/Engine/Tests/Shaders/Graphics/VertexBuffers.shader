@@ -17,7 +17,8 @@ Shader "Tests/VertexBuffers"
             StructuredBuffer<float4> _At6;
             StructuredBuffer<float4> _At7;
             StructuredBuffer<float4> _At8;
-            float4 Vertex(uint id : SV_VertexID) : SV_Position { return _At0[id] + _At1[id] + _At2[id] + _At3[id] + _At4[id] + _At5[id] + _At6[id] + _At7[id] + _At8[id]; }
+            float4 Vertex(uint id : SV_VertexID)
+                : SV_Position { return _At0[id] + _At1[id] + _At2[id] + _At3[id] + _At4[id] + _At5[id] + _At6[id] + _At7[id] + _At8[id]; }
             float4 Fragment() : SV_Target { return 1; }
             ENDHLSL
         }

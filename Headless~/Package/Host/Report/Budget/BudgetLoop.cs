@@ -14,7 +14,8 @@ namespace Host.Report.Budget
     /// <summary>Plays a dam with a budget that changes, and the number of steps in a frame with it, and notes what each frame took.</summary>
     sealed class BudgetLoop
     {
-        public static readonly string[] Columns = { "time_s", "target_ms", "ms", "told_ms", "iterations", "substeps", "error", "steps", "phase", "why" };
+        public static readonly string[] Columns = { "time_s", "target_ms", "ms", "told_ms", "iterations", "substeps", "error", "steps",
+            "phase", "why" };
 
         const float StepTime = 1f / 60f;
 
@@ -58,7 +59,8 @@ namespace Host.Report.Budget
             {
                 double milliseconds = Frame(steps);
                 BudgetState state = fluid.BudgetState;
-                rows.Add(new object[] { rows.Count * StepTime, target, milliseconds, state.milliseconds, state.iterations, state.substeps, state.densityError, steps, phase, state.reason.ToString() });
+                rows.Add(new object[] { rows.Count * StepTime, target, milliseconds, state.milliseconds, state.iterations, state.substeps,
+                    state.densityError, steps, phase, state.reason.ToString() });
             }
         }
 
@@ -82,7 +84,8 @@ namespace Host.Report.Budget
             Player.Device.Timing = true;
             PlayerLoop.Frame(steps * StepTime);
             Player.Device.Timing = false;
-            return Player.Device.CollectSamples().Where(sample => sample.Name.StartsWith("Rill.Steps", StringComparison.Ordinal)).Sum(sample => sample.Milliseconds);
+            return Player.Device.CollectSamples().Where(sample => sample.Name.StartsWith("Rill.Steps", StringComparison.Ordinal))
+                .Sum(sample => sample.Milliseconds);
         }
 
         FluidSimulation Make()

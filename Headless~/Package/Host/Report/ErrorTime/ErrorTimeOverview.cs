@@ -5,7 +5,8 @@ using System.Text;
 
 namespace Host.Report.ErrorTime
 {
-    /// <summary>The report's first picture: for each scene what the settings of both methods that hold cost and leave of error, and where the default is.</summary>
+    /// <summary>The report's first picture: for each scene what the settings of both methods that hold cost and leave of error, and where
+    /// the default is.</summary>
     static class ErrorTimeOverview
     {
         const int Across = 3;
@@ -20,7 +21,8 @@ namespace Host.Report.ErrorTime
         {
             List<SweepResult> held = results.Where(result => result.Holds && result.Error > 0).ToList();
             List<IGrouping<string, SweepResult>> scenes = results.GroupBy(result => result.SceneId).ToList();
-            string axes = LogAxis.Script("x", held.Select(result => result.Milliseconds)) + LogAxis.Script("y", held.Select(result => result.Error * 100));
+            string axes = LogAxis.Script("x", held.Select(result => result.Milliseconds))
+                + LogAxis.Script("y", held.Select(result => result.Error * 100));
             var script = new StringBuilder("set multiplot\nset format '%g'\n");
             for (int i = 0; i < scenes.Count; i++)
                 script.Append(Panel(scenes[i].ToList(), usual(scenes[i].First()), axes, i, scenes.Count));
@@ -32,7 +34,8 @@ namespace Host.Report.ErrorTime
             int rows = (count + Across - 1) / Across, column = index % Across, row = index / Across;
             double width = (1 - Left) / Across, height = (1 - Bottom) / rows;
             double left = Left + column * width, top = 1 - row * height;
-            string place = FormattableString.Invariant($"set lmargin at screen {left:0.####}\nset rmargin at screen {left + width - Gap:0.####}\nset tmargin at screen {top - Top:0.####}\nset bmargin at screen {top - height + Gap:0.####}\n");
+            string place = FormattableString.Invariant(
+                $"set lmargin at screen {left:0.####}\nset rmargin at screen {left + width - Gap:0.####}\nset tmargin at screen {top - Top:0.####}\nset bmargin at screen {top - height + Gap:0.####}\n");
             bool isLast = index + Across >= count;
             var data = new PlotData();
             foreach (bool deep in new[] { false, true })
@@ -40,14 +43,21 @@ namespace Host.Report.ErrorTime
                 List<SweepResult> settings = scene.Where(result => result.Holds && result.Error > 0 && result.Setting.Deep == deep).ToList();
                 int style = deep ? 1 : 2;
                 string name = SweepSetting.Method(deep);
-                data.Add($"using 1:2 with lines ls {style} title '{name}: best for its time'", Points(Pareto.Front(settings, r => r.Milliseconds, r => r.Error)));
+                data.Add($"using 1:2 with lines ls {style} title '{name}: best for its time'",
+                    Points(Pareto.Front(settings, r => r.Milliseconds, r => r.Error)));
                 data.Add($"using 1:2 with points ls {style} ps 0.7 title '{name}: a setting'", Points(settings));
             }
-            data.Add("using 1:2 with points pt 3 ps 2.2 lw 2 lc rgb '#101010' title 'the default'", Points(scene.Where(result => result.Holds && result.Setting == usual)));
-            string key = index == count - 1 && count % Across != 0 ? FormattableString.Invariant($"set key at screen {left + width + 0.02:0.###},{top - Top - 0.05:0.###} left top vertical noenhanced reverse Left\n") : "set key off\n";
-            return data.Script(axes + place + key + $"set title \"{ErrorTimePage.Title(scene[0])}\" noenhanced\nset xlabel '{(isLast ? "ms a step" : "")}'\nset ylabel '{(column == 0 ? "C+, %" : "")}'\n");
+            data.Add("using 1:2 with points pt 3 ps 2.2 lw 2 lc rgb '#101010' title 'the default'",
+                Points(scene.Where(result => result.Holds && result.Setting == usual)));
+            string key = index == count - 1 && count % Across != 0
+                ? FormattableString.Invariant(
+                $"set key at screen {left + width + 0.02:0.###},{top - Top - 0.05:0.###} left top vertical noenhanced reverse Left\n")
+                : "set key off\n";
+            return data.Script(axes + place + key + $"set title \"{ErrorTimePage.Title(scene[0])}\" noenhanced\nset xlabel " +
+                $"'{(isLast ? "ms a step" : "")}'\nset ylabel '{(column == 0 ? "C+, %" : "")}'\n");
         }
 
-        static IEnumerable<object[]> Points(IEnumerable<SweepResult> results) => results.Select(result => new object[] { result.Milliseconds, result.Error * 100 });
+        static IEnumerable<object[]> Points(IEnumerable<SweepResult> results)
+            => results.Select(result => new object[] { result.Milliseconds, result.Error * 100 });
     }
 }

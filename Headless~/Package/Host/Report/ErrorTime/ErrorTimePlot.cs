@@ -14,7 +14,8 @@ namespace Host.Report.ErrorTime
         public static string Script(List<SweepResult> scene, List<SweepResult> front, string unrest) =>
             "set multiplot\n" +
             Panel(scene, front, "C+, worse window (%)", r => r.Error * 100, 0.06, Key) +
-            Panel(scene, Pareto.Front(scene.Where(r => r.Holds), r => r.Milliseconds, r => r.Unrest), unrest + ", last 2 s (m/s)", r => r.Unrest, 0.47, "set key off") +
+            Panel(scene, Pareto.Front(scene.Where(r => r.Holds), r => r.Milliseconds, r => r.Unrest), unrest + ", last 2 s (m/s)",
+            r => r.Unrest, 0.47, "set key off") +
             "unset multiplot\n";
 
         static string Panel(List<SweepResult> all, List<SweepResult> front, string label, Func<SweepResult, double> value, double left, string key)
@@ -30,9 +31,13 @@ namespace Host.Report.ErrorTime
                 .Add("using 1:2 with points ls 1 title 'deep water'", Points(r => r.Holds && r.Setting.Deep))
                 .Add("using 1:2 with points pt 5 ps 0.6 lc rgb '#e6b8a0' title 'plain, does not hold'", Points(r => !r.Holds && !r.Setting.Deep))
                 .Add("using 1:2 with points pt 7 ps 0.6 lc rgb '#a9c9e2' title 'deep water, does not hold'", Points(r => !r.Holds && r.Setting.Deep))
-                .Add("using 1:2:3 with labels font ',8' left offset 0.6,0.5 notitle", front.Where(r => value(r) > 0).Select(r => new object[] { r.Milliseconds, value(r), $"{r.Setting.Substeps}x{r.Setting.Iterations}" }))
+                .Add("using 1:2:3 with labels font ',8' left offset 0.6,0.5 notitle",
+                    front.Where(r => value(r) > 0)
+                    .Select(r => new object[] { r.Milliseconds, value(r), $"{r.Setting.Substeps}x{r.Setting.Iterations}" }))
                 .Script(LogAxis.Script("x", scene.Select(r => r.Milliseconds)) + LogAxis.Script("y", scene.Select(value)) +
-                    $"set xlabel 'ms a step, more expensive window{off}'\nset ylabel '{label}'\nset format '%g'\nset lmargin at screen {left.ToString(CultureInfo.InvariantCulture)}\nset rmargin at screen {(left + 0.33).ToString(CultureInfo.InvariantCulture)}\n{key}\n");
+                    $"set xlabel 'ms a step, more expensive window{off}'\nset ylabel '{label}'\nset format '%g'\nset lmargin at screen " +
+                    $"{left.ToString(CultureInfo.InvariantCulture)}\nset rmargin at screen " +
+                    $"{(left + 0.33).ToString(CultureInfo.InvariantCulture)}\n{key}\n");
         }
 
         // Without those that hold nothing and are so far beyond the rest that it would shrink to a dot.

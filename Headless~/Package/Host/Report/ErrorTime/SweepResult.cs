@@ -19,7 +19,8 @@ namespace Host.Report.ErrorTime
         public static IEnumerable<SweepResult> All(ReportTable table) => table.Rows.Select(row => new SweepResult(row));
 
         /// <summary>Those that hold and that no other one beats, by rising time.</summary>
-        public static List<SweepResult> FrontOf(IEnumerable<SweepResult> results) => Pareto.Front(results.Where(result => result.Holds), result => result.Milliseconds, result => result.Error);
+        public static List<SweepResult> FrontOf(IEnumerable<SweepResult> results)
+            => Pareto.Front(results.Where(result => result.Holds), result => result.Milliseconds, result => result.Error);
 
         public string Scene => row["scene"];
         public string SceneId => $"{Scene}-{Particles}";
@@ -27,7 +28,8 @@ namespace Host.Report.ErrorTime
         public int Layers => (int)row.Number("layers");
         public double Spacing => row.Number("spacing_m");
         public double Seconds => row.Number("seconds");
-        public SweepSetting Setting => new(row["deep"] == "on", (int)row.Number("substeps"), (int)row.Number("iterations"), (float)row.Number("relaxation"));
+        public SweepSetting Setting => new(row["deep"] == "on", (int)row.Number("substeps"), (int)row.Number("iterations"),
+            (float)row.Number("relaxation"));
         public double MillisecondsMoving => row.Number("ms_moving");
         public double MillisecondsSettled => row.Number("ms_settled");
         /// <summary>Of the more expensive window: what a frame must have room for.</summary>

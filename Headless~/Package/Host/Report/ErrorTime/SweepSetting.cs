@@ -24,7 +24,9 @@ namespace Host.Report.ErrorTime
 
         /// <summary>What a scene runs with when nothing is set.</summary>
         /// <param name="depth">Of all its water over the whole floor, layers.</param>
-        public static SweepSetting DefaultFor(float depth) => new(CoarseCorrection.IsNeeded(DeepWater.Automatic, depth, false), SolverSettings.Default.substeps, SolverSettings.Default.iterations, SolverSettings.Default.relaxation);
+        public static SweepSetting DefaultFor(float depth)
+            => new(CoarseCorrection.IsNeeded(DeepWater.Automatic, depth, false), SolverSettings.Default.substeps,
+            SolverSettings.Default.iterations, SolverSettings.Default.relaxation);
 
         public static string Method(bool deep) => deep ? "deep water" : "plain";
 

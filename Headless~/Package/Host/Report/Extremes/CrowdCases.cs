@@ -62,7 +62,8 @@ namespace Host.Report.Extremes
         static ExtremeCase PairsInWater() => new(Subject, "every eighth particle of still water doubled; 3 s", (setting, check) =>
         {
             float3[] water = ExtremeFluid.Lattice(0f, new int3(12, 8, 12)).ToArray();
-            using var fluid = new ExtremeFluid(new float3(12f, 24f, 12f), Spacing, water.Length * 2, setting.Solver).Add(water.Concat(water.Where((_, i) => i % 8 == 0)));
+            using var fluid = new ExtremeFluid(new float3(12f, 24f, 12f), Spacing, water.Length * 2, setting.Solver)
+                .Add(water.Concat(water.Where((_, i) => i % 8 == 0)));
             fluid.Step(180, 10);
             check.Exactly("closer than 0.05 d", fluid.Last.coincident, 0);
             check.Note("pairs nearer than 0.25 d", ClosePairs.Count(fluid.Read(), 0.25f));
@@ -71,7 +72,8 @@ namespace Host.Report.Extremes
             return fluid.Counts;
         });
 
-        static ExtremeCase Dense(int side) => new(Subject, $"block of {side} x {side} x {side} at eight times the density; no gravity; 2 s", (setting, check) =>
+        static ExtremeCase Dense(int side) => new(Subject, $"block of {side} x {side} x {side} at eight times the density; no gravity; 2 s",
+            (setting, check) =>
         {
             using var fluid = new ExtremeFluid(1.6f * side + 8f, Spacing, side * side * side, setting.Solver);
             fluid.AddLattice((fluid.Solver.Layout.DomainSize - 0.5f * side) * 0.5f, side, pitch: 0.5f);
@@ -88,7 +90,8 @@ namespace Host.Report.Extremes
             var random = new Random(3);
             float side = math.ceil(math.pow(particles, 1f / 3f));
             float3 corner = math.floor(side);
-            using var fluid = new ExtremeFluid(2f * side, Spacing, particles, setting.Solver).Add(Enumerable.Range(0, particles).Select(_ => corner + random.NextFloat3()));
+            using var fluid = new ExtremeFluid(2f * side, Spacing, particles, setting.Solver)
+                .Add(Enumerable.Range(0, particles).Select(_ => corner + random.NextFloat3()));
             fluid.Step(10, 1).Step(170, 10);
             check.AtLeast("particles reported with full lists", fluid.Counts.Overflow, 1);
             check.Exactly("of those at the end", fluid.Last.neighborOverflow, 0);
@@ -99,7 +102,8 @@ namespace Host.Report.Extremes
         });
 
         // 50 layers, so that one more is 2 %.
-        static ExtremeCase Overfilled(int layers, int side, double seconds) => new(Subject, $"closed box of {side} x 50 x {side} d filled with {layers} layers; {seconds:0} s", (setting, check) =>
+        static ExtremeCase Overfilled(int layers, int side, double seconds)
+            => new(Subject, $"closed box of {side} x 50 x {side} d filled with {layers} layers; {seconds:0} s", (setting, check) =>
         {
             double excess = layers / 50.0 - 1;
             IEnumerable<float3> places = ExtremeFluid.Lattice(0f, new int3(side, layers, side)).Select(p => p * new float3(1f, 50f / layers, 1f));

@@ -13,7 +13,8 @@ namespace Host.Report.Extremes
         {
             if (quick)
             {
-                yield return Still("column of 40 layers 10 x 10 wide", ExperimentScene.Block("column", new int3(10, 40, 10), new int3(10, 52, 10), 0.05f), 2.5);
+                yield return Still("column of 40 layers 10 x 10 wide",
+                    ExperimentScene.Block("column", new int3(10, 40, 10), new int3(10, 52, 10), 0.05f), 2.5);
                 yield break;
             }
             yield return Still("dam of 100 layers (1000000 particles)", ExperimentScene.Dam(1_000_000), 15);

@@ -17,11 +17,14 @@ namespace Host.Report.Extremes
             yield return Bad("rate", "FluidEmitter 'Tap': rate NaN is outside", 2, tap => tap.Rate = float.NaN, tap => tap.Rate = Rate);
             yield return Bad("speed", "FluidEmitter 'Tap': speed NaN is outside", 3, tap => tap.Speed = float.NaN, tap => tap.Speed = 2f);
             yield return Bad("spread", "FluidEmitter 'Tap': spread NaN is outside", 3, tap => tap.Spread = float.NaN, tap => tap.Spread = 0f);
-            yield return Bad("transform", "FluidEmitter 'Tap': its transform is not finite", 2, tap => tap.transform.parent.parent.localScale = 3e38f * Vector3.one, tap => tap.transform.parent.parent.localScale = Vector3.one);
+            yield return Bad("transform", "FluidEmitter 'Tap': its transform is not finite", 2,
+                tap => tap.transform.parent.parent.localScale = 3e38f * Vector3.one, tap
+                => tap.transform.parent.parent.localScale = Vector3.one);
         }
 
         /// <param name="emittingSeconds">Of the three seconds, in which it lets water in.</param>
-        static ExtremeCase Bad(string what, string message, int emittingSeconds, Action<FluidEmitter> spoil, Action<FluidEmitter> fix) => new(Subject, $"emitter whose {what} is NaN or infinite in the second of three seconds", (setting, check) =>
+        static ExtremeCase Bad(string what, string message, int emittingSeconds, Action<FluidEmitter> spoil, Action<FluidEmitter> fix)
+            => new(Subject, $"emitter whose {what} is NaN or infinite in the second of three seconds", (setting, check) =>
         {
             const int capacity = 400;
             FluidEmitter tap = null;
@@ -38,7 +41,8 @@ namespace Host.Report.Extremes
             fluid.Frames(60).Measure();
 
             FluidStatistics last = fluid.Samples[^1];
-            check.That("is logged by the emitter's name", fluid.Said(message), fluid.Messages.Count == 0 ? "no message" : string.Join(" ", fluid.Messages).Replace(',', ';'));
+            check.That("is logged by the emitter's name", fluid.Said(message), fluid.Messages.Count == 0 ? "no message"
+                : string.Join(" ", fluid.Messages).Replace(',', ';'));
             check.Exactly("messages", fluid.Messages.Count, 1);
             double due = emittingSeconds * Rate / Math.Pow(Spacing, 3);
             check.Between("let in", last.emitted, Math.Floor(due) - 1, Math.Ceiling(due) + 1);

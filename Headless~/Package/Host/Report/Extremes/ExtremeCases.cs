@@ -9,7 +9,8 @@ namespace Host.Report.Extremes
         /// <param name="quick">Sizes that a CPU can do.</param>
         public static IEnumerable<ExtremeCase> All(bool quick)
         {
-            return DeepCases.All(quick).Concat(CrowdCases.All(quick)).Concat(ForceCases.All(quick)).Concat(InputCases.All()).Concat(LongCases.All(quick));
+            return DeepCases.All(quick).Concat(CrowdCases.All(quick)).Concat(ForceCases.All(quick)).Concat(InputCases.All())
+                .Concat(LongCases.All(quick));
         }
 
         /// <summary>Among meshes, pistons and emitters.</summary>

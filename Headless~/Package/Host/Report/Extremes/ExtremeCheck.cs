@@ -4,7 +4,8 @@ using System.Globalization;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>What a case has to hold and what was seen of it: one call says both, so that a page cannot show another bar than was applied.</summary>
+    /// <summary>What a case has to hold and what was seen of it: one call says both, so that a page cannot show another bar than was
+    /// applied.</summary>
     sealed class ExtremeCheck
     {
         readonly List<string> bars = new(), seen = new(), broken = new();
@@ -16,9 +17,12 @@ namespace Host.Report.Extremes
         public bool Holds => broken.Count == 0;
 
         /// <param name="unit">"%" shows a fraction as percent.</param>
-        public void AtMost(string what, double value, double limit, string unit = "") => Judge(what, value, value <= limit, $"at most {Text(limit, unit)}", unit);
-        public void AtLeast(string what, double value, double limit, string unit = "") => Judge(what, value, value >= limit, $"at least {Text(limit, unit)}", unit);
-        public void Between(string what, double value, double low, double high, string unit = "") => Judge(what, value, value >= low && value <= high, $"{Text(low, unit)} to {Text(high, unit)}", unit);
+        public void AtMost(string what, double value, double limit, string unit = "")
+            => Judge(what, value, value <= limit, $"at most {Text(limit, unit)}", unit);
+        public void AtLeast(string what, double value, double limit, string unit = "")
+            => Judge(what, value, value >= limit, $"at least {Text(limit, unit)}", unit);
+        public void Between(string what, double value, double low, double high, string unit = "")
+            => Judge(what, value, value >= low && value <= high, $"{Text(low, unit)} to {Text(high, unit)}", unit);
         public void Exactly(string what, double value, double wanted) => Judge(what, value, value == wanted, Text(wanted, ""), "");
 
         /// <param name="otherwise">What was seen when it does not hold.</param>
@@ -45,7 +49,8 @@ namespace Host.Report.Extremes
         static string Text(double value, string unit)
         {
             double shown = unit == "%" ? 100.0 * value : value;
-            string number = Math.Abs(shown) is >= 100_000 or > 0 and < 1e-3 ? shown.ToString("0.##e+0", CultureInfo.InvariantCulture) : shown.ToString(Math.Abs(shown) >= 100 ? "0" : Math.Abs(shown) >= 10 ? "0.#" : "0.####", CultureInfo.InvariantCulture);
+            string number = Math.Abs(shown) is >= 100_000 or > 0 and < 1e-3 ? shown.ToString("0.##e+0", CultureInfo.InvariantCulture)
+                : shown.ToString(Math.Abs(shown) >= 100 ? "0" : Math.Abs(shown) >= 10 ? "0.#" : "0.####", CultureInfo.InvariantCulture);
             return unit.Length > 0 ? $"{number} {unit}" : number;
         }
     }

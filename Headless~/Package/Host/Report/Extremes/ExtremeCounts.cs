@@ -12,7 +12,8 @@ namespace Host.Report.Extremes
         public static ExtremeCounts Of(long added, IReadOnlyList<FluidStatistics> samples)
         {
             FluidStatistics last = samples[^1];
-            return new ExtremeCounts(added, last.particles, last.refused, last.nonFinite, samples.Max(s => s.escaped), last.coincident, samples.Max(s => s.neighborOverflow), samples.Max(s => s.speedMax));
+            return new ExtremeCounts(added, last.particles, last.refused, last.nonFinite, samples.Max(s => s.escaped), last.coincident,
+                samples.Max(s => s.neighborOverflow), samples.Max(s => s.speedMax));
         }
 
         /// <summary>What holds in any case: no particle outside, no particle lost uncounted, no particle without a number for a speed.</summary>

@@ -46,7 +46,8 @@ namespace Host.Report.Extremes
         public ExtremeFluid Add(IEnumerable<float3> places, float3 velocity = default)
         {
             using var positions = new NativeArray<float4>(places.Select(p => new float4(p * Spacing, 0f)).ToArray(), Allocator.Persistent);
-            using var velocities = new NativeArray<float4>(Enumerable.Repeat(new float4(velocity, 0f), positions.Length).ToArray(), Allocator.Persistent);
+            using var velocities = new NativeArray<float4>(Enumerable.Repeat(new float4(velocity, 0f), positions.Length).ToArray(),
+                Allocator.Persistent);
             Solver.Add(positions, velocities);
             Added += positions.Length;
             return this;
@@ -54,7 +55,8 @@ namespace Host.Report.Extremes
 
         /// <param name="corner">Where the lattice's first cell begins.</param>
         /// <param name="pitch">Side of the lattice's cells, d: 0.5 is eight times the density.</param>
-        public ExtremeFluid AddLattice(float3 corner, int3 counts, float3 velocity = default, float pitch = 1f) => Add(Lattice(corner, counts, pitch), velocity);
+        public ExtremeFluid AddLattice(float3 corner, int3 counts, float3 velocity = default, float pitch = 1f)
+            => Add(Lattice(corner, counts, pitch), velocity);
 
         public static IEnumerable<float3> Lattice(float3 corner, int3 counts, float pitch = 1f)
         {

@@ -24,7 +24,8 @@ namespace Host.Report.Extremes
         }
 
         // 2 layers at rest, a block above that comes down.
-        static ExtremeCase OnThinLayer(int size) => new(Impacts, $"block of {size} x {size} x {size} at 100 m/s onto a layer 2 d thick; 2 s", (setting, check) =>
+        static ExtremeCase OnThinLayer(int size)
+            => new(Impacts, $"block of {size} x {size} x {size} at 100 m/s onto a layer 2 d thick; 2 s", (setting, check) =>
         {
             using var fluid = new ExtremeFluid(new float3(3f, 4f, 3f) * size, Spacing, 3 * size * 3 * size * 2 + size * size * size, setting.Solver)
                 .AddLattice(0f, new int3(3 * size, 2, 3 * size))
@@ -47,9 +48,11 @@ namespace Host.Report.Extremes
             return fluid.Counts;
         });
 
-        static ExtremeFluid Dam(int size, SolverSettings settings) => new ExtremeFluid(new float3(2f, 2f, 1f) * size, Spacing, size * size * size, settings).AddLattice(0f, size);
+        static ExtremeFluid Dam(int size, SolverSettings settings)
+            => new ExtremeFluid(new float3(2f, 2f, 1f) * size, Spacing, size * size * size, settings).AddLattice(0f, size);
 
-        static ExtremeCase Gravity(int size, float strength, string name, double seconds) => new(Forces, $"dam of {size} layers under {name}; {seconds:0} s", (setting, check) =>
+        static ExtremeCase Gravity(int size, float strength, string name, double seconds)
+            => new(Forces, $"dam of {size} layers under {name}; {seconds:0} s", (setting, check) =>
         {
             using ExtremeFluid fluid = Dam(size, setting.Solver);
             fluid.Input.gravity = new float3(0f, -strength, 0f);
@@ -67,7 +70,8 @@ namespace Host.Report.Extremes
             using var fluid = new ExtremeFluid(3f * size, Spacing, size * size * size, setting.Solver).AddLattice(size, size);
             fluid.Input.gravity = 0f;
             fluid.Step(120, 10);
-            check.AtMost("displacement of the centre of mass in d", math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.05);
+            check.AtMost("displacement of the centre of mass in d",
+                math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.05);
             check.AtMost("speed at the end", fluid.Last.speed, 0.05, "m/s");
             return fluid.Counts;
         });

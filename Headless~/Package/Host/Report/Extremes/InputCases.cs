@@ -36,9 +36,11 @@ namespace Host.Report.Extremes
         static Vector3 Box(float spacing) => new Vector3(20f, 16f, 6f) * spacing;
         static Vector3 Water(float spacing) => new Vector3(10f, 8f, 6f) * spacing;
 
-        static ExtremeComponent Tank(float spacing = Spacing, Action<FluidSimulation> setUp = null) => new(Box(spacing), spacing, Dam, Water(spacing), setUp);
+        static ExtremeComponent Tank(float spacing = Spacing, Action<FluidSimulation> setUp = null)
+            => new(Box(spacing), spacing, Dam, Water(spacing), setUp);
 
-        static ExtremeCase Case(string subject, string name, Func<ExtremeCheck, ExtremeCounts> run) => new(subject, name, (_, check) => run(check)) { OfComponent = true };
+        static ExtremeCase Case(string subject, string name, Func<ExtremeCheck, ExtremeCounts> run)
+            => new(subject, name, (_, check) => run(check)) { OfComponent = true };
 
         static ExtremeCase Hitch() => Case(Time, "frame of 1 s in a dam break; then 2 s", check =>
         {
@@ -79,7 +81,8 @@ namespace Host.Report.Extremes
             fluid.Frames(10);
             parent.transform.localScale = Vector3.one * 3e38f;
             fluid.Frames(60).Measure();
-            check.That("is logged by the object's name", fluid.Said("'Tank': its transform is not finite"), string.Join(" ", fluid.Messages).Replace(',', ';'));
+            check.That("is logged by the object's name", fluid.Said("'Tank': its transform is not finite"),
+                string.Join(" ", fluid.Messages).Replace(',', ';'));
             check.Exactly("messages", fluid.Messages.Count, 1);
             check.Exactly("steps taken", fluid.Fluid.StepCount, 70);
             parent.transform.localScale = Vector3.one;
@@ -90,7 +93,8 @@ namespace Host.Report.Extremes
         });
 
         // Any setting has to leave the water whole and inside, if not at its volume.
-        static ExtremeCase Setting(string name, Func<SolverSettings, SolverSettings> change, string message) => Case(Input, $"{name}; dam break of 2 s", check =>
+        static ExtremeCase Setting(string name, Func<SolverSettings, SolverSettings> change, string message)
+            => Case(Input, $"{name}; dam break of 2 s", check =>
         {
             using ExtremeComponent fluid = Tank(setUp: f => f.Settings = change(f.Settings));
             if (message != null)
@@ -121,7 +125,9 @@ namespace Host.Report.Extremes
         });
 
         // Gravity for the spacing, so that a step means the same: then the fluid has to do the same.
-        static ExtremeCase Scale(float spacing) => Case(Sizes, string.Create(System.Globalization.CultureInfo.InvariantCulture, $"spacing {spacing} m with gravity in proportion; dam break of 2 s"), check =>
+        static ExtremeCase Scale(float spacing)
+            => Case(Sizes, string.Create(System.Globalization.CultureInfo.InvariantCulture,
+            $"spacing {spacing} m with gravity in proportion; dam break of 2 s"), check =>
         {
             using ExtremeComponent fluid = Tank(spacing, f => f.Gravity = Vector3.down * (9.81f * spacing / Spacing)), usual = Tank();
             FluidStatistics scaled = fluid.Frames(120).Measure(), at = usual.Frames(120).Measure();

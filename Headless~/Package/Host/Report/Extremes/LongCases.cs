@@ -38,7 +38,8 @@ namespace Host.Report.Extremes
             fluid.Input.gravity = 0f;
             fluid.Step(steps, steps / 100);
             double mass = 1000.0 * 512 * Math.Pow(Spacing, 3);
-            check.AtMost("displacement of the centre of mass in d", math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.1);
+            check.AtMost("displacement of the centre of mass in d",
+                math.distance(fluid.Last.centerOfMass, fluid.Samples[0].centerOfMass) / Spacing, 0.1);
             check.AtMost("speed of the centre of mass", math.length(fluid.Last.momentum) / mass, 1e-3, "m/s");
             check.AtMost("rms speed at the end", fluid.Last.speed, 0.02, "m/s");
             return fluid.Counts;

@@ -13,25 +13,35 @@ namespace Host.Report.Obstacles
 
         public static void Measure(ReportRun run)
         {
-            var summary = new ReportTable("across", "particles", "deep", "start", "friction", "substeps", "iterations", "steepness", "own_steepness", "largest_error", "turning", "expected_turning");
-            var profiles = new ReportTable("across", "deep", "start", "friction", "substeps", "iterations", "radius_m", "height_m", "turning_per_s", "theory_m", "own_theory_m");
+            var summary = new ReportTable("across", "particles", "deep", "start", "friction", "substeps", "iterations", "steepness",
+                "own_steepness", "largest_error", "turning", "expected_turning");
+            var profiles = new ReportTable("across", "deep", "start", "friction", "substeps", "iterations", "radius_m", "height_m",
+                "turning_per_s", "theory_m", "own_theory_m");
             double settle = run.Quick ? 0.8 : 3, seconds = run.Quick ? 0.8 : 1.6;     // one and two periods of the first round wave
             foreach ((int across, DeepWater deep, bool flat, float friction, int substeps) in run.Quick ? Quick : Full())
             {
                 const int iterations = 2;
-                RotatingBucket bucket = RotatingBucket.Run(across, Speed, flat, FluidRun.Water(substeps, iterations, deep), settle, seconds, friction);
+                RotatingBucket bucket = RotatingBucket.Run(across, Speed, flat, FluidRun.Water(substeps, iterations, deep), settle, seconds,
+                    friction);
                 string start = flat ? "level" : "parabola";
-                summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, friction, substeps, iterations, bucket.Steepness, bucket.OwnSteepness, bucket.MaxError, bucket.Turning, RotatingBucket.TurningLeft(Speed, 1.0 / 60 / substeps, settle + seconds / 2));
+                summary.Add(across, bucket.Particles, ObstaclesSection.Text(deep), start, friction, substeps, iterations, bucket.Steepness,
+                    bucket.OwnSteepness, bucket.MaxError, bucket.Turning,
+                    RotatingBucket.TurningLeft(Speed, 1.0 / 60 / substeps, settle + seconds / 2));
                 foreach (var ring in bucket.Profile)
-                    profiles.Add(across, ObstaclesSection.Text(deep), start, friction, substeps, iterations, ring.Radius, ring.Height, ring.Turning, ring.Theory, ring.OwnTheory);
-                run.Log($"  bucket of {across} d, deep water {ObstaclesSection.Text(deep)}, from {start}, friction {friction}, {substeps} x {iterations}: steepness {bucket.Steepness:0.000}, for its own turning {bucket.OwnSteepness:0.000}, turning {bucket.Turning:0.000}");
+                    profiles.Add(across, ObstaclesSection.Text(deep), start, friction, substeps, iterations, ring.Radius, ring.Height,
+                        ring.Turning, ring.Theory, ring.OwnTheory);
+                run.Log($"  bucket of {across} d, deep water {ObstaclesSection.Text(deep)}, from {start}, friction {friction}, " +
+                    $"{substeps} x {iterations}: steepness {bucket.Steepness:0.000}, for its own turning {bucket.OwnSteepness:0.000}, " +
+                    $"turning {bucket.Turning:0.000}");
             }
-            string settled = FormattableString.Invariant($"radius {RotatingBucket.Radius} m, {RotatingBucket.Depth} m of water, {Speed} rad/s, 60 steps a second, mean from {settle} to {settle + seconds} s");
+            string settled = FormattableString.Invariant(
+                $"radius {RotatingBucket.Radius} m, {RotatingBucket.Depth} m of water, {Speed} rad/s, 60 steps a second, mean from {settle} to {settle + seconds} s");
             run.Save(Summary, summary, settled);
             run.Save(Profiles, profiles, settled);
         }
 
-        static readonly (int, DeepWater, bool, float, int)[] Quick = { (12, DeepWater.On, false, 0f, 2), (12, DeepWater.Off, false, 1f, 1), (12, DeepWater.Off, false, 1f, 2) };
+        static readonly (int, DeepWater, bool, float, int)[] Quick = { (12, DeepWater.On, false, 0f, 2), (12, DeepWater.Off, false, 1f, 1),
+            (12, DeepWater.Off, false, 1f, 2) };
 
         static IEnumerable<(int, DeepWater, bool, float, int)> Full()
         {
@@ -51,31 +61,48 @@ namespace Host.Report.Obstacles
         {
             ReportTable table = page.Load(Summary);
             page.Heading("Rotating bucket");
-            page.Line("Water in a cylinder (an inside-out capsule that turns; the floor is the domain's, which slips) is given the turning of the cylinder as its first velocity, level or already as the parabola; the wall alone would take minutes. Theory: z = z0 + Ω² r² / 2 g (Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², over the theory's. A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's end: water held on a circle loses Ω² Δt of its turning in a second (Δt the substep). What that alone leaves after a time t is 1 / √(1 + 2 Ω0² Δt t). A wall without friction should leave as much. One with friction 1 does not slip and drives the water, so up to 1 may be left. The surface is also compared with that of the turning that the water has, ring by ring: dz/dr = Ω(r)² r / g. Largest: distance of a ring from the theory's surface over the rise from the middle to the wall.");
+            page.Line("Water in a cylinder (an inside-out capsule that turns; the floor is the domain's, which slips) is given the " +
+                "turning of the cylinder as its first velocity, level or already as the parabola; the wall alone would take minutes. " +
+                "Theory: z = z0 + Ω² r² / 2 g (Lamb, §26). Steepness: slope of the surface (twice the mean height in rings) over r², " +
+                "over the theory's. A particle's velocity is the chord of its path, and pressure pushes along the radius at the path's " +
+                "end: water held on a circle loses Ω² Δt of its turning in a second (Δt the substep). What that alone leaves after a " +
+                "time t is 1 / √(1 + 2 Ω0² Δt t). A wall without friction should leave as much. One with friction 1 does not slip and " +
+                "drives the water, so up to 1 may be left. The surface is also compared with that of the turning that the water has, " +
+                "ring by ring: dz/dr = Ω(r)² r / g. Largest: distance of a ring from the theory's surface over the rise from the " +
+                "middle to the wall.");
             page.Line();
-            page.Table(new[] { "radius, d", "rise, d", "deep water", "starts", "wall's friction", "substeps x iterations", "steepness", "within 5 %", "for its own turning", "within 5 %", "largest", "turning left", "by the step alone" },
+            page.Table(new[] { "radius, d", "rise, d", "deep water", "starts", "wall's friction", "substeps x iterations", "steepness",
+                "within 5 %", "for its own turning", "within 5 %", "largest", "turning left", "by the step alone" },
                 table.Rows.Select(row => new[]
                 {
-                    row["across"], Figures.Fixed(RotatingBucket.Rise(Speed) / RotatingBucket.Radius * row.Number("across"), 1), row["deep"], row["start"], row["friction"], $"{row["substeps"]} x {row["iterations"]}",
-                    Figures.Percent(row.Number("steepness") - 1), ObstaclesSection.Within(row.Number("steepness") - 1), Figures.Percent(row.Number("own_steepness") - 1), ObstaclesSection.Within(row.Number("own_steepness") - 1),
-                    Figures.Percent(row.Number("largest_error")), Figures.Fixed(row.Number("turning"), 3), Figures.Fixed(row.Number("expected_turning"), 3),
+                    row["across"], Figures.Fixed(RotatingBucket.Rise(Speed) / RotatingBucket.Radius * row.Number("across"), 1), row["deep"],
+                        row["start"], row["friction"], $"{row["substeps"]} x {row["iterations"]}",
+                    Figures.Percent(row.Number("steepness") - 1), ObstaclesSection.Within(row.Number("steepness") - 1),
+                        Figures.Percent(row.Number("own_steepness") - 1), ObstaclesSection.Within(row.Number("own_steepness") - 1),
+                    Figures.Percent(row.Number("largest_error")), Figures.Fixed(row.Number("turning"), 3),
+                        Figures.Fixed(row.Number("expected_turning"), 3),
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
             string file = page.DataFile(Profiles);
-            ReportTable.Row[] drawn = table.Rows.GroupBy(row => row["deep"]).Select(method => method.OrderBy(row => row.Number("across")).ThenBy(row => row.Number("friction")).ThenBy(row => row.Number("substeps")).Last()).ToArray();
+            ReportTable.Row[] drawn = table.Rows.GroupBy(row => row["deep"])
+                .Select(method => method.OrderBy(row => row.Number("across")).ThenBy(row => row.Number("friction"))
+                .ThenBy(row => row.Number("substeps")).Last()).ToArray();
             IEnumerable<string> lines = drawn.SelectMany((row, i) =>
             {
-                string chosen = $"$1=={row["across"]} && strcol(2) eq \"{row["deep"]}\" && strcol(3) eq \"{row["start"]}\" && $4=={row["friction"]} && $5=={row["substeps"]} && $6=={row["iterations"]}";
+                string chosen = $"$1=={row["across"]} && strcol(2) eq \"{row["deep"]}\" && strcol(3) eq \"{row["start"]}\" && " +
+                    $"$4=={row["friction"]} && $5=={row["substeps"]} && $6=={row["iterations"]}";
                 string Line(int column, string style) => $"'{file}' using ({chosen} ? $7 : NaN):{column} every ::1 {style}";
                 return new[]
                 {
-                    Line(8, $"with points ls {i + 1} title 'radius {row["across"]} d, deep water {row["deep"]}, {row["substeps"]} x {row["iterations"]}'"),
+                    Line(8, $"with points ls {i + 1} title 'radius {row["across"]} d, deep water {row["deep"]}, {row["substeps"]} x " +
+                        $"{row["iterations"]}'"),
                     Line(10, $"with lines ls {i + 1} title 'theory'"),
                     Line(11, $"with lines ls {i + 1} dt 2 title 'theory for its own turning'"),
                 };
             });
-            page.Plot("obstacles-bucket", "Surface of the water in rotating buckets over the radius, with the theory's", "set xlabel 'r, m'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines));
+            page.Plot("obstacles-bucket", "Surface of the water in rotating buckets over the radius, with the theory's",
+                "set xlabel 'r, m'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

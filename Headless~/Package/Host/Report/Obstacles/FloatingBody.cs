@@ -11,13 +11,15 @@ namespace Host.Report.Obstacles
 {
     /// <summary>
     /// A ball or cube of half the water's density that FluidBuoyancy carries: it is let go above its place at rest, bobs without
-    /// FluidBuoyancy's own damping, and comes to rest with it. Draft against Archimedes, the period of heave against T = 2π √((m + m_a) / (ρ g A)), A the area that it cuts out of the surface.
+    /// FluidBuoyancy's own damping, and comes to rest with it. Draft against Archimedes, the period of heave against T = 2π √((m + m_a) /
+    /// (ρ g A)), A the area that it cuts out of the surface.
     /// </summary>
     /// <remarks>
     /// The added mass m_a is that of water whose surface does not answer, which is exact for fast heave: half of what the body and
     /// its mirror image have in endless water. Of a ball that is half of the water displaced (Lamb, Hydrodynamics, §92), of a cube 0.68 of
     /// it (DNV-RP-C205, appendix D). At the period found waves are made, by which the ball's is a fifth lower (Havelock 1955, "Waves due to
-    /// a floating sphere making periodic heaving oscillations"), which shortens the period by 3 %; the walls and the floor of the tank make it longer.
+    /// a floating sphere making periodic heaving oscillations"), which shortens the period by 3 %; the walls and the floor of the tank make
+    /// it longer.
     /// </remarks>
     sealed class FloatingBody
     {
@@ -175,7 +177,8 @@ namespace Host.Report.Obstacles
             int alive = (int)FluidRun.Read<uint>(solver.Counters, solver.Counters.count)[(int)ParticleCounter.Alive];
             float2 middle = solver.Layout.DomainSize.xz / 2f + new float2(body.x, body.z) / Spacing;
             float beside = size / (2f * Spacing) + 2f;
-            return 2 * Spacing * FluidRun.Read<float4>(solver.Positions, alive).Where(p => math.cmax(math.abs(p.xz - middle)) > beside).Average(p => p.y);
+            return 2 * Spacing * FluidRun.Read<float4>(solver.Positions, alive).Where(p => math.cmax(math.abs(p.xz - middle)) > beside)
+                .Average(p => p.y);
         }
     }
 }

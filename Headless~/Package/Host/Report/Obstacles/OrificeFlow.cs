@@ -65,7 +65,9 @@ namespace Host.Report.Obstacles
                 float[] above = positions.Where(p => p.y > top).Select(p => p.y - top).ToArray();
                 double level = above.Length * Math.Pow(spacing, 3) / (Side * Side), time = run.Time - Settle;
                 flow.Levels.Add((time, level));
-                flow.Leaked = Math.Max(flow.Leaked, positions.Count(p => p.y < top - 0.5f * plate && p.y > top - plate && math.cmax(math.abs(p.xz - middle)) > half + 0.1f));
+                flow.Leaked = Math.Max(flow.Leaked,
+                    positions.Count(p => p.y < top - 0.5f * plate && p.y > top - plate
+                    && math.cmax(math.abs(p.xz - middle)) > half + 0.1f));
                 if (time < Warm)
                     continue;
                 // Half to one width below the hole, where the jet has drawn together and its pressure is that of the air.
@@ -75,7 +77,8 @@ namespace Host.Report.Obstacles
                     double below = (top - plate - positions[i].y) / across;
                     if (below < 0.5 || below > 1 || math.cmax(math.abs(positions[i].xz - middle)) > half)
                         continue;
-                    ratios += math.length(velocities[i].xyz) * spacing / Math.Sqrt(2 * FluidRun.Gravity * (surface + (top - positions[i].y) * spacing));
+                    ratios += math.length(velocities[i].xyz) * spacing
+                        / Math.Sqrt(2 * FluidRun.Gravity * (surface + (top - positions[i].y) * spacing));
                     jet++;
                 }
             }

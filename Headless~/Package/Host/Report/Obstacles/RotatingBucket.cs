@@ -22,7 +22,8 @@ namespace Host.Report.Obstacles
         public const int Rings = 6;                         // of equal width
         const int AverageEvery = 3;
 
-        /// <summary>Mean over a ring of r², as a radius, m; twice the mean height of what is in it, m; how fast it turns, rad/s; the theory's surface for the bucket's Ω and for the turning seen, m.</summary>
+        /// <summary>Mean over a ring of r², as a radius, m; twice the mean height of what is in it, m; how fast it turns, rad/s; the
+        /// theory's surface for the bucket's Ω and for the turning seen, m.</summary>
         public readonly List<(double Radius, double Height, double Turning, double Theory, double OwnTheory)> Profile = new();
         /// <summary>Of the water over the bucket's, from its moment of momentum.</summary>
         public double Turning { get; private set; }
@@ -40,7 +41,8 @@ namespace Host.Report.Obstacles
 
         /// <summary>Height of the theory's surface, m.</summary>
         /// <param name="depth">Of as much water at rest, m.</param>
-        public static double Surface(double depth, double speed, double r) => depth + speed * speed / (2 * FluidRun.Gravity) * (r * r - Radius * Radius / 2);
+        public static double Surface(double depth, double speed, double r)
+            => depth + speed * speed / (2 * FluidRun.Gravity) * (r * r - Radius * Radius / 2);
 
         /// <summary>Fraction of its turning that water keeps without a wall that drives it: of dΩ/dt = -Ω³ Δt, the first order of the step.</summary>
         /// <param name="speed">Ω at first, rad/s.</param>
@@ -54,7 +56,8 @@ namespace Host.Report.Obstacles
         /// <param name="settle">Before the mean over <paramref name="seconds"/>, s.</param>
         /// <param name="friction">Of the wall: 0 slips and acts by its pressure alone, 1 sticks.</param>
         /// <param name="still">Whether the water starts still, in a bucket that turns.</param>
-        public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds, float friction = 1f, bool still = false)
+        public static RotatingBucket Run(int across, double speed, bool flat, StepInput input, double settle, double seconds,
+            float friction = 1f, bool still = false)
         {
             float spacing = (float)(Radius / across), middle = across + 1f;
             List<float3> places = TurningTank.Lattice(across, r => (flat ? Depth : Surface(Depth, speed, r * spacing)) / spacing);
@@ -91,7 +94,8 @@ namespace Host.Report.Obstacles
                 RestDepth = places.Count * Math.Pow(spacing, 3) / (Math.PI * Radius * Radius),
                 Turning = momenta.Sum() / moments.Sum() / speed,
             };
-            bucket.Compare(speed, Enumerable.Range(0, Rings).Select(i => (Math.Sqrt(moments[i] / counts[i]) * spacing, heights[i] / counts[i], momenta[i] / moments[i])).ToArray());
+            bucket.Compare(speed, Enumerable.Range(0, Rings)
+                .Select(i => (Math.Sqrt(moments[i] / counts[i]) * spacing, heights[i] / counts[i], momenta[i] / moments[i])).ToArray());
             return bucket;
         }
 
@@ -102,7 +106,8 @@ namespace Host.Report.Obstacles
             // dz/dr = Ω(r)² r / g from ring to ring; its constant is that of the same mean over the floor.
             var own = new double[Rings];
             for (int i = 1; i < Rings; i++)
-                own[i] = own[i - 1] + (Squared(rings[i].Turning) + Squared(rings[i - 1].Turning)) / 2 * (Squared(rings[i].Radius) - Squared(rings[i - 1].Radius)) / (2 * FluidRun.Gravity);
+                own[i] = own[i - 1] + (Squared(rings[i].Turning) + Squared(rings[i - 1].Turning)) / 2
+                    * (Squared(rings[i].Radius) - Squared(rings[i - 1].Radius)) / (2 * FluidRun.Gravity);
             double Mean(Func<int, double> value) => Enumerable.Range(0, Rings).Sum(i => (2 * i + 1) * value(i)) / (Rings * Rings);
             double shift = Mean(i => rings[i].Height) - Mean(i => own[i]);
             for (int i = 0; i < Rings; i++)

@@ -23,7 +23,8 @@ namespace Host.Report
                 summary.Add(layers, substeps, iterations, column.BottomError, column.MaxError, column.HeightRatio);
                 foreach ((double height, double pressure, double theory) in column.Layers)
                     profiles.Add(layers, substeps, iterations, height, pressure, theory);
-                run.Log($"  column of {layers} layers, {substeps} x {iterations}: bottom {100 * column.BottomError:0.0} %, height {column.HeightRatio:0.000}");
+                run.Log($"  column of {layers} layers, {substeps} x {iterations}: bottom {100 * column.BottomError:0.0} %, height " +
+                    $"{column.HeightRatio:0.000}");
             }
             string settled = $"{width} x {width} particles across, d = {spacing * 100:0} cm, 60 steps a second, mean of 1 s after {settle} s";
             run.Save(Summary, summary, settled);
@@ -34,10 +35,15 @@ namespace Host.Report
         {
             ReportTable table = page.Load(Summary);
             page.Heading("Pressure and height of still water");
-            page.Line("The coarse grid's two potentials are a pressure, p = ρ (φ_v + φ) / Δt² with Δt the substep and φ in m²: −∇φ displaces within a substep and so changes the velocity by −∇φ/Δt. Water at rest has p = ρ g (H − y); what the Jacobi iterations carry is missing from the potentials. Errors are shares of the pressure on the floor, of the lowest layer of coarse cells and the largest of all layers; height is twice that of the centre of mass over the initial one.");
+            page.Line("The coarse grid's two potentials are a pressure, p = ρ (φ_v + φ) / Δt² with Δt the substep and φ in m²: −∇φ " +
+                "displaces within a substep and so changes the velocity by −∇φ/Δt. Water at rest has p = ρ g (H − y); what the Jacobi " +
+                "iterations carry is missing from the potentials. Errors are shares of the pressure on the floor, of the lowest layer " +
+                "of coarse cells and the largest of all layers; height is twice that of the centre of mass over the initial one.");
             page.Line();
             page.Table(new[] { "layers", "substeps x iterations", "lowest cells", "largest", "height" },
-                table.Rows.Select(row => new[] { row["layers"], $"{row["substeps"]} x {row["iterations"]}", Figures.Percent(row.Number("bottom_error")), Figures.Percent(row.Number("largest_error")), Figures.Fixed(row.Number("height_ratio"), 4) }));
+                table.Rows.Select(row => new[] { row["layers"], $"{row["substeps"]} x {row["iterations"]}",
+                    Figures.Percent(row.Number("bottom_error")), Figures.Percent(row.Number("largest_error")),
+                    Figures.Fixed(row.Number("height_ratio"), 4) }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
             string file = page.DataFile(Profiles);
@@ -47,7 +53,9 @@ namespace Host.Report
                 $"'{file}' using ($1=={count} && $2==1 && $3==2 ? $5/1000 : NaN):4 with points ls {i + 1} title '{count} layers'",
                 $"'{file}' using ($1=={count} && $2==1 && $3==2 ? $6/1000 : NaN):4 with lines ls {i + 1} title '{count} layers, theory'",
             });
-            page.Plot("experiment-pressure", "Pressure of the coarse grid over height in still columns, beside rest density times g times depth", "set xlabel 'pressure, kPa'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines));
+            page.Plot("experiment-pressure",
+                "Pressure of the coarse grid over height in still columns, beside rest density times g times depth",
+                "set xlabel 'pressure, kPa'\nset ylabel 'height, m'\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

@@ -23,7 +23,8 @@ namespace Host.Report
         public double Misfit { get; private set; }
 
         /// <param name="time">As in the samples.</param>
-        public double At(double time) => Offset + Math.Exp(-Damping * (time - start)) * (cosine * Math.Cos(Frequency * (time - start)) + sine * Math.Sin(Frequency * (time - start)));
+        public double At(double time) => Offset + Math.Exp(-Damping * (time - start))
+            * (cosine * Math.Cos(Frequency * (time - start)) + sine * Math.Sin(Frequency * (time - start)));
 
         /// <exception cref="ArgumentException">Fewer samples than the curve needs.</exception>
         public static DampedCosine Fit(IReadOnlyList<(double Time, double Value)> samples)

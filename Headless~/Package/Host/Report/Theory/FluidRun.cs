@@ -27,7 +27,8 @@ namespace Host.Report
         /// <param name="box">d.</param>
         /// <param name="places">d.</param>
         /// <param name="velocity">Of what is at a place, m/s.</param>
-        public FluidRun(string name, float3 box, float spacing, IReadOnlyList<float3> places, Func<float3, float3> velocity, in StepInput input) : this(name, box * spacing, spacing, places.Count, input)
+        public FluidRun(string name, float3 box, float spacing, IReadOnlyList<float3> places, Func<float3, float3> velocity,
+            in StepInput input) : this(name, box * spacing, spacing, places.Count, input)
         {
             using var positions = new NativeArray<float4>(places.Select(p => new float4(p * spacing, 0f)).ToArray(), Allocator.Persistent);
             using var velocities = new NativeArray<float4>(places.Select(p => new float4(velocity(p), 0f)).ToArray(), Allocator.Persistent);

@@ -4,7 +4,8 @@ using System.Linq;
 
 namespace Host.Report
 {
-    /// <summary>How far a front is ahead of the mean of experiments, (Z − mean) / mean at equal T, where all of them have points and their mean is at most 3.</summary>
+    /// <summary>How far a front is ahead of the mean of experiments, (Z − mean) / mean at equal T, where all of them have points and their
+    /// mean is at most 3.</summary>
     sealed class FrontDeviation
     {
         /// <summary>What the solver has to keep.</summary>
@@ -31,7 +32,8 @@ namespace Host.Report
         static IEnumerable<double> Times(IReadOnlyList<FrontSeries> experiments)
         {
             double last = experiments.Min(series => series.Last);
-            for (double time = experiments.Max(series => series.First); time <= last && experiments.Average(series => series.At(time)) <= Furthest; time += Interval)
+            for (double time = experiments.Max(series => series.First);
+                time <= last && experiments.Average(series => series.At(time)) <= Furthest; time += Interval)
                 yield return time;
         }
     }

@@ -8,7 +8,8 @@ namespace Host.Report
     /// <summary>The report's dam break: fronts against experiments and against inviscid flow, for spacings, steps and settings.</summary>
     static class FrontReport
     {
-        const string Summary = "experiment-front", Curves = "experiment-front-curves", Points = "experiment-front-points", Inviscid = "experiment-front-inviscid";
+        const string Summary = "experiment-front", Curves = "experiment-front-curves", Points = "experiment-front-points",
+            Inviscid = "experiment-front-inviscid";
 
         static readonly (string Change, int Across, int Substeps, int Iterations)[] Quick = { ("", 10, 1, 2), ("", 20, 1, 2), ("", 20, 2, 2) };
 
@@ -17,7 +18,8 @@ namespace Host.Report
             List<FrontSeries> experiments = FrontSeries.Experiments(Session.Root());
             FrontSeries inviscid = InviscidDamBreak.Run(run.Quick ? 10 : 20);
             run.Log($"  inviscid flow: ahead by {100 * new FrontDeviation(inviscid, experiments).Mean:0.0} %");
-            var summary = new ReportTable("change", "across", "substeps", "iterations", "least", "most", "mean", "within_bar", "mean_of_middle", "mean_to_inviscid", "energy_ratio");
+            var summary = new ReportTable("change", "across", "substeps", "iterations", "least", "most", "mean", "within_bar",
+                "mean_of_middle", "mean_to_inviscid", "energy_ratio");
             var curves = new ReportTable("across", "substeps", "iterations", "T", "Z");
             foreach ((string change, int across, int substeps, int iterations) in run.Quick ? Quick : Full())
             {
@@ -29,7 +31,8 @@ namespace Host.Report
                 DamBreakFront dam = DamBreakFront.Run(across, input, change == "twice as thick" ? 16 : 8);
                 var deviation = new FrontDeviation(dam.Front, experiments);
                 summary.Add(change, across, substeps, iterations, deviation.Min, deviation.Max, deviation.Mean, deviation.WithinBar ? 1 : 0,
-                    new FrontDeviation(dam.FrontOfMiddle, experiments).Mean, new FrontDeviation(dam.FrontOfMiddle, new[] { inviscid }).Mean, dam.EnergyRatio);
+                    new FrontDeviation(dam.FrontOfMiddle, experiments).Mean, new FrontDeviation(dam.FrontOfMiddle, new[] { inviscid }).Mean,
+                        dam.EnergyRatio);
                 if (change == "")
                     foreach ((double time, double place) in dam.Front.Points)
                         curves.Add(across, substeps, iterations, time, place);
@@ -71,21 +74,36 @@ namespace Host.Report
             List<FrontSeries> experiments = FrontSeries.Of(page.Load(Points));
             var inviscid = new FrontDeviation(FrontSeries.Of(page.Load(Inviscid))[0], experiments);
             page.Heading("Dam break");
-            page.Line("A column of water as wide as a and twice as high falls onto a dry floor, as in the experiments of Martin and Moyce (1952) and of Koshizuka and Oka (1996). Front: the 99.5th percentile of the particles' x; T = t √(2 g/a), Z = front/a. Ahead: (Z − mean of the three series) / mean at equal T, for the T where all three have points, up to Z = 3. The bar is −5 to +10 %.");
+            page.Line("A column of water as wide as a and twice as high falls onto a dry floor, as in the experiments of Martin and " +
+                "Moyce (1952) and of Koshizuka and Oka (1996). Front: the 99.5th percentile of the particles' x; T = t √(2 g/a), Z = " +
+                "front/a. Ahead: (Z − mean of the three series) / mean at equal T, for the T where all three have points, up to Z = 3. " +
+                "The bar is −5 to +10 %.");
             page.Line();
-            page.Line(string.Create(CultureInfo.InvariantCulture, $"Inviscid flow, computed by another method (particles in cells with an exact projection, two-dimensional, small steps, the same percentile), is itself ahead of the experiments by {100 * inviscid.Min:0.0} to {100 * inviscid.Max:0.0} %, on average {100 * inviscid.Mean:0.0} %: water in a laboratory leaves behind a gate that takes time to open and drags along a boundary layer at the floor. The solver has neither, so that is what it should converge to, not 0. That is why a finer front is faster: it loses less energy and comes nearer to inviscid flow. Beside it each state is half a substep later than the clock says, since velocities are those of the middle of a substep (see free fall). With more substeps the front is slower, as waves are damped more: every substep takes velocities again from corrected positions."));
+            page.Line(string.Create(CultureInfo.InvariantCulture, $"Inviscid flow, computed by another method (particles in cells with " +
+                $"an exact projection, two-dimensional, small steps, the same percentile), is itself ahead of the experiments by " +
+                $"{100 * inviscid.Min:0.0} to {100 * inviscid.Max:0.0} %, on average {100 * inviscid.Mean:0.0} %: water in a " +
+                $"laboratory leaves behind a gate that takes time to open and drags along a boundary layer at the floor. The solver " +
+                $"has neither, so that is what it should converge to, not 0. That is why a finer front is faster: it loses less energy " +
+                $"and comes nearer to inviscid flow. Beside it each state is half a substep later than the clock says, since " +
+                $"velocities are those of the middle of a substep (see free fall). With more substeps the front is slower, as waves " +
+                $"are damped more: every substep takes velocities again from corrected positions."));
             page.Line();
-            page.Table(new[] { "a/d", "substeps x iterations", "", "ahead, least", "most", "mean ahead", "in the bar", "mean, half a substep later", "mean against inviscid flow", "energy left" },
+            page.Table(new[] { "a/d", "substeps x iterations", "", "ahead, least", "most", "mean ahead", "in the bar",
+                "mean, half a substep later", "mean against inviscid flow", "energy left" },
                 table.Rows.Select(row => new[]
                 {
                     row["across"], $"{row["substeps"]} x {row["iterations"]}", row["change"] == "plain" ? "deep water off" : row["change"],
-                    Figures.Percent(row.Number("least")), Figures.Percent(row.Number("most")), Figures.Percent(row.Number("mean")), Verdict.Of(row["within_bar"] == "1"),
-                    Figures.Percent(row.Number("mean_of_middle")), Figures.Percent(row.Number("mean_to_inviscid")), Figures.Fixed(row.Number("energy_ratio"), 3),
+                    Figures.Percent(row.Number("least")), Figures.Percent(row.Number("most")), Figures.Percent(row.Number("mean")),
+                        Verdict.Of(row["within_bar"] == "1"),
+                    Figures.Percent(row.Number("mean_of_middle")), Figures.Percent(row.Number("mean_to_inviscid")),
+                        Figures.Fixed(row.Number("energy_ratio"), 3),
                 }));
             page.Line($"({table.MeasuredOn}; energy at T = {DamBreakFront.End} over that at the start.)");
             page.Line();
             WriteParts(page, table, experiments);
-            page.Plot("experiment-front", "The front of a dam break over time: experiments, inviscid flow, and the solver at several spacings", Script(page, table, experiments));
+            page.Plot("experiment-front",
+                "The front of a dam break over time: experiments, inviscid flow, and the solver at several spacings",
+                Script(page, table, experiments));
         }
 
         // Of what the front is ahead of the experiments: the clock, what inviscid flow is ahead itself, and what is left for the solver.
@@ -94,30 +112,47 @@ namespace Host.Report
             ReportTable curves = page.Load(Curves);
             FrontSeries inviscid = FrontSeries.Of(page.Load(Inviscid))[0];
             double flow = new FrontDeviation(inviscid, experiments).Mean;
-            page.Line("Where the mean comes from, over the same T. *Clock*: the half substep. *Inviscid flow*: how far that is ahead of the experiments. *Solver*: what is left, so how far the solver is behind inviscid flow.");
+            page.Line("Where the mean comes from, over the same T. *Clock*: the half substep. *Inviscid flow*: how far that is ahead " +
+                "of the experiments. *Solver*: what is left, so how far the solver is behind inviscid flow.");
             page.Line();
             page.Table(new[] { "a/d", "substeps x iterations", "ahead of the experiments", "clock", "inviscid flow", "solver" },
-                table.Rows.Where(row => row["change"] == "" && row["iterations"] == "2" && row["substeps"] != "2" && row.Number("across") >= 20).Select(row =>
+                table.Rows.Where(row => row["change"] == "" && row["iterations"] == "2" && row["substeps"] != "2"
+                    && row.Number("across") >= 20).Select(row =>
                 {
-                    var points = curves.Rows.Where(point => point["across"] == row["across"] && point["substeps"] == row["substeps"] && point["iterations"] == "2").Select(point => (T: point.Number("T"), Z: point.Number("Z"))).ToList();
+                    var points = curves.Rows.Where(point => point["across"] == row["across"] && point["substeps"] == row["substeps"]
+                        && point["iterations"] == "2").Select(point => (T: point.Number("T"), Z: point.Number("Z"))).ToList();
                     double half = 0.5 / 60 / row.Number("substeps") * DamBreakFront.TimeScale;
                     double ahead = new FrontDeviation(new FrontSeries("front", points), experiments).Mean;
-                    double later = new FrontDeviation(new FrontSeries("front", points.Select(point => (point.T + half, point.Z)).Prepend(points[0])), experiments).Mean;
-                    return new[] { row["across"], $"{row["substeps"]} x 2", Figures.Percent(ahead), Figures.Percent(ahead - later), Figures.Percent(flow), Figures.Percent(later - flow) };
+                    double later = new FrontDeviation(new FrontSeries("front",
+                        points.Select(point => (point.T + half, point.Z)).Prepend(points[0])), experiments).Mean;
+                    return new[] { row["across"], $"{row["substeps"]} x 2", Figures.Percent(ahead), Figures.Percent(ahead - later),
+                        Figures.Percent(flow), Figures.Percent(later - flow) };
                 }));
             // Figures of "rill report experiment"'s inviscid flow, 20 cells across; they need no GPU and do not change with the solver.
-            page.Line("The clock is 2.1 % with one substep and 0.5 % with four. The thickness of the tank and XSPH change at most 0.2 % (table above). The rest is what the experiments have and inviscid flow has not, and how a front is read. Inviscid flow is ahead by −2.2 % if the front is the 98th percentile, +3.4 % for the 99th, +7.4 % for the 99.5th, +12.5 % for the 99.9th and +15.0 % for its outermost particle. An experiment reads the tip, so the percentile hides 5 to 8 % and does not cause the lead. It stays at 99.5, as a lower one would only bring the figures nearer to 0. The gate alone is not the reason either: it would delay the experiments by one time. They are behind inviscid flow by 0.03 in T at T = 0.85, by 0.13 at 1.7 and by 0.20 at 2.55; the best single delay, 0.13, leaves −5.7 to +3.3 %. The lag grows with the distance, as from a drag at the floor. The three series differ among themselves by 2 to 9 %.");
+            page.Line("The clock is 2.1 % with one substep and 0.5 % with four. The thickness of the tank and XSPH change at most 0.2 " +
+                "% (table above). The rest is what the experiments have and inviscid flow has not, and how a front is read. Inviscid " +
+                "flow is ahead by −2.2 % if the front is the 98th percentile, +3.4 % for the 99th, +7.4 % for the 99.5th, +12.5 % for " +
+                "the 99.9th and +15.0 % for its outermost particle. An experiment reads the tip, so the percentile hides 5 to 8 % and " +
+                "does not cause the lead. It stays at 99.5, as a lower one would only bring the figures nearer to 0. The gate alone is " +
+                "not the reason either: it would delay the experiments by one time. They are behind inviscid flow by 0.03 in T at T = " +
+                "0.85, by 0.13 at 1.7 and by 0.20 at 2.55; the best single delay, 0.13, leaves −5.7 to +3.3 %. The lag grows with the " +
+                "distance, as from a drag at the floor. The three series differ among themselves by 2 to 9 %.");
             page.Line();
         }
 
         static string Script(ReportPage page, ReportTable table, List<FrontSeries> experiments)
         {
             string points = page.DataFile(Points), curves = page.DataFile(Curves), inviscid = page.DataFile(Inviscid);
-            IEnumerable<string> lines = experiments.Select((series, i) => $"'{points}' using (strcol(1) eq '{series.Name}' ? $2 : NaN):3 with points ls {i + 1} title '{series.Name}'")
+            IEnumerable<string> lines = experiments.Select((series,
+                i) => $"'{points}' using (strcol(1) eq '{series.Name}' ? $2 : NaN):3 with points ls {i + 1} title '{series.Name}'")
                 .Append($"'{inviscid}' using 2:3 with lines lc rgb 'black' dt 2 lw 1.6 title 'inviscid'")
-                .Concat(table.Rows.Where(row => row["change"] == "" && row["substeps"] == "1" && row["iterations"] == "2").Select(row => row["across"])
-                    .Select((across, i) => $"'{curves}' using ($1=={across} && $2==1 && $3==2 ? $4 : NaN):5 with lines ls {i + 4} title 'a/d = {across}'"));
-            return "set xlabel 'T'\nset ylabel 'Z'\nset xrange [0:2.8]\nset yrange [0.9:3.6]\nset key outside right top\nplot " + string.Join(", \\\n", lines);
+                .Concat(table.Rows.Where(row => row["change"] == "" && row["substeps"] == "1" && row["iterations"] == "2")
+                    .Select(row => row["across"])
+                    .Select((across,
+                        i) =>
+                        $"'{curves}' using ($1=={across} && $2==1 && $3==2 ? $4 : NaN):5 with lines ls {i + 4} title 'a/d = {across}'"));
+            return "set xlabel 'T'\nset ylabel 'Z'\nset xrange [0:2.8]\nset yrange [0.9:3.6]\nset key outside right top\nplot "
+                + string.Join(", \\\n", lines);
         }
     }
 }

@@ -34,12 +34,14 @@ namespace Host.Report
         }
 
         /// <summary>The experiments: Headless~/Package/data/dam-break-front.csv of the package.</summary>
-        public static List<FrontSeries> Experiments(string root) => Of(ReportTable.Load(Path.Combine(root, "Headless~", "Package", "data", "dam-break-front.csv")));
+        public static List<FrontSeries> Experiments(string root)
+            => Of(ReportTable.Load(Path.Combine(root, "Headless~", "Package", "data", "dam-break-front.csv")));
 
         /// <summary>One for each name in a table's column "series".</summary>
         public static List<FrontSeries> Of(ReportTable table)
         {
-            return table.Rows.GroupBy(row => row["series"]).Select(series => new FrontSeries(series.Key, series.Select(row => (row.Number("T"), row.Number("Z"))))).ToList();
+            return table.Rows.GroupBy(row => row["series"])
+                .Select(series => new FrontSeries(series.Key, series.Select(row => (row.Number("T"), row.Number("Z"))))).ToList();
         }
     }
 }

@@ -46,7 +46,8 @@ namespace Host.Report
                     run.Advance(step);
                     time += step;
                 }
-                points.Add((sample * Interval, Percentile.Of(run.particles.Select(p => (float)p.X).ToArray(), DamBreakFront.Fraction) / DamBreakFront.Width));
+                points.Add((sample * Interval, Percentile.Of(run.particles.Select(p => (float)p.X).ToArray(), DamBreakFront.Fraction)
+                    / DamBreakFront.Width));
             }
             return new FrontSeries("inviscid", points);
         }

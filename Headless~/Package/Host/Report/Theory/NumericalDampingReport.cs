@@ -33,13 +33,16 @@ namespace Host.Report
                     input.settings.numericalDamping = damping;
                     TaylorGreenVortex turns = TaylorGreenVortex.Run(vortex.side, vortex.layers, VortexSpeed, input, 1);
                     TurningTank turning = TurningTank.Run(tank.radius, tank.layers, 5, input, run.Quick ? 1 : 3.8);
-                    DampedCosine swing = DampedCosine.Fit(Sloshing.Run(wave.along, Sloshing.NearestDepth(wave.along, wave.depth), wave.lean, input, swings * theory));
+                    DampedCosine swing = DampedCosine.Fit(Sloshing.Run(wave.along, Sloshing.NearestDepth(wave.along, wave.depth), wave.lean,
+                        input, swings * theory));
                     double jitter = JitterOfColumn(column.layers, column.side, column.settle, input);
                     front.Add(damping, count, turns.Damping, turning.Damping, swing.Period / theory - 1, swing.Damping, jitter);
                     waves[(damping, count)] = swing.Damping;
-                    run.Log($"  damping {damping}, {count} x 2: vortex {turns.Damping:0.00}, tank {turning.Damping:0.00}, wave {swing.Damping:0.000}/s, jitter {jitter:0.000} m/s");
+                    run.Log($"  damping {damping}, {count} x 2: vortex {turns.Damping:0.00}, tank {turning.Damping:0.00}, wave " +
+                        $"{swing.Damping:0.000}/s, jitter {jitter:0.000} m/s");
                 }
-            string settled = FormattableString.Invariant($"60 steps a second, 2 iterations, deep water on; box of the vortex {vortex.side} x {vortex.layers} x {vortex.side} d, {VortexSpeed} m/s, 1 s; tank of radius {tank.radius} d without friction, {tank.layers} layers, 5 rad/s; wave L/d {wave.along}, H {wave.depth} m, {Sloshing.Wave(wave.lean) * wave.along:0.#} d high, {swings} periods; column of {column.layers} layers, {column.settle} s");
+            string settled = FormattableString.Invariant(
+                $"60 steps a second, 2 iterations, deep water on; box of the vortex {vortex.side} x {vortex.layers} x {vortex.side} d, {VortexSpeed} m/s, 1 s; tank of radius {tank.radius} d without friction, {tank.layers} layers, 5 rad/s; wave L/d {wave.along}, H {wave.depth} m, {Sloshing.Wave(wave.lean) * wave.along:0.#} d high, {swings} periods; column of {column.layers} layers, {column.settle} s");
             run.Save(Front, front, settled);
 
             var fits = new ReportTable("damping", "by_step_per_s", "left_per_s");
@@ -79,21 +82,33 @@ namespace Host.Report
         {
             ReportTable front = page.Load(Front), fits = page.Load(Fits);
             page.Heading("Damping against noise");
-            page.Line("A step takes motion from water that ideal water keeps. *Numerical Damping* sets how much; still water pays for less with noise. Vortex: the slowest flow along the walls of a flat box full of water (Taylor and Green 1937), without a surface or curved walls. Tank: water that turns in a round tank. For both, what was lost over what a first-order step takes. Wave: water that sloshes in its first mode, 4 d high. Noise: jitter of a still column.");
+            page.Line("A step takes motion from water that ideal water keeps. *Numerical Damping* sets how much; still water pays for " +
+                "less with noise. Vortex: the slowest flow along the walls of a flat box full of water (Taylor and Green 1937), " +
+                "without a surface or curved walls. Tank: water that turns in a round tank. For both, what was lost over what a " +
+                "first-order step takes. Wave: water that sloshes in its first mode, 4 d high. Noise: jitter of a still column.");
             page.Line();
-            page.Table(new[] { "numerical damping", "substeps", "vortex", "tank", "wave: period", "wave: damping, 1/s", "noise, m/s" }, front.Rows.Select(row => new[]
+            page.Table(new[] { "numerical damping", "substeps", "vortex", "tank", "wave: period", "wave: damping, 1/s", "noise, m/s" },
+                front.Rows.Select(row => new[]
             {
-                row["damping"], row["substeps"], Figures.Fixed(row.Number("vortex"), 2), Figures.Fixed(row.Number("tank"), 2), Figures.Percent(row.Number("period_error")), Figures.Fixed(row.Number("wave_damping_per_s"), 3), Figures.Fixed(row.Number("jitter"), 3),
+                row["damping"], row["substeps"], Figures.Fixed(row.Number("vortex"), 2), Figures.Fixed(row.Number("tank"), 2),
+                    Figures.Percent(row.Number("period_error")), Figures.Fixed(row.Number("wave_damping_per_s"), 3),
+                    Figures.Fixed(row.Number("jitter"), 3),
             }));
             page.Line($"({front.MeasuredOn}.)");
             page.Line();
             page.Line("Part of the wave's damping falls as the substeps rise, the step's, and part does not. Fitted as left + by step / substeps:");
             page.Line();
-            page.Table(new[] { "numerical damping", "by step, 1/s", "left, 1/s" }, fits.Rows.Select(row => new[] { row["damping"], Figures.Fixed(row.Number("by_step_per_s"), 3), Figures.Fixed(row.Number("left_per_s"), 3) }));
+            page.Table(new[] { "numerical damping", "by step, 1/s", "left, 1/s" },
+                fits.Rows.Select(row => new[] { row["damping"], Figures.Fixed(row.Number("by_step_per_s"), 3),
+                Figures.Fixed(row.Number("left_per_s"), 3) }));
             string file = page.DataFile(Front);
             string[] substeps = front.Rows.Select(row => row["substeps"]).Distinct().ToArray();
-            IEnumerable<string> lines = substeps.Select((count, i) => $"'{file}' using ($2=={count} ? $4 : NaN):(1000*$7):1 with linespoints ls {i + 1} title '{count} substeps', '{file}' using ($2=={count} ? $4 : NaN):(1000*$7):1 with labels offset 1.2,0.6 font ',8' tc ls {i + 1} notitle");
-            page.Plot("experiment-damping", "Noise of still water over the damping of turning water, for numerical dampings from 0 to 1", "set xlabel 'damping of turning water, of a first-order step'\nset ylabel 'noise of still water, mm/s'\nset yrange [0:*]\nplot " + string.Join(", \\\n", lines));
+            IEnumerable<string> lines = substeps.Select((count, i) => $"'{file}' using ($2=={count} ? $4 : NaN):(1000*$7):1 with " +
+                $"linespoints ls {i + 1} title '{count} substeps', '{file}' using ($2=={count} ? $4 : NaN):(1000*$7):1 with labels " +
+                $"offset 1.2,0.6 font ',8' tc ls {i + 1} notitle");
+            page.Plot("experiment-damping", "Noise of still water over the damping of turning water, for numerical dampings from 0 to 1",
+                "set xlabel 'damping of turning water, of a first-order step'\nset ylabel 'noise of still water, mm/s'\nset yrange " +
+                "[0:*]\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

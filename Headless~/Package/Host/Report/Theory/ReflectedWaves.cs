@@ -31,7 +31,8 @@ namespace Host.Report
             var random = new Random(seed);
             var positions = new List<float3>();
             FluidRun.AddBlock(positions, 0f, new int3(across, 2 * across, Thickness), ref random);
-            using var run = new FluidRun("reflected waves", new float3(4 * across, 3 * across, Thickness), (float)(Width / across), positions, _ => 0f, input);
+            using var run = new FluidRun("reflected waves", new float3(4 * across, 3 * across, Thickness), (float)(Width / across),
+                positions, _ => 0f, input);
             var samples = new List<(double, double)>();
             while (run.Time < Seconds)
             {
@@ -45,7 +46,8 @@ namespace Host.Report
         public static double[] Arrivals(IReadOnlyList<(double Time, double Value)> samples) =>
             TurningPoints.Of(samples, Ripple, Window).Concat(Enumerable.Repeat(double.NaN, Turns)).Take(Turns).ToArray();
 
-        /// <summary>How far times of a wave may be from those of the finest run, as a fraction of their mean: 3 %, or two standard deviations if that is more.</summary>
+        /// <summary>How far times of a wave may be from those of the finest run, as a fraction of their mean: 3 %, or two standard
+        /// deviations if that is more.</summary>
         public static double Allowed(IReadOnlyCollection<double> finest) => Math.Max(Bar, 2 * Deviation(finest) / finest.Average());
 
         /// <summary>Standard deviation of a sample; 0 of a single value.</summary>

@@ -29,9 +29,11 @@ namespace Host.Report
                     if (seed == 1)
                         foreach ((double time, double x) in samples)
                             curves.Add(across, damping, substeps, time, x);
-                    run.Log($"  reflected waves a/d {across}, damping {damping}, {substeps} x 2, seed {seed}: {string.Join(", ", arrivals.Select(time => $"{time:0.000}"))} s");
+                    run.Log($"  reflected waves a/d {across}, damping {damping}, {substeps} x 2, seed {seed}: " +
+                        $"{string.Join(", ", arrivals.Select(time => $"{time:0.000}"))} s");
                 }
-            string settled = System.FormattableString.Invariant($"water {ReflectedWaves.Width} m wide, twice as high and 8 d thick, tank of four widths, lid at three; 60 steps a second, 2 iterations, deep water on; {seeds} starts each, whose offsets differ");
+            string settled = System.FormattableString.Invariant(
+                $"water {ReflectedWaves.Width} m wide, twice as high and 8 d thick, tank of four widths, lid at three; 60 steps a second, 2 iterations, deep water on; {seeds} starts each, whose offsets differ");
             run.Save(Times, times, settled);
             run.Save(Curves, curves, settled);
         }
@@ -51,21 +53,31 @@ namespace Host.Report
             ReportTable table = page.Load(Times);
             var groups = table.Rows.GroupBy(row => (Across: row["across"], Damping: row["damping"], Substeps: row["substeps"])).ToArray();
             page.Heading("Reflected waves");
-            page.Line("A dam breaks in a closed tank, and its wave runs to and fro. A wave has arrived at a wall when the centre of mass along the tank turns back there, as then no more water comes than goes. That is one number of all the water, so spray does not move it. Its time is that of a parabola through the samples within 0.15 s of the extreme. First: at the far wall; second: at the near one; third: at the far one again. Mean ± standard deviation over starts whose offsets differ. The bar is the larger of 3 % and two standard deviations of the finest run, the last row.");
+            page.Line("A dam breaks in a closed tank, and its wave runs to and fro. A wave has arrived at a wall when the centre of " +
+                "mass along the tank turns back there, as then no more water comes than goes. That is one number of all the water, so " +
+                "spray does not move it. Its time is that of a parabola through the samples within 0.15 s of the extreme. First: at " +
+                "the far wall; second: at the near one; third: at the far one again. Mean ± standard deviation over starts whose " +
+                "offsets differ. The bar is the larger of 3 % and two standard deviations of the finest run, the last row.");
             page.Line();
             double[][] finest = Columns.Select(column => groups[^1].Select(row => row.Number(column)).ToArray()).ToArray();
-            page.Table(new[] { "a/d", "numerical damping", "substeps" }.Concat(new[] { "first", "second", "third" }.SelectMany(turn => new[] { turn + ", s", turn + " against the finest", "in the bar" })), groups.Select(group =>
+            page.Table(new[] { "a/d", "numerical damping",
+                "substeps" }.Concat(new[] { "first", "second",
+                "third" }.SelectMany(turn => new[] { turn + ", s", turn + " against the finest", "in the bar" })), groups.Select(group =>
                 new[] { group.Key.Across, group.Key.Damping, group.Key.Substeps }.Concat(Columns.SelectMany((column, turn) =>
                 {
                     double[] seen = group.Select(row => row.Number(column)).ToArray();
                     double error = seen.Average() / finest[turn].Average() - 1;
-                    return new[] { $"{Figures.Fixed(seen.Average(), 3)} ± {Figures.Fixed(ReflectedWaves.Deviation(seen), 3)}", Figures.Percent(error), Verdict.Of(System.Math.Abs(error) <= ReflectedWaves.Allowed(finest[turn])) };
+                    return new[] { $"{Figures.Fixed(seen.Average(), 3)} ± {Figures.Fixed(ReflectedWaves.Deviation(seen), 3)}",
+                        Figures.Percent(error), Verdict.Of(System.Math.Abs(error) <= ReflectedWaves.Allowed(finest[turn])) };
                 }))));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
             string file = page.DataFile(Curves);
-            IEnumerable<string> lines = groups.Select((group, i) => $"'{file}' using ($1=={group.Key.Across} && $2=={group.Key.Damping} && $3=={group.Key.Substeps} ? $4 : NaN):5 with lines ls {i + 1} title 'a/d = {group.Key.Across}, {group.Key.Substeps} substeps, damping {group.Key.Damping}'");
-            page.Plot("damping-reflected", "The centre of mass of water along a closed tank after a dam break, for substeps and spacings", "set xlabel 't, s'\nset ylabel 'centre of mass, m'\nplot " + string.Join(", \\\n", lines));
+            IEnumerable<string> lines = groups.Select((group, i) => $"'{file}' using ($1=={group.Key.Across} && " +
+                $"$2=={group.Key.Damping} && $3=={group.Key.Substeps} ? $4 : NaN):5 with lines ls {i + 1} title 'a/d = " +
+                $"{group.Key.Across}, {group.Key.Substeps} substeps, damping {group.Key.Damping}'");
+            page.Plot("damping-reflected", "The centre of mass of water along a closed tank after a dam break, for substeps and spacings",
+                "set xlabel 't, s'\nset ylabel 'centre of mass, m'\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

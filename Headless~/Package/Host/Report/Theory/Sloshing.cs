@@ -44,7 +44,8 @@ namespace Host.Report
             float spacing = (float)(Length / particlesAlong);
             int layers = (int)Math.Round(depth / Length * particlesAlong);
             input.gravity = FluidRun.Gravity * new float3((float)Math.Sin(lean), (float)-Math.Cos(lean), 0f);
-            using var run = new FluidRun(ExperimentScene.Block("sloshing", new int3(particlesAlong, layers, Thickness), new int3(particlesAlong, layers + particlesAlong / 4, Thickness), spacing), input);
+            using var run = new FluidRun(ExperimentScene.Block("sloshing", new int3(particlesAlong, layers, Thickness),
+                new int3(particlesAlong, layers + particlesAlong / 4, Thickness), spacing), input);
             var samples = new List<(double, double)>();
             while (run.Time < seconds)
             {

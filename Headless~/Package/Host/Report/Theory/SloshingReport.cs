@@ -18,7 +18,8 @@ namespace Host.Report
 
         public static void Measure(ReportRun run)
         {
-            var periods = new ReportTable("along", "depth_m", "layers", "lean_rad", "substeps", "iterations", "period_s", "theory_s", "error", "offset_ratio", "damping_per_period", "misfit");
+            var periods = new ReportTable("along", "depth_m", "layers", "lean_rad", "substeps", "iterations", "period_s", "theory_s",
+                "error", "offset_ratio", "damping_per_period", "misfit");
             var curves = new ReportTable("along", "depth_m", "lean_rad", "substeps", "iterations", "time_s", "x_m", "fit_m");
             double swings = run.Quick ? 1.6 : MaxPeriod;
             foreach ((int along, double wanted, double lean, int substeps, int iterations) in run.Quick ? Quick : Full())
@@ -26,10 +27,12 @@ namespace Host.Report
                 double depth = Sloshing.NearestDepth(along, wanted), theory = Sloshing.Period(depth);
                 List<(double Time, double Value)> samples = Sloshing.Run(along, depth, lean, FluidRun.Water(substeps, iterations), swings * theory);
                 DampedCosine fit = DampedCosine.Fit(samples);
-                periods.Add(along, depth, depth * along, lean, substeps, iterations, fit.Period, theory, fit.Period / theory - 1, (fit.Offset - Sloshing.Middle) / Sloshing.Offset(depth, lean), fit.Damping * fit.Period, fit.Misfit);
+                periods.Add(along, depth, depth * along, lean, substeps, iterations, fit.Period, theory, fit.Period / theory - 1,
+                    (fit.Offset - Sloshing.Middle) / Sloshing.Offset(depth, lean), fit.Damping * fit.Period, fit.Misfit);
                 foreach ((double time, double value) in samples)
                     curves.Add(along, depth, lean, substeps, iterations, time, value, fit.At(time));
-                run.Log($"  sloshing {depth:0.000} m, L/d {along}, lean {lean}, {substeps} x {iterations}: {fit.Period:0.000} s, theory {theory:0.000}");
+                run.Log($"  sloshing {depth:0.000} m, L/d {along}, lean {lean}, {substeps} x {iterations}: {fit.Period:0.000} s, " +
+                    $"theory {theory:0.000}");
             }
             string settled = $"box 1 m long and 8 d thick, 60 steps a second, {swings} periods";
             run.Save(Periods, periods, settled);
@@ -51,13 +54,23 @@ namespace Host.Report
         {
             ReportTable table = page.Load(Periods);
             page.Heading("Sloshing");
-            page.Line("Level water in a box is let go under gravity that leans a little: it swings in its first mode about the surface that is level to that gravity. The period is that of a damped cosine fitted to the centre of mass along the box; theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted cosine swings about, over where the centre of mass lies under a level surface (1 where the pressure answers to the surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a swing there is no period (–): waves of half a spacing can.");
+            page.Line("Level water in a box is let go under gravity that leans a little: it swings in its first mode about the surface " +
+                "that is level to that gravity. The period is that of a damped cosine fitted to the centre of mass along the box; " +
+                "theory: ω² = g k tanh(k H), k = π/L. Wave: amplitude at the wall in particle spacings. Offset: where the fitted " +
+                "cosine swings about, over where the centre of mass lies under a level surface (1 where the pressure answers to the " +
+                "surface as it should). Damping: of the amplitude a period, as −ln. Where the water creeps to its level without a " +
+                "swing there is no period (–): waves of half a spacing can.");
             page.Line();
-            page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error", "offset", "damping a period", "misfit of the cosine" },
+            page.Table(new[] { "depth H, m", "L/d", "layers", "wave, d", "substeps x iterations", "period, s", "theory, s", "error",
+                "offset", "damping a period", "misfit of the cosine" },
                 table.Rows.Select(row => new[]
                 {
-                    Figures.Fixed(row.Number("depth_m"), 3), row["along"], row["layers"], Figures.Fixed(Sloshing.Wave(row.Number("lean_rad")) * row.Number("along"), 1), $"{row["substeps"]} x {row["iterations"]}",
-                    IfSwings(row, Figures.Fixed(row.Number("period_s"), 3)), Figures.Fixed(row.Number("theory_s"), 3), IfSwings(row, Figures.Percent(row.Number("error"))), Figures.Fixed(row.Number("offset_ratio"), 2), IfSwings(row, Figures.Fixed(row.Number("damping_per_period"), 2)), Figures.Percent(row.Number("misfit")),
+                    Figures.Fixed(row.Number("depth_m"), 3), row["along"], row["layers"],
+                        Figures.Fixed(Sloshing.Wave(row.Number("lean_rad")) * row.Number("along"), 1),
+                        $"{row["substeps"]} x {row["iterations"]}",
+                    IfSwings(row, Figures.Fixed(row.Number("period_s"), 3)), Figures.Fixed(row.Number("theory_s"), 3),
+                        IfSwings(row, Figures.Percent(row.Number("error"))), Figures.Fixed(row.Number("offset_ratio"), 2),
+                        IfSwings(row, Figures.Fixed(row.Number("damping_per_period"), 2)), Figures.Percent(row.Number("misfit")),
                 }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
@@ -67,11 +80,13 @@ namespace Host.Report
                 string chosen = $"$1=={row["along"]} && $2=={row["depth_m"]} && $3=={row["lean_rad"]} && $4==1 && $5==2";
                 return new[]
                 {
-                    $"'{file}' using ({chosen} ? $6 : NaN):(100*($7-0.5)) with points ls {i + 1} ps 0.5 title 'H = {Figures.Fixed(row.Number("depth_m"), 2)} m, L/d = {row["along"]}'",
+                    $"'{file}' using ({chosen} ? $6 : NaN):(100*($7-0.5)) with points ls {i + 1} ps 0.5 title 'H = " +
+                        $"{Figures.Fixed(row.Number("depth_m"), 2)} m, L/d = {row["along"]}'",
                     $"'{file}' using ({chosen} ? $6 : NaN):(100*($8-0.5)) with lines ls {i + 1} notitle",
                 };
             });
-            page.Plot("experiment-sloshing", "The centre of mass of sloshing water over time at three depths, with the fitted cosines", "set xlabel 't, s'\nset ylabel 'centre of mass from the middle, cm'\nplot " + string.Join(", \\\n", lines));
+            page.Plot("experiment-sloshing", "The centre of mass of sloshing water over time at three depths, with the fitted cosines",
+                "set xlabel 't, s'\nset ylabel 'centre of mass from the middle, cm'\nplot " + string.Join(", \\\n", lines));
         }
 
         // A fitted period that is longer than the run is no period.

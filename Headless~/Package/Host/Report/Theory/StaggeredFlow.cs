@@ -67,7 +67,8 @@ namespace Host.Report
 
         /// <summary>Velocity at a place and its change by the last projection.</summary>
         public (double U, double V, double DU, double DV) At(double x, double y) =>
-            (horizontal.At(horizontal.Values, x / cell, y / cell), vertical.At(vertical.Values, x / cell, y / cell), horizontal.At(horizontal.Changes, x / cell, y / cell), vertical.At(vertical.Changes, x / cell, y / cell));
+            (horizontal.At(horizontal.Values, x / cell, y / cell), vertical.At(vertical.Values, x / cell, y / cell),
+            horizontal.At(horizontal.Changes, x / cell, y / cell), vertical.At(vertical.Changes, x / cell, y / cell));
 
         void StopAtWalls()
         {
@@ -87,7 +88,8 @@ namespace Host.Report
             int next = j * Columns + i, before = next - (sideways ? 1 : Columns);
             if (!water[next] && !water[before])
                 return null;
-            return (pressure[next] - pressure[before]) * (water[next] == water[before] ? 1 : water[next] ? Weight(next, before) : Weight(before, next));
+            return (pressure[next] - pressure[before]) * (water[next] == water[before] ? 1 : water[next] ? Weight(next, before)
+                : Weight(before, next));
         }
 
         double Weight(int wet, int dry)
@@ -112,7 +114,8 @@ namespace Host.Report
                 int i = k % Columns, j = k / Columns;
                 foreach ((bool inside, int other) in Around(i, j, k))
                     diagonal[k] += !inside ? 0 : water[other] ? 1 : Weight(k, other);
-                residual[k] = -(horizontal.Values[j * (Columns + 1) + i + 1] - horizontal.Values[j * (Columns + 1) + i] + vertical.Values[k + Columns] - vertical.Values[k]) * cell / step;
+                residual[k] = -(horizontal.Values[j * (Columns + 1) + i + 1] - horizontal.Values[j * (Columns + 1) + i]
+                    + vertical.Values[k + Columns] - vertical.Values[k]) * cell / step;
                 scale = Math.Max(scale, Math.Abs(residual[k]));
             }
             Multiply(diagonal, pressure, product);
@@ -166,6 +169,7 @@ namespace Host.Report
             }
         }
 
-        (bool, int)[] Around(int i, int j, int k) => new[] { (i > 0, k - 1), (i < Columns - 1, k + 1), (j > 0, k - Columns), (j < Rows - 1, k + Columns) };
+        (bool, int)[] Around(int i, int j, int k)
+            => new[] { (i > 0, k - 1), (i < Columns - 1, k + 1), (j > 0, k - Columns), (j < Rows - 1, k + Columns) };
     }
 }

@@ -61,7 +61,8 @@ namespace Host.Report
         // Mean over each layer of coarse cells, Pa.
         static double[] Pressures(FluidRun run)
         {
-            CoarseCorrection coarse = run.Solver.Coarse ?? throw new HostException("The column's pressure is that of the coarse grid: turn deep water on.");
+            CoarseCorrection coarse = run.Solver.Coarse
+                ?? throw new HostException("The column's pressure is that of the coarse grid: turn deep water on.");
             float[] flow = FluidRun.Read<float>(coarse.Cells.flowPotential, coarse.Grid.Total);
             float[] error = FluidRun.Read<float>(coarse.Cells.errorPotential, coarse.Grid.Total);
             double perPotential = run.Input.material.density * Math.Pow(run.Solver.Layout.Spacing / run.Substep, 2);

@@ -45,9 +45,11 @@ namespace Host.Report
                 highest = Math.Max(highest, run.Measure().Energy);
             }
             float4[] positions = run.ReadPositions(), velocities = run.ReadVelocities();
-            double amplitude = Enumerable.Range(0, positions.Length).Sum(i => (double)math.dot(velocities[i].xyz, Flow(positions[i].xyz))) / positions.Sum(p => math.lengthsq(Flow(p.xyz))) * Spacing;
+            double amplitude = Enumerable.Range(0, positions.Length).Sum(i => (double)math.dot(velocities[i].xyz, Flow(positions[i].xyz)))
+                / positions.Sum(p => math.lengthsq(Flow(p.xyz))) * Spacing;
             double left = amplitude / speed, k = wave / Spacing, first = k * k * speed * speed * run.Substep * run.Time;
-            return new TaylorGreenVortex { Left = left, LeftAtFirstOrder = 1 / Math.Sqrt(1 + first), Damping = (1 / (left * left) - 1) / first, MaxEnergy = highest / start, Time = run.Time };
+            return new TaylorGreenVortex { Left = left, LeftAtFirstOrder = 1 / Math.Sqrt(1 + first),
+                Damping = (1 / (left * left) - 1) / first, MaxEnergy = highest / start, Time = run.Time };
         }
 
         static List<float3> Settled(int side, int layers, float3 box, in StepInput input)

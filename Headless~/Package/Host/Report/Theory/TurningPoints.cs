@@ -36,8 +36,10 @@ namespace Host.Report
         static double Vertex(IReadOnlyList<(double Time, double Value)> samples, int at, double window)
         {
             double time = samples[at].Time;
-            (double S, double Y)[] near = samples.Where(s => Math.Abs(s.Time - time) <= window).Select(s => (s.Time - time, s.Value - samples[at].Value)).ToArray();
-            double n = near.Length, s1 = near.Sum(p => p.S), s2 = near.Sum(p => p.S * p.S), s3 = near.Sum(p => Math.Pow(p.S, 3)), s4 = near.Sum(p => Math.Pow(p.S, 4));
+            (double S, double Y)[] near = samples.Where(s => Math.Abs(s.Time - time) <= window)
+                .Select(s => (s.Time - time, s.Value - samples[at].Value)).ToArray();
+            double n = near.Length, s1 = near.Sum(p => p.S), s2 = near.Sum(p => p.S * p.S), s3 = near.Sum(p => Math.Pow(p.S, 3)),
+                s4 = near.Sum(p => Math.Pow(p.S, 4));
             double y0 = near.Sum(p => p.Y), y1 = near.Sum(p => p.S * p.Y), y2 = near.Sum(p => p.S * p.S * p.Y);
             double all = Determinant(n, s1, s2, s1, s2, s3, s2, s3, s4);
             double b = Determinant(n, y0, s2, s1, y1, s3, s2, y2, s4), c = Determinant(n, s1, y0, s1, s2, y1, s2, s3, y2);
@@ -45,6 +47,7 @@ namespace Host.Report
             return n < 3 || all == 0 || Math.Abs(b) > 2 * Math.Abs(c) * window ? time : time - b / (2 * c);
         }
 
-        static double Determinant(double a, double b, double c, double d, double e, double f, double g, double h, double i) => a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+        static double Determinant(double a, double b, double c, double d, double e, double f, double g, double h, double i)
+            => a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
     }
 }

@@ -35,7 +35,8 @@ namespace Host.Report
             float middle = radius + 1f;
             double Surface(double r) => layers + speed * speed / (2 * FluidRun.Gravity) * (r * r - radius * radius / 2.0) * Spacing;
             float height = (float)Surface(radius) + radius;
-            using var run = new FluidRun("tank", new float3(2f * middle, height, 2f * middle), Spacing, Lattice(radius, Surface), p => (float)speed * Spacing * new float3(p.z - middle, 0f, middle - p.x), input);
+            using var run = new FluidRun("tank", new float3(2f * middle, height, 2f * middle), Spacing, Lattice(radius, Surface),
+                p => (float)speed * Spacing * new float3(p.z - middle, 0f, middle - p.x), input);
             run.Use(Solids.RoundTank(radius, height, new float3(middle, height / 2f, middle)));
             while (run.Time < seconds)
                 run.Step();

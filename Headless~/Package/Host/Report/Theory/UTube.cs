@@ -32,7 +32,8 @@ namespace Host.Report
         public static double MiddleLine(double width, double gap, double depth) => 2 * (depth - width / 2) + gap + width;
 
         /// <summary>Of a straight tube with the same inertia, d.</summary>
-        public static double StraightLength(double width, double gap, double depth) => MiddleLine(width, gap, depth) - 2 * (1 - CornerFraction) * width;
+        public static double StraightLength(double width, double gap, double depth)
+            => MiddleLine(width, gap, depth) - 2 * (1 - CornerFraction) * width;
 
         /// <summary>T = 2π √(L / 2g), s.</summary>
         /// <param name="length">L, m.</param>
@@ -41,7 +42,8 @@ namespace Host.Report
         /// <summary>How far the right level is above that of rest, d, over time, from the centre of mass; s.</summary>
         /// <param name="height">Of the left level above that of rest at first, d.</param>
         /// <param name="spacing">m.</param>
-        public static List<(double Time, double Value)> Run(int width, int gap, int depth, int height, float spacing, in StepInput input, double seconds)
+        public static List<(double Time, double Value)> Run(int width, int gap, int depth, int height, float spacing, in StepInput input,
+            double seconds)
         {
             int length = 2 * width + gap;
             var positions = new List<float3>();

@@ -14,14 +14,16 @@ namespace Host.Report
 
         public static void Measure(ReportRun run)
         {
-            var periods = new ReportTable("across", "damping", "substeps", "period_s", "theory_s", "middle_line_s", "damping_per_s", "first_order_per_s", "offset_d", "misfit");
+            var periods = new ReportTable("across", "damping", "substeps", "period_s", "theory_s", "middle_line_s", "damping_per_s",
+                "first_order_per_s", "offset_d", "misfit");
             var curves = new ReportTable("across", "damping", "substeps", "time_s", "level_m", "fit_m");
             double swings = run.Quick ? 1.6 : 3;
             foreach ((int across, float damping, int substeps) in run.Quick ? Quick : Full())
             {
                 float spacing = (float)(Width / across);
                 int gap = Whole(Gap, spacing), depth = Whole(Depth, spacing), height = Whole(Height, spacing);
-                double theory = UTube.Period(UTube.StraightLength(across, gap, depth) * spacing), middleLine = UTube.Period(UTube.MiddleLine(across, gap, depth) * spacing);
+                double theory = UTube.Period(UTube.StraightLength(across, gap, depth) * spacing),
+                    middleLine = UTube.Period(UTube.MiddleLine(across, gap, depth) * spacing);
                 StepInput input = FluidRun.Water(substeps, 2);
                 input.settings.numericalDamping = damping;
                 List<(double Time, double Value)> samples = UTube.Run(across, gap, depth, height, spacing, input, swings * theory);
@@ -30,9 +32,11 @@ namespace Host.Report
                 periods.Add(across, damping, substeps, fit.Period, theory, middleLine, fit.Damping, firstOrder, fit.Offset, fit.Misfit);
                 foreach ((double time, double level) in samples)
                     curves.Add(across, damping, substeps, time, level * spacing, fit.At(time) * spacing);
-                run.Log($"  U-tube {across} d wide, damping {damping}, {substeps} x 2: {fit.Period:0.000} s, theory {theory:0.000}, damping {fit.Damping:0.000}/s");
+                run.Log($"  U-tube {across} d wide, damping {damping}, {substeps} x 2: {fit.Period:0.000} s, theory {theory:0.000}, " +
+                    $"damping {fit.Damping:0.000}/s");
             }
-            string settled = System.FormattableString.Invariant($"legs and passage {Width} m wide and {UTube.Thickness} d thick, {Gap} m between the legs, {Depth} m of water in each, let go {Height} m above and below that; 60 steps a second, 2 iterations, deep water on, {swings} periods");
+            string settled = System.FormattableString.Invariant(
+                $"legs and passage {Width} m wide and {UTube.Thickness} d thick, {Gap} m between the legs, {Depth} m of water in each, let go {Height} m above and below that; 60 steps a second, 2 iterations, deep water on, {swings} periods");
             run.Save(Periods, periods, settled);
             run.Save(Curves, curves, settled);
         }
@@ -51,12 +55,21 @@ namespace Host.Report
         {
             ReportTable table = page.Load(Periods);
             page.Heading("U-tube");
-            page.Line("Two legs and a passage below, all of one width w, around a box that stands off the floor. The water is let go with its levels apart and swings. Level: from the centre of mass, which moves as water changes legs. Period and damping: of a damped cosine fitted to it. Theory: T = 2π √(L / 2g), L the length along the middle line less 0.44 w a bend. A bend takes less than its middle line, as the flow cuts the corner. Its square counts 1 − 2 ln 2 / π = 0.559 squares (a potential flow; the same number is the resistance of a bent conducting sheet, Hall 1967). First order: what a first-order step alone takes, ω² Δt / 2. Water loses more, as a flow around a sharp edge comes off it.");
+            page.Line("Two legs and a passage below, all of one width w, around a box that stands off the floor. The water is let go " +
+                "with its levels apart and swings. Level: from the centre of mass, which moves as water changes legs. Period and " +
+                "damping: of a damped cosine fitted to it. Theory: T = 2π √(L / 2g), L the length along the middle line less 0.44 w a " +
+                "bend. A bend takes less than its middle line, as the flow cuts the corner. Its square counts 1 − 2 ln 2 / π = 0.559 " +
+                "squares (a potential flow; the same number is the resistance of a bent conducting sheet, Hall 1967). First order: " +
+                "what a first-order step alone takes, ω² Δt / 2. Water loses more, as a flow around a sharp edge comes off it.");
             page.Line();
-            page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", "middle line alone", "damping, 1/s", "first order, 1/s", "swings about, d", "misfit of the cosine" }, table.Rows.Select(row => new[]
+            page.Table(new[] { "width, d", "numerical damping", "substeps", "period, s", "theory, s", "error", "middle line alone",
+                "damping, 1/s", "first order, 1/s", "swings about, d", "misfit of the cosine" }, table.Rows.Select(row => new[]
             {
-                row["across"], row["damping"], row["substeps"], Figures.Fixed(row.Number("period_s"), 3), Figures.Fixed(row.Number("theory_s"), 3), Figures.Percent(row.Number("period_s") / row.Number("theory_s") - 1), Figures.Percent(row.Number("period_s") / row.Number("middle_line_s") - 1),
-                Figures.Fixed(row.Number("damping_per_s"), 3), Figures.Fixed(row.Number("first_order_per_s"), 3), Figures.Fixed(row.Number("offset_d"), 2), Figures.Percent(row.Number("misfit")),
+                row["across"], row["damping"], row["substeps"], Figures.Fixed(row.Number("period_s"), 3),
+                    Figures.Fixed(row.Number("theory_s"), 3), Figures.Percent(row.Number("period_s") / row.Number("theory_s") - 1),
+                    Figures.Percent(row.Number("period_s") / row.Number("middle_line_s") - 1),
+                Figures.Fixed(row.Number("damping_per_s"), 3), Figures.Fixed(row.Number("first_order_per_s"), 3),
+                    Figures.Fixed(row.Number("offset_d"), 2), Figures.Percent(row.Number("misfit")),
             }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();
@@ -70,7 +83,8 @@ namespace Host.Report
                     $"'{file}' using ({chosen} ? $4 : NaN):(100*$6) with lines ls {i + 1} notitle",
                 };
             });
-            page.Plot("damping-utube", "The level in a leg of a U-tube over time for three numerical dampings, with the fitted cosines", "set xlabel 't, s'\nset ylabel 'level above rest, cm'\nplot " + string.Join(", \\\n", lines));
+            page.Plot("damping-utube", "The level in a leg of a U-tube over time for three numerical dampings, with the fitted cosines",
+                "set xlabel 't, s'\nset ylabel 'level above rest, cm'\nplot " + string.Join(", \\\n", lines));
         }
     }
 }

@@ -59,6 +59,7 @@ namespace Host.Report
         }
 
         // Of the water by its volume, d: a weighted mean that falls to both sides.
-        static double HeightAt(FluidRun run, float x) => run.ReadPositions().Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
+        static double HeightAt(FluidRun run, float x)
+            => run.ReadPositions().Sum(p => math.max(1 - math.abs(p.x - x) / Reach, 0f)) / (double)(Reach * Thickness);
     }
 }

@@ -15,7 +15,8 @@ namespace Host.Report
         {
             var table = new ReportTable("layers", "kh", "damping", "substeps", "ratio", "theory");
             (int layers, double kh, float damping, int substeps)[] settings = run.Quick ? new[] { (8, 1.0, 1f, 1) }
-                : new[] { (24, 0.5, 1f, 1), (24, 1.0, 1f, 1), (24, 2.0, 1f, 1), (24, 1.0, 0.33f, 1), (24, 1.0, 0f, 1), (24, 1.0, 1f, 4), (48, 1.0, 1f, 1) };
+                : new[] { (24, 0.5, 1f, 1), (24, 1.0, 1f, 1), (24, 2.0, 1f, 1), (24, 1.0, 0.33f, 1), (24, 1.0, 0f, 1), (24, 1.0, 1f, 4),
+                    (48, 1.0, 1f, 1) };
             foreach ((int layers, double kh, float damping, int substeps) in settings)
             {
                 StepInput input = FluidRun.Water(substeps, 2);
@@ -24,18 +25,22 @@ namespace Host.Report
                 table.Add(layers, kh, damping, substeps, ratio, theory);
                 run.Log($"  wavemaker {layers} layers, kh {kh}, damping {damping}, {substeps} x 2: H/S {ratio:0.000}, theory {theory:0.000}");
             }
-            run.Save(Heights, table, FormattableString.Invariant($"tank 8 d thick, d = {100 * Spacing:0} cm, stroke {Stroke} d, 60 steps a second, 2 iterations, deep water on"));
+            run.Save(Heights, table, FormattableString.Invariant(
+                $"tank 8 d thick, d = {100 * Spacing:0} cm, stroke {Stroke} d, 60 steps a second, 2 iterations, deep water on"));
         }
 
         public static void Write(ReportPage page)
         {
             ReportTable table = page.Load(Heights);
             page.Heading("Wavemaker");
-            page.Line("A piston at the end of a tank of 2.5 wave lengths moves to and fro. Height of the waves from trough to crest over the piston's stroke, by their first harmonic, 1.5 depths from it and before the far wall's reflection arrives. Theory: H/S = 2 (cosh 2kh − 1) / (sinh 2kh + 2kh) (Havelock 1929; Dean and Dalrymple 1991, section 6.2).");
+            page.Line("A piston at the end of a tank of 2.5 wave lengths moves to and fro. Height of the waves from trough to crest " +
+                "over the piston's stroke, by their first harmonic, 1.5 depths from it and before the far wall's reflection arrives. " +
+                "Theory: H/S = 2 (cosh 2kh − 1) / (sinh 2kh + 2kh) (Havelock 1929; Dean and Dalrymple 1991, section 6.2).");
             page.Line();
             page.Table(new[] { "layers", "kh", "numerical damping", "substeps", "H/S", "theory", "error" }, table.Rows.Select(row => new[]
             {
-                row["layers"], row["kh"], row["damping"], row["substeps"], Figures.Fixed(row.Number("ratio"), 3), Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
+                row["layers"], row["kh"], row["damping"], row["substeps"], Figures.Fixed(row.Number("ratio"), 3),
+                    Figures.Fixed(row.Number("theory"), 3), Figures.Percent(row.Number("ratio") / row.Number("theory") - 1),
             }));
             page.Line($"({table.MeasuredOn}.)");
             page.Line();

@@ -22,7 +22,8 @@ namespace Host.Studies.Methods
         public CoarseCorrection Create(SolverLayout layout, in StepInput input)
         {
             float substep = input.timeStep / input.settings.substeps;
-            float size = CellSize > 0 ? CellSize : CoarseGrid.CellSizeFor(layout.DomainSize, math.length(input.gravity) / layout.Spacing * substep * substep, 0f);
+            float size = CellSize > 0 ? CellSize
+                : CoarseGrid.CellSizeFor(layout.DomainSize, math.length(input.gravity) / layout.Spacing * substep * substep, 0f);
             var coarse = new CoarseCorrection(layout, size);
             coarse.Solver.Cycles = Cycles;
             CoarseConstants constants = CoarseConstants.For(coarse.Grid);

@@ -22,7 +22,8 @@ namespace Host.Studies.Methods
         public static readonly string[] Columns =
         {
             "study", "series", "scene", "particles", "value", "label", "two_level", "substeps", "iterations", "relaxation", "passes",
-            "error_moving", "error_settled", "interior", "volume", "volume_lowest", "speed", "jitter", "energy", "ms_moving", "ms_settled", "seconds", "state",
+            "error_moving", "error_settled", "interior", "volume", "volume_lowest", "speed", "jitter", "energy", "ms_moving", "ms_settled",
+                "seconds", "state",
         };
 
         readonly MethodStudy study;
@@ -45,7 +46,8 @@ namespace Host.Studies.Methods
             return new MethodRun(study, variant, scene, Experiment.Run(solver, scene.Scene, input, scene.Seconds, SampleEvery, IsLost));
         }
 
-        public string State => StateOf(MaxEnergy, run.Samples.Min(s => s.volumeRatio), run.Settled(s => s.volumeRatio), run.Samples[^1].nonFinite, scene.IsStill);
+        public string State => StateOf(MaxEnergy, run.Samples.Min(s => s.volumeRatio), run.Settled(s => s.volumeRatio),
+            run.Samples[^1].nonFinite, scene.IsStill);
 
         public static string StateOf(double energy, double minVolume, double settledVolume, int nonFinite, bool isStill) =>
             nonFinite > 0 || !(energy <= 1 + MaxRise) ? "diverged"
@@ -54,12 +56,15 @@ namespace Host.Studies.Methods
             : "stands";
 
         // Over its start; not a number if it ever was none, which Max would pass over.
-        double MaxEnergy => run.Samples.Aggregate(0.0, (highest, s) => double.IsNaN(s.Energy) ? double.NaN : Math.Max(highest, s.Energy)) / run.Samples[0].Energy;
+        double MaxEnergy => run.Samples.Aggregate(0.0, (highest, s) => double.IsNaN(s.Energy) ? double.NaN : Math.Max(highest, s.Energy))
+            / run.Samples[0].Energy;
 
         public object[] Row => new object[]
         {
-            study.Name, variant.Series.Replace(",", ""), scene.Name, scene.Scene.Particles, variant.Value, variant.Label ?? "", variant.TwoLevel ? 1 : 0, variant.Substeps, variant.Iterations, variant.Relaxation, variant.Passes,
-            run.Moving(s => s.densityError), run.Settled(s => s.densityError), run.Settled(s => s.interiorError), run.Settled(s => s.volumeRatio), run.Samples.Min(s => s.volumeRatio),
+            study.Name, variant.Series.Replace(",", ""), scene.Name, scene.Scene.Particles, variant.Value, variant.Label ?? "",
+                variant.TwoLevel ? 1 : 0, variant.Substeps, variant.Iterations, variant.Relaxation, variant.Passes,
+            run.Moving(s => s.densityError), run.Settled(s => s.densityError), run.Settled(s => s.interiorError),
+                run.Settled(s => s.volumeRatio), run.Samples.Min(s => s.volumeRatio),
             run.Settled(s => s.speed), run.Settled(s => s.jitter), MaxEnergy,
             run.Milliseconds("moving"), run.Milliseconds("settled"), run.End, State,
         };

@@ -14,7 +14,8 @@ namespace Host.Studies.Methods
                 return new[]
                 {
                     new MethodScene("dam", "dam, 13 layers", ExperimentScene.Dam(2_000), 0.4, false),
-                    new MethodScene("column", "column, 30 layers", ExperimentScene.Block("column", new int3(8, 30, 8), new int3(8, 60, 8), 0.05f), 0.4, true),
+                    new MethodScene("column", "column, 30 layers",
+                        ExperimentScene.Block("column", new int3(8, 30, 8), new int3(8, 60, 8), 0.05f), 0.4, true),
                 };
             return new[]
             {

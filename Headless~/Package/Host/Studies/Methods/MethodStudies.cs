@@ -12,7 +12,8 @@ namespace Host.Studies.Methods
         /// <param name="quick">A few points of each.</param>
         public static IEnumerable<MethodStudy> All(bool quick)
         {
-            yield return new MethodStudy("iterations", "Jacobi passes", "iterations", Iterations(quick ? new[] { 2, 4 } : new[] { 1, 2, 4, 8, 16 }).ToArray(), true);
+            yield return new MethodStudy("iterations", "Jacobi passes", "iterations",
+                Iterations(quick ? new[] { 2, 4 } : new[] { 1, 2, 4, 8, 16 }).ToArray(), true);
             yield return new MethodStudy("omega", "Relaxation", "relaxation", Omega(quick ? new[] { 1.2f } : Relaxations).ToArray());
             yield return new MethodStudy("neighbor-mean", "Neighbors' mean (eq. 4.14)", "fraction of the neighbors' mean",
                 (quick ? new[] { 0.5f } : new[] { 0.01f, 0.03f, 0.1f, 0.3f, 0.6f, 0.9f, 1f, 1.1f, 1.3f }).Select(NeighborMeanAt).ToArray());
@@ -44,7 +45,8 @@ namespace Host.Studies.Methods
         }
 
         static MethodVariant NeighborMeanAt(float fraction) =>
-            new() { Series = "neighbors' mean, k 4", Value = fraction, Iterations = 4, Method = () => new NeighborMean(fraction), PassesPerIteration = 3 };
+            new() { Series = "neighbors' mean, k 4", Value = fraction, Iterations = 4, Method = () => new NeighborMean(fraction),
+            PassesPerIteration = 3 };
 
         static IEnumerable<MethodVariant> Chebyshev(bool quick)
         {
@@ -59,7 +61,8 @@ namespace Host.Studies.Methods
             }
 
             static MethodVariant At(string series, double radius, int iterations, int start, bool twoLevel) =>
-                new() { Series = series, Value = radius, Iterations = iterations, TwoLevel = twoLevel, Method = () => new ChebyshevJacobi(radius, start) };
+                new() { Series = series, Value = radius, Iterations = iterations, TwoLevel = twoLevel,
+                Method = () => new ChebyshevJacobi(radius, start) };
         }
 
         // The highest eigenvalue: twice the inverse of the largest stable relaxation of many passes, 1.3.
@@ -100,7 +103,8 @@ namespace Host.Studies.Methods
             }
 
             static MethodVariant At(string series, bool restart, int iterations, bool twoLevel) =>
-                new() { Series = series, Value = iterations, Iterations = iterations, TwoLevel = twoLevel, Method = () => new NesterovJacobi(restart) };
+                new() { Series = series, Value = iterations, Iterations = iterations, TwoLevel = twoLevel,
+                Method = () => new NesterovJacobi(restart) };
         }
 
         static IEnumerable<MethodVariant> GaussSeidelRuns(bool quick)
@@ -140,7 +144,8 @@ namespace Host.Studies.Methods
             {
                 // One iteration alone is stable up to a relaxation of 0.3 only.
                 float relaxation = System.Math.Min(SolverSettings.Default.relaxation, SolverSettings.MaxRelaxation(iterations, twoLevel));
-                return new MethodVariant { Series = series, Value = substeps, Substeps = substeps, Iterations = iterations, TwoLevel = twoLevel, Relaxation = relaxation };
+                return new MethodVariant { Series = series, Value = substeps, Substeps = substeps, Iterations = iterations,
+                    TwoLevel = twoLevel, Relaxation = relaxation };
             }
         }
     }

@@ -12,9 +12,12 @@ namespace Host.Studies.Methods
         void WriteVerdicts()
         {
             page.Heading("Verdicts");
-            page.Line(FormattableString.Invariant($"By rule, on cost, C+ and noise: a run *beats* another where it is better by {100 * ParetoFront.Better:0} % in one and worse in none (within {100 * ParetoFront.Same:0} %). On the *front*"));
-            page.Line("of a scene is what stands and no other run of any method beats. Each run is also held against *the package's*: Jacobi passes, with or without the");
-            page.Line("two-level correction as the run has it, relaxation 0.8, one substep, the same number of iterations in all. *Best* is the run with the least C+ that stands: value, C+, noise, " + CostName + ".");
+            page.Line(FormattableString.Invariant(
+                $"By rule, on cost, C+ and noise: a run *beats* another where it is better by {100 * ParetoFront.Better:0} % in one and worse in none (within {100 * ParetoFront.Same:0} %). On the *front*"));
+            page.Line("of a scene is what stands and no other run of any method beats. Each run is also held against *the package's*: " +
+                "Jacobi passes, with or without the");
+            page.Line("two-level correction as the run has it, relaxation 0.8, one substep, the same number of iterations in all. " +
+                "*Best* is the run with the least C+ that stands: value, C+, noise, " + CostName + ".");
             page.Line();
             foreach (string scene in scenes)
                 WriteScene(scene, rows.Where(row => row["scene"] == scene).ToList());
@@ -47,8 +50,10 @@ namespace Host.Studies.Methods
         {
             string[] better = rows.GroupBy(row => (study: row["study"], series: row["series"], value: ValueOf(row)))
                 .Where(group => group.Any(row => AgainstPackage(row) > 0) && group.All(row => AgainstPackage(row) >= 0))
-                .Select(group => $"- {group.Key.series}, {group.Key.value} ({group.Key.study}): beats the package's in {string.Join(", ", group.Where(row => AgainstPackage(row) > 0).Select(row => row["scene"]))}").ToArray();
-            page.Line("What follows for the defaults: a value should replace the package's where it beats it in a scene and is beaten, or falls where the package's stands, in none.");
+                .Select(group => $"- {group.Key.series}, {group.Key.value} ({group.Key.study}): beats the package's in " +
+                    $"{string.Join(", ", group.Where(row => AgainstPackage(row) > 0).Select(row => row["scene"]))}").ToArray();
+            page.Line("What follows for the defaults: a value should replace the package's where it beats it in a scene and is beaten, " +
+                "or falls where the package's stands, in none.");
             page.Line(better.Length > 0 ? "By this rule:" : "By this rule nothing here should.");
             page.Line();
             foreach (string line in better)
@@ -60,7 +65,8 @@ namespace Host.Studies.Methods
         int AgainstPackage(ReportTable.Row row)
         {
             double iterations = row.Number("substeps") * row.Number("iterations");
-            ReportTable.Row[] same = rows.Where(other => other["study"] == "iterations" && other["scene"] == row["scene"] && other["two_level"] == row["two_level"] && other.Number("iterations") == iterations).ToArray();
+            ReportTable.Row[] same = rows.Where(other => other["study"] == "iterations" && other["scene"] == row["scene"]
+                && other["two_level"] == row["two_level"] && other.Number("iterations") == iterations).ToArray();
             if (same.Length == 0 || row["study"] == "iterations")
                 return 0;
             if (!Stands(same[0]) || !Stands(row))
@@ -82,7 +88,8 @@ namespace Host.Studies.Methods
         string Best(IEnumerable<ReportTable.Row> runs)
         {
             List<ReportTable.Row> standing = runs.Where(Stands).OrderBy(Error).ToList();
-            return standing.Count > 0 ? $"{ValueOf(standing[0])}: {Percent(Error(standing[0]))}, {Figure(Noise(standing[0]))}, {Figure(Cost(standing[0]))}" : "";
+            return standing.Count > 0
+                ? $"{ValueOf(standing[0])}: {Percent(Error(standing[0]))}, {Figure(Noise(standing[0]))}, {Figure(Cost(standing[0]))}" : "";
         }
 
         string CostName => timed ? "ms" : "passes";

@@ -27,10 +27,14 @@ namespace Host.Studies.Methods
 
         public void Write()
         {
-            page.Line("Each method runs in the same scenes with the same settings but for what is varied. *C+* is the mean of max(0, ρ/ρ0 − 1): over 0.2 to 2 s of");
-            page.Line("the dam, over the last 2 s elsewhere. *Noise* is the rms speed of water that should stand still; in the dam it is the jitter. A run has");
-            page.Line("*diverged* where the energy of the closed scene rose by more than 5 % above its start, *collapsed* below 0.9 of its volume, *boiled* (still");
-            page.Line($"water) above 1.1; broken-off runs are marked by crosses. Cost is {(timed ? "the median GPU time of a step" : "the number of passes over the neighbors: these are small scenes on a CPU whose times say nothing")}.");
+            page.Line("Each method runs in the same scenes with the same settings but for what is varied. *C+* is the mean of max(0, " +
+                "ρ/ρ0 − 1): over 0.2 to 2 s of");
+            page.Line("the dam, over the last 2 s elsewhere. *Noise* is the rms speed of water that should stand still; in the dam it " +
+                "is the jitter. A run has");
+            page.Line("*diverged* where the energy of the closed scene rose by more than 5 % above its start, *collapsed* below 0.9 of " +
+                "its volume, *boiled* (still");
+            page.Line($"water) above 1.1; broken-off runs are marked by crosses. Cost is " +
+                $"{(timed ? "the median GPU time of a step" : "the number of passes over the neighbors: these are small scenes on a CPU whose times say nothing")}.");
             page.Line("Relaxation is not clamped here.");
             page.Line();
             page.Line("Measured on " + table.MeasuredOn + ".");
@@ -46,7 +50,8 @@ namespace Host.Studies.Methods
             if (here.Count == 0)
                 return;
             page.Heading(study.Title);
-            page.Plot("methods-" + study.Name, $"{study.Title}: density error, noise and cost against {study.Axis}", Script(study, here), 1300, 250 * scenes.Length + 40);
+            page.Plot("methods-" + study.Name, $"{study.Title}: density error, noise and cost against {study.Axis}", Script(study, here),
+                1300, 250 * scenes.Length + 40);
         }
 
         // A row of panels for each scene: error, noise, cost; a curve for each series, a cross for what did not stand.
@@ -58,8 +63,10 @@ namespace Host.Studies.Methods
                 for (int s = 0; s < series.Length; s++)
                 {
                     script.AppendLine($"$d{scene}_{s} << EOD");
-                    foreach (ReportTable.Row row in here.Where(row => row["scene"] == scenes[scene] && row["series"] == series[s]).OrderBy(row => row.Number("value")))
-                        script.AppendLine(string.Join(",", new[] { row.Number("value"), 100 * Error(row), Noise(row), Cost(row), Stands(row) ? 1 : 0 }.Select(Plain)));
+                    foreach (ReportTable.Row row in here.Where(row => row["scene"] == scenes[scene] && row["series"] == series[s])
+                        .OrderBy(row => row.Number("value")))
+                        script.AppendLine(string.Join(",", new[] { row.Number("value"), 100 * Error(row), Noise(row), Cost(row), Stands(row)
+                            ? 1 : 0 }.Select(Plain)));
                     script.AppendLine("EOD");
                 }
             script.AppendLine($"set multiplot layout {scenes.Length},4");
@@ -69,7 +76,8 @@ namespace Host.Studies.Methods
             {
                 for (int panel = 0; panel < 3; panel++)
                 {
-                    script.AppendLine($"set title {Quote($"{scenes[scene]}: {new[] { "C+ (%)", "noise (m/s)", timed ? "ms a step" : "passes" }[panel]}")} noenhanced");
+                    script.AppendLine(
+                        $"set title {Quote($"{scenes[scene]}: {new[] { "C+ (%)", "noise (m/s)", timed ? "ms a step" : "passes" }[panel]}")} noenhanced");
                     script.AppendLine($"set xlabel {Quote(study.Axis)}");
                     if (study.Logarithmic)
                         script.AppendLine("set logscale x");
@@ -90,7 +98,8 @@ namespace Host.Studies.Methods
         // A panel of its own for the names of the curves: they are long, and anywhere else they lie on the curves.
         static string Names(string[] series) => string.Join('\n', "unset logscale; unset border; unset tics; unset title; unset xlabel; unset grid",
             "set key at graph -0.1,1 left top Left reverse samplen 1 font ',9' noenhanced",
-            "plot [0:1] [0:1] " + string.Join(", ", series.Select((name, s) => $"NaN with linespoints ls {s % 8 + 1} title {Quote(name)}").Append("NaN with points pt 2 lc rgb '#606060' title 'does not stand'")));
+            "plot [0:1] [0:1] " + string.Join(", ", series.Select((name, s) => $"NaN with linespoints ls {s % 8 + 1} title {Quote(name)}")
+                .Append("NaN with points pt 2 lc rgb '#606060' title 'does not stand'")));
 
         static string Quote(string text) => "'" + text.Replace("'", "''") + "'";
 

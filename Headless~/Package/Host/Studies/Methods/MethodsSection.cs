@@ -25,7 +25,8 @@ namespace Host.Studies.Methods
                         table.Add(MethodRun.Of(study, variant, scene).Row);
                 run.Log($"  {study.Title}: {study.Variants.Length * scenes.Length} runs in {clock.Elapsed.TotalSeconds:0.0} s");
             }
-            string where = string.Join("; ", scenes.Select(scene => $"{scene.Title} ({scene.Scene.Particles:N0} particles; d {scene.Scene.Spacing:0.####} m; {scene.Seconds:0.#} s)"));
+            string where = string.Join("; ", scenes.Select(scene =>
+                $"{scene.Title} ({scene.Scene.Particles:N0} particles; d {scene.Scene.Spacing:0.####} m; {scene.Seconds:0.#} s)"));
             run.Save(TableName, table, FormattableString.Invariant($"{(run.Quick ? Quick + "; " : "")}60 Hz; {where}"));
         }
 

@@ -21,7 +21,8 @@ namespace Host.Studies.Methods
         /// </summary>
         public static float[] Optimal(int passes, double lowest, double highest)
         {
-            double[] weights = Enumerable.Range(1, passes).Select(n => 2 / (highest + lowest - (highest - lowest) * Math.Cos(Math.PI * (2 * n - 1) / (2 * passes)))).ToArray();
+            double[] weights = Enumerable.Range(1, passes)
+                .Select(n => 2 / (highest + lowest - (highest - lowest) * Math.Cos(Math.PI * (2 * n - 1) / (2 * passes)))).ToArray();
             return Enumerable.Range(0, passes).Select(i => (float)(i % 2 == 0 ? weights[passes - 1 - i / 2] : weights[i / 2])).ToArray();
         }
 

@@ -21,7 +21,8 @@ namespace Host.Studies.Methods
             {
                 string file = Path.Combine(Folder, name + ".compute");
                 if (!File.Exists(file))
-                    throw new HostException($"{file} is not there: the kernels of the method study lie beside the host's program; build or publish it again.");
+                    throw new HostException(
+                        $"{file} is not there: the kernels of the method study lie beside the host's program; build or publish it again.");
                 Sources.Add(key, source = ShaderImporter.ImportCompute(file, name + ".compute", Include, new ShaderCache()));
             }
             ComputeShader shader = ComputeShader.Create(source);

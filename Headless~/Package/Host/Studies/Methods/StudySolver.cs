@@ -31,7 +31,8 @@ namespace Host.Studies.Methods
         /// <param name="method">The solver's from now on.</param>
         public StudySolver(SolverLayout layout, in StepInput input, ConstraintMethod method, CoarseVariation variation = null)
         {
-            if (input.settings.deepWater == DeepWater.Automatic || input.material.vorticity > 0f || input.material.shearModulus > 0f || input.material.artificialPressure > 0f)
+            if (input.settings.deepWater == DeepWater.Automatic || input.material.vorticity > 0f || input.material.shearModulus > 0f
+                || input.material.artificialPressure > 0f)
                 throw new ArgumentException("The study's solver takes deep water On or Off, no vorticity, no elasticity and no artificial pressure.");
             Layout = layout;
             this.input = input;
@@ -91,7 +92,8 @@ namespace Host.Studies.Methods
             constraint.Record(Context(cmd, other, ConstantsFor(relaxation)));
         }
 
-        StepContext Context(CommandBuffer cmd, in StepInput input, GraphicsBuffer constants) => new StepContext(cmd, constants, Particles, Search, Lists, Layout, input, Coarse);
+        StepContext Context(CommandBuffer cmd, in StepInput input, GraphicsBuffer constants)
+            => new StepContext(cmd, constants, Particles, Search, Lists, Layout, input, Coarse);
 
         /// <summary>Records the step's constants, with another relaxation, as what a shader reads.</summary>
         public void BindConstants(CommandBuffer cmd, ComputeShader shader, float relaxation) =>

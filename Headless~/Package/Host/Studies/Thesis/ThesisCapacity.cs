@@ -25,7 +25,8 @@ namespace Host.Studies.Thesis
             foreach (int size in sizes)
                 foreach (int k in iterations)
                 {
-                    Experiment experiment = Experiment.Run(ExperimentScene.Dam(size), ExperimentFigures.Input(new SweepSetting(false, 1, k).Settings), 10 / 60.0, 1000);
+                    Experiment experiment = Experiment.Run(ExperimentScene.Dam(size),
+                        ExperimentFigures.Input(new SweepSetting(false, 1, k).Settings), 10 / 60.0, 1000);
                     table.Add(experiment.Scene.Particles, k, experiment.Milliseconds("initial"));
                 }
             run.Save(TableName, table, "plain iterations, relaxation 0.8, medians of steps 3-10 of a fresh block");
@@ -35,20 +36,29 @@ namespace Host.Studies.Thesis
         {
             ReportTable table = page.Load(TableName);
             var byIterations = table.Rows.GroupBy(row => (int)row.Number("iterations")).OrderBy(group => group.Key)
-                .Select(group => (Iterations: group.Key, Points: group.Select(row => (Particles: row.Number("particles"), Ms: row.Number("ms"))).OrderBy(p => p.Particles).ToArray())).ToList();
+                .Select(group => (Iterations: group.Key,
+                    Points: group.Select(row => (Particles: row.Number("particles"), Ms: row.Number("ms"))).OrderBy(p => p.Particles)
+                    .ToArray())).ToList();
             double least = byIterations[0].Points[0].Particles, most = byIterations[0].Points[^1].Particles;
 
             var plot = new PlotData();
             for (int i = 0; i < Shares.Length; i++)
                 plot.Add($"using 1:2 with linespoints ls {i + 1} title '{Shares[i].Name} of the frame'",
-                    byIterations.Select(k => new object[] { k.Iterations, Particles(k.Points, Shares[i].Share * Frame) }).Where(point => !double.IsNaN((double)point[1])));
-            page.Plot("thesis-capacity", "Particles that fit a fraction of a frame at 60 Hz against iterations", plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
+                    byIterations.Select(k => new object[] { k.Iterations, Particles(k.Points, Shares[i].Share * Frame) })
+                        .Where(point => !double.IsNaN((double)point[1])));
+            page.Plot("thesis-capacity", "Particles that fit a fraction of a frame at 60 Hz against iterations",
+                plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
 
-            page.Line(FormattableString.Invariant($"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Share * Frame:0.00} ms)")))}:"));
+            page.Line(FormattableString.Invariant(
+                $"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Share * Frame:0.00} ms)")))}:"));
             page.Line();
-            page.Table(new[] { "iterations" }.Concat(Shares.Select(fraction => $"particles in {fraction.Name}")).Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
-                byIterations.Select(k => new[] { k.Iterations.ToString() }.Concat(Shares.Select(fraction => Count(k.Points, fraction.Share * Frame, least, most))).Concat(k.Points.Select(p => FormattableString.Invariant($"{p.Ms:0.000}")))));
-            page.Line("The thesis draws the same curve for its hardware; its absolute counts belong to that and are not repeated here. " + Shape(byIterations));
+            page.Table(new[] { "iterations" }.Concat(Shares.Select(fraction => $"particles in {fraction.Name}"))
+                .Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
+                byIterations.Select(k => new[] {
+                    k.Iterations.ToString() }.Concat(Shares.Select(fraction => Count(k.Points, fraction.Share * Frame, least, most)))
+                    .Concat(k.Points.Select(p => FormattableString.Invariant($"{p.Ms:0.000}")))));
+            page.Line("The thesis draws the same curve for its hardware; its absolute counts belong to that and are not repeated here. "
+                + Shape(byIterations));
             page.Line();
         }
 
@@ -71,7 +81,8 @@ namespace Host.Studies.Thesis
             double particles = Particles(points, milliseconds);
             if (!double.IsNaN(particles))
                 return FormattableString.Invariant($"{particles:N0}");
-            return points[0].Ms > milliseconds ? FormattableString.Invariant($"fewer than {least:N0}") : FormattableString.Invariant($"more than {most:N0}");
+            return points[0].Ms > milliseconds ? FormattableString.Invariant($"fewer than {least:N0}")
+                : FormattableString.Invariant($"more than {most:N0}");
         }
 
         // A step is a fixed part and a part for each iteration: so the hyperbola.
@@ -81,7 +92,8 @@ namespace Host.Studies.Thesis
             (int manyIterations, var many) = byIterations[^1];
             (double particles, double fast) = few[^1];
             double perIteration = (many[^1].Ms - fast) / (manyIterations - fewIterations);
-            return FormattableString.Invariant($"Its shape follows from a step that has a fixed part and a part for each iteration: at {particles:N0} particles {perIteration:0.000} ms an iteration, {(fast - fewIterations * perIteration) / fast * 100:0} % of the step with {fewIterations} being fixed.");
+            return FormattableString.Invariant(
+                $"Its shape follows from a step that has a fixed part and a part for each iteration: at {particles:N0} particles {perIteration:0.000} ms an iteration, {(fast - fewIterations * perIteration) / fast * 100:0} % of the step with {fewIterations} being fixed.");
         }
     }
 }
