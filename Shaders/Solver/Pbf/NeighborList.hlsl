@@ -55,6 +55,21 @@ uint4 NeighborBlock(uint i, uint base, uint k)
                 uint j = block[e];
 #define END_NEIGHBORS } } }
 
+// The same, with the list's next block in flight as well: for a loop that waits for more than positions of its neighbors. It gains
+// nothing elsewhere and costs registers.
+#define FOR_NEIGHBORS_AHEAD(i, count, j) \
+    { \
+        uint listBase = NeighborBase(i); \
+        uint4 next = NeighborBlock(i, listBase, 0); \
+        for (uint k = 0; k < count; k += kBlockEntries) \
+        { \
+            uint4 block = next; \
+            next = NeighborBlock(i, listBase, k + kBlockEntries < count ? k + kBlockEntries : k); \
+            [unroll] \
+            for (uint e = 0; e < kBlockEntries; e++) \
+            { \
+                uint j = block[e];
+
 // How often a list names its own particle, to fill its last block: all four of a block are added without asking, and what the
 // particle added to itself is taken off the sums.
 uint OwnEntries(uint count)
