@@ -120,7 +120,7 @@ namespace Rill
         {
             if (colliderLayers == 0)
             {
-                Forget();
+                DropAll();
                 return taken;
             }
             round++;
@@ -165,7 +165,7 @@ namespace Rill
             if (fluid != null && ReferenceEquals(fluid.ColliderSource, this))
                 fluid.ColliderSource = null;
             leavers.Clear();
-            Forget();
+            DropAll();
             shaders.Release();
         }
 
@@ -266,7 +266,7 @@ namespace Rill
             return false;
         }
 
-        void Forget()
+        void DropAll()
         {
             foreach (IFluidCollider collider in taken)
                 Drop((GatheredCollider)collider);

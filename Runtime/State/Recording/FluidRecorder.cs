@@ -160,7 +160,7 @@ namespace Rill
                 OnArrived(transfer, transfer.request);      // if its callback has not come
             }
             foreach (Transfer transfer in recorded)         // a pass of a script disabled this: its step is yet to be executed
-                Forget(transfer);
+                ReleaseFrame(transfer);
             writer?.Finish();
             if (writer != null && !writer.Join(MaxWait))
                 Debug.LogError($"Rill: FluidRecorder '{name}': the disk did not take the last frames of '{path}' within " +
@@ -242,7 +242,7 @@ namespace Rill
             {
                 if (!areExecuted || transfer.frame == null)
                 {
-                    Forget(transfer);
+                    ReleaseFrame(transfer);
                     idle.Push(transfer);
                     continue;
                 }
@@ -264,7 +264,7 @@ namespace Rill
             RecordedFrame frame = transfer.frame;
             if (request.hasError)
             {
-                Forget(transfer);
+                ReleaseFrame(transfer);
                 Fail("the GPU did not give a frame back. Record again.");
             }
             else
@@ -279,7 +279,7 @@ namespace Rill
             FinishIfAll();
         }
 
-        void Forget(Transfer transfer)
+        void ReleaseFrame(Transfer transfer)
         {
             if (transfer.frame != null)
                 writer.Release(transfer.frame);
