@@ -86,6 +86,36 @@ namespace Rill.Testing
             return Settle(fluid, within, volume, noise);
         }
 
+        /// <summary>Fails where a detector finds less or more water than that in its shape, now.</summary>
+        /// <param name="min">Volume at rest that there has to be at least, m³; 0 or more.</param>
+        /// <param name="max">Volume that there may be, m³; at least <paramref name="min"/>, infinite for any.</param>
+        /// <exception cref="ArgumentNullException">There is no detector.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A volume is out of its range.</exception>
+        /// <exception cref="InvalidOperationException">The detector measures nothing: it or its fluid is off, or no step was taken.</exception>
+        /// <exception cref="FluidAssertionException">The volume is another.</exception>
+        public static void VolumeIn(FluidDetector detector, float min, float max = float.PositiveInfinity)
+        {
+            if (detector == null)
+                throw new ArgumentNullException(nameof(detector));
+            if (!(min >= 0f))
+                throw new ArgumentOutOfRangeException(nameof(min), min, "The least volume has to be at least 0 m³.");
+            if (!(max >= min))
+                throw new ArgumentOutOfRangeException(nameof(max), max, "The largest volume has to be at least the least.");
+            detector.Flush();
+            if (!detector.TryGetSample(out FluidDetectorSample sample))
+                throw new InvalidOperationException($"FluidDetector '{detector.name}' measures nothing. Put it below its fluid, enable both, give it " +
+                    "a size above 0, and let the fluid take a step.");
+            if (!(sample.volume >= min && sample.volume <= max))
+                Fail(detector.Simulation, Measure(detector.Simulation), VolumeProblem(detector, sample, min, max));
+        }
+
+        static string VolumeProblem(FluidDetector detector, in FluidDetectorSample sample, float min, float max)
+        {
+            string wanted = float.IsInfinity(max) ? Format($"at least {min:0.#####}") : Format($"{min:0.#####} to {max:0.#####}");
+            return Format($"detector '{detector.name}' has {sample.volume:0.#####} m³ of water in its shape of ")
+                + Format($"{detector.ShapeVolume:0.#####} m³, {100f * sample.fill:0.#} % full; {wanted} m³ asked for.");
+        }
+
         /// <summary>Fails where the fluid's steps take more GPU time than that, as its budget measures it. A modelled time does not count.</summary>
         /// <param name="milliseconds">What the steps of a frame may take, ms, above 0.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time is not above 0.</exception>

@@ -33,6 +33,38 @@ namespace Rill.Tests
             Assert.That(problem, Does.Contain("'Pool'").And.Contain("100 were refused").And.Contain("capacity is 300"));
         }
 
+        // The pool of 400 particles lies in the lower part of the box; the detector's box holds all of it.
+        [UnityTest]
+        public IEnumerator The_volume_in_a_detector_is_asked_for_from_least_to_most()
+        {
+            FluidSimulation fluid = Pool();
+            FluidDetector detector = Detector(fluid);
+            yield return Frames(3);
+            float volume = 400 * Spacing * Spacing * Spacing;
+            FluidAssert.VolumeIn(detector, 0.99f * volume, 1.01f * volume);
+            FluidAssert.VolumeIn(detector, 0f);
+            string message = Failure(() => FluidAssert.VolumeIn(detector, 1.1f * volume, 2f * volume));
+            Assert.That(message, Does.Contain("FluidSimulation 'Pool', step 3").And.Contain("detector 'Detector' has 0.05 m³ of water")
+                .And.Contain("0.055 to 0.1 m³ asked for"));
+            Assert.That(Failure(() => FluidAssert.VolumeIn(detector, 0f, 0.5f * volume)), Does.Contain("0 to 0.025 m³ asked for"));
+            Assert.That(Failure(() => FluidAssert.VolumeIn(detector, 1f)), Does.Contain("at least 1 m³ asked for"));
+        }
+
+        [UnityTest]
+        public IEnumerator A_detector_that_measures_nothing_is_an_error_and_no_empty_shape()
+        {
+            FluidSimulation fluid = Pool();
+            FluidDetector detector = Detector(fluid);
+            yield return Frames(2);
+            detector.enabled = false;
+            Assert.That(() => FluidAssert.VolumeIn(detector, 0f),
+                Throws.InvalidOperationException.With.Message.Contains("FluidDetector 'Detector' measures nothing"));
+            Assert.That(() => FluidAssert.VolumeIn(null, 0f), Throws.ArgumentNullException);
+            Assert.That(() => FluidAssert.VolumeIn(detector, -1f), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => FluidAssert.VolumeIn(detector, 2f, 1f), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => FluidAssert.VolumeIn(detector, float.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        }
+
         [UnityTest]
         public IEnumerator A_particle_that_is_not_finite_is_lost()
         {
@@ -218,6 +250,17 @@ namespace Rill.Tests
         // Four layers of 10 x 10 particles.
         FluidSimulation Pool(int capacity = 1000, Action<FluidSimulation> setUp = null)
             => Fluid("Pool", new Vector3(0.5f, 0.6f, 0.5f), Spacing, capacity, new Vector3(0.5f, 0.2f, 0.5f), setUp);
+
+        // Larger than the fluid's box.
+        FluidDetector Detector(FluidSimulation fluid)
+        {
+            var gameObject = new GameObject("Detector");
+            made.Add(gameObject);
+            gameObject.transform.SetParent(fluid.transform, false);
+            var detector = gameObject.AddComponent<FluidDetector>();
+            detector.Size = Vector3.one;
+            return detector;
+        }
 
         sealed class TwoMilliseconds : IGpuTimeSource
         {
