@@ -200,7 +200,7 @@ namespace Host.Tests
         [TestCase("17", "builder.AllowPassCulling(false);", "")]
         [TestCase("17", "renderPassEvent = LastEvent;", "renderPassEvent = RenderPassEvent.AfterRenderingTransparents;")]
         [TestCase("14", "cmd.SetRenderTarget(color, depth == BuiltinRenderTextureType.CameraTarget ? color : depth, 0, " +
-            "CubemapFace.Unknown, RenderTargetIdentifier.AllDepthSlices);", "")]
+            "CubemapFace.Unknown,\n                RenderTargetIdentifier.AllDepthSlices);", "")]
         public void Without_the_line_the_water_is_not_there(string version, string line, string instead)
         {
             BuildWithFault(version, "SurfacePass.cs", line, instead);
