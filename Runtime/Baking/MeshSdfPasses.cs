@@ -293,8 +293,7 @@ namespace Rill
         void Run(int kernel, long groups, ProfilerMarker marker)
         {
             cmd.BeginSample(marker);
-            cmd.DispatchCompute(shader, kernel, (int)math.min(groups, ThreadGroups.MaxGroups),
-                (int)((groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups), 1);
+            ThreadGroups.Dispatch(cmd, shader, kernel, groups);
             cmd.EndSample(marker);
             Graphics.ExecuteCommandBuffer(cmd);
             cmd.Clear();

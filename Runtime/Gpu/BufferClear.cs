@@ -31,11 +31,9 @@ namespace Rill
         public void Record(CommandBuffer cmd, GraphicsBuffer buffer)
         {
             int kernel = KernelFor(buffer.stride, out int property);
-            int groups = (int)(((long)buffer.count + Group - 1) / Group);
             cmd.SetComputeIntParam(shader, Ids.Count, buffer.count);
             cmd.SetComputeBufferParam(shader, kernel, property, buffer);
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups),
-                (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            ThreadGroups.Dispatch(cmd, shader, kernel, ((long)buffer.count + Group - 1) / Group);
         }
 
         int KernelFor(int stride, out int property)

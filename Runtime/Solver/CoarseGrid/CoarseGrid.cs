@@ -68,13 +68,9 @@ namespace Rill
         /// <summary>Cells along x, y, z and index of the first; the last level again beyond it.</summary>
         public uint4 Level(int level) => levels[Math.Min(level, levels.Count - 1)];
 
-        /// <summary>Records a kernel for so many cells: ParticleIndex of Solver.hlsl numbers its threads.</summary>
+        /// <summary>Records a kernel for so many cells.</summary>
         public static void Dispatch(CommandBuffer cmd, ComputeShader shader, int kernel, int cells)
-        {
-            int groups = ParticleBuffers.Groups(cells);
-            cmd.DispatchCompute(shader, kernel, Math.Min(groups, ThreadGroups.MaxGroups),
-                (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
-        }
+            => ThreadGroups.Dispatch(cmd, shader, kernel, ParticleBuffers.Groups(cells));
 
         /// <summary>
         /// Side of a coarse cell, d, at which the correction is calm: it has to grow with how far gravity carries a particle

@@ -54,9 +54,7 @@ namespace Rill
             cmd.SetComputeIntParam(shader, Ids.FrameParticles, frame.particles);
             cmd.SetComputeIntParam(shader, Ids.FrameNextId, (int)(layout.Has(RecordingFields.Ids) ? frame.nextId : (uint)frame.particles));
             cmd.SetComputeFloatParam(shader, Ids.StepBack, stepBack);
-            int groups = Math.Max(ParticleBuffers.Groups(frame.particles), 1);
-            cmd.DispatchCompute(shader, unpack, Math.Min(groups, ThreadGroups.MaxGroups),
-                (groups + ThreadGroups.MaxGroups - 1) / ThreadGroups.MaxGroups, 1);
+            ThreadGroups.Dispatch(cmd, shader, unpack, ParticleBuffers.Groups(Math.Max(frame.particles, 1)));
             cmd.EndSample(Marker);
         }
 
