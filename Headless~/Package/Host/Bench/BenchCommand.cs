@@ -43,7 +43,7 @@ namespace Host.Bench
             var window = new Option<string>("--window") { Description = "initial, moving or all.", DefaultValueFactory = _ => "all" };
             var steps = new Option<int>("--steps") { Description = $"Steps measured in a window, at least {StepTimes.MinSteps}.",
                 DefaultValueFactory = _ => StepTimes.MinSteps };
-            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
+            Option<bool> kernels = KernelsOption.Create();
             var json = new Option<string>("--json") { Description = "Also write the figures to this file." };
 
             Option<string> shaders = ShadersOption.Create();
@@ -55,7 +55,7 @@ namespace Host.Bench
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
-                Player.TimesKernels = parsed.GetValue(kernels);
+                KernelsOption.Use(parsed.GetValue(kernels));
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = parsed.GetValue(iterations);
                 settings.substeps = parsed.GetValue(substeps);

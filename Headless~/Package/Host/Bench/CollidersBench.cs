@@ -47,7 +47,7 @@ namespace Host.Bench
                 DefaultValueFactory = _ => Windows[0].Name };
             var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.",
                 DefaultValueFactory = _ => StepTimes.MinSteps };
-            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
+            Option<bool> kernels = KernelsOption.Create();
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
             var command = new Command("colliders", "Measures GPU milliseconds of the step among colliders, by stage.") { particles, counts,
@@ -55,7 +55,7 @@ namespace Host.Bench
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
-                Player.TimesKernels = parsed.GetValue(kernels);
+                KernelsOption.Use(parsed.GetValue(kernels));
                 SolverSettings settings = SolverSettings.Default;
                 settings.iterations = parsed.GetValue(iterations);
                 settings.substeps = parsed.GetValue(substeps);

@@ -29,7 +29,7 @@ namespace Host.Bench
                 => new[] { 100_000, 500_000 }, AllowMultipleArgumentsPerToken = true };
             var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.",
                 DefaultValueFactory = _ => StepTimes.MinSteps };
-            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
+            Option<bool> kernels = KernelsOption.Create();
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
             var command = new Command("foam", "Measures GPU milliseconds of foam within the step.") { particles, budgets, steps, kernels,
@@ -37,7 +37,7 @@ namespace Host.Bench
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
-                Player.TimesKernels = parsed.GetValue(kernels);
+                KernelsOption.Use(parsed.GetValue(kernels));
                 GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(budgets).Any(budget => budget < 1 || budget > FoamSettings.MaxBudget))
                     throw new HostException($"--budgets {string.Join(" ", parsed.GetValue(budgets))}: give 1 to {FoamSettings.MaxBudget}.");

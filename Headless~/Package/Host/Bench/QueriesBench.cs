@@ -32,7 +32,7 @@ namespace Host.Bench
                 DefaultValueFactory = _ => Queries.MaxDetectors };
             var steps = new Option<int>("--steps") { Description = $"Steps measured, at least {StepTimes.MinSteps}.",
                 DefaultValueFactory = _ => StepTimes.MinSteps };
-            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
+            Option<bool> kernels = KernelsOption.Create();
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             Option<string> shaders = ShadersOption.Create();
             var command = new Command("queries", "Measures GPU milliseconds of probes and detectors after the step.") { particles, probes,
@@ -40,7 +40,7 @@ namespace Host.Bench
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
-                Player.TimesKernels = parsed.GetValue(kernels);
+                KernelsOption.Use(parsed.GetValue(kernels));
                 GivenNumber.CheckOption("--particles", parsed.GetValue(particles), ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 GivenNumber.CheckOption("--probes", parsed.GetValue(probes), 0, Queries.MaxProbes);
                 GivenNumber.CheckOption("--detectors", parsed.GetValue(detectors), 0, Queries.MaxDetectors);

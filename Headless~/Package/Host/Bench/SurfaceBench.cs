@@ -29,7 +29,7 @@ namespace Host.Bench
                 DefaultValueFactory = _ => "moving" };
             var steps = new Option<int>("--steps") { Description = $"Steps measured of each, at least {StepTimes.MinSteps}.",
                 DefaultValueFactory = _ => StepTimes.MinSteps };
-            var kernels = new Option<bool>("--kernels") { Description = "Also time each kernel by itself, which slows the step." };
+            Option<bool> kernels = KernelsOption.Create();
             var csv = new Option<string>("--csv") { Description = "Also write the figures to this file." };
             var screens = new Option<string[]>("--screen") {
                 Description = "Pixels of cameras that also draw it, 1920x1080 for one eye, 2x2064x2208 for two.", DefaultValueFactory = _
@@ -43,7 +43,7 @@ namespace Host.Bench
             command.SetAction(parsed =>
             {
                 ShadersOption.Use(parsed.GetValue(shaders));
-                Player.TimesKernels = parsed.GetValue(kernels);
+                KernelsOption.Use(parsed.GetValue(kernels));
                 foreach (int count in parsed.GetValue(particles))
                     GivenNumber.CheckOption("--particles", count, ExperimentScene.MinDamParticles, SolverLayout.MaxCapacity);
                 if (parsed.GetValue(steps) < StepTimes.MinSteps)
