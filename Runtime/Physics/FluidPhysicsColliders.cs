@@ -249,12 +249,14 @@ namespace Rill
 
         void FollowBodies()
         {
-            foreach (IFluidCollider collider in taken)
-                ((GatheredCollider)collider).FindBody();
+            if (floatingLayers != 0)
+                foreach (IFluidCollider collider in taken)
+                    ((GatheredCollider)collider).FindBody();
             foreach (IFluidCollider collider in taken)
             {
                 var gathered = (GatheredCollider)collider;
-                gathered.FollowBody(floatingLayers, floatingLayers != 0 && gathered.Body != null && HasOther(gathered));
+                bool isFree = gathered.IsFree(floatingLayers);
+                gathered.FollowBody(isFree, isFree && HasOther(gathered));
             }
         }
 

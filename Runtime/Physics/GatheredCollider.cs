@@ -50,12 +50,15 @@ namespace Rill
         /// <summary>Looks for the body again, which may change between frames.</summary>
         public void FindBody() => Body = Collider.attachedRigidbody;
 
+        /// <summary>Whether the body is free and of one of these layers.</summary>
+        public bool IsFree(LayerMask floatingLayers)
+            => (floatingLayers & 1 << Collider.gameObject.layer) != 0 && Body != null && !Body.isKinematic;
+
         /// <summary>Follows whether the fluid carries the body.</summary>
-        /// <param name="floatingLayers">Whose free bodies it carries.</param>
+        /// <param name="isFree">Whether it is one that the fluid carries.</param>
         /// <param name="isCompound">Whether another collider that the fluid takes is of the same body.</param>
-        public void FollowBody(LayerMask floatingLayers, bool isCompound)
+        public void FollowBody(bool isFree, bool isCompound)
         {
-            bool isFree = (floatingLayers & 1 << Collider.gameObject.layer) != 0 && Body != null && !Body.isKinematic;
             bool isRefused = isFree && isCompound;
             if (isRefused && !compoundIsKnown)
                 Debug.LogError($"Rill: FluidPhysicsColliders '{source.name}' does not carry '{Name}': {CompoundProblem}", Collider);
@@ -152,7 +155,7 @@ namespace Rill
         public void TellContacts(FluidSimulation fluid)
         {
             if (source.ListensToContacts)
-                source.Tell(watch.Follow(force.Force.magnitude * force.Duration, force.Duration, source.HitImpulse),
+                source.Tell(watch.Follow(force.Impulse.magnitude, force.Duration, source.HitImpulse),
                     new FluidContact(Collider, force));
         }
 

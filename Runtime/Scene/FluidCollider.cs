@@ -261,7 +261,7 @@ namespace Rill
                 return;
             FluidForce force = forces[index];
             ContactWatch watch = watches[index];
-            ContactChange change = watch.Follow(force.Force.magnitude * force.Duration, force.Duration, contacts.HitImpulse);
+            ContactChange change = watch.Follow(force.Impulse.magnitude, force.Duration, contacts.HitImpulse);
             watches[index] = watch;
             contacts.Raise(change, new FluidContact(this, force));
         }

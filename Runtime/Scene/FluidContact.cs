@@ -21,7 +21,7 @@ namespace Rill
         {
             Collider = collider;
             Fluid = force.From;
-            Impulse = force.Force * force.Duration;
+            Impulse = force.Impulse;
             Step = force.Step;
         }
 

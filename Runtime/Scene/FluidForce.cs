@@ -18,6 +18,9 @@ namespace Rill
         /// <summary>The last of them, as <see cref="FluidSimulation.StepCount"/> counts.</summary>
         public readonly int Step;
 
+        /// <summary>N s.</summary>
+        public Vector3 Impulse => Force * Duration;
+
         public FluidForce(FluidSimulation from, Vector3 force, Vector3 torque, in RelativeMotion motion, float duration = 0f, int step = 0)
         {
             From = from;
