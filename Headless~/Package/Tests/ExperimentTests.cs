@@ -69,6 +69,13 @@ namespace Host.Tests
             Assert.That(Assert.Throws<HostException>(() => MeasureCommand.ParseBucket(text)).Message,
             Does.Contain($"\"{text}\"").And.Contain(problem));
 
+        [TestCase("cup:2:4", "degrees of its path is missing; give a number from 0 to 90, as in cup:2:4:20")]
+        [TestCase("cup:2:20:0", "acceleration is 20; give a number from 0.5 to 8")]
+        [TestCase("cup:thin:4:0", "thickness of its walls is thin; give")]
+        public void A_moving_cup_that_cannot_be_is_refused(string text, string problem) =>
+            Assert.That(Assert.Throws<HostException>(() => MeasureCommand.ParseCup(text)).Message,
+            Does.Contain($"\"{text}\"").And.Contain(problem));
+
         [TestCase("slosh:0:20:2", "particles along 1 m is 0; give a whole number from 8 to 1,000, as in slosh:40:20:2")]
         [TestCase("slosh:40:20", "wave in spacings is missing; give a number from 0.01 to 1,000")]
         [TestCase("slosh:40:20:30", "wave in spacings is 30, as high as the water is deep; give less than its 20 layers")]

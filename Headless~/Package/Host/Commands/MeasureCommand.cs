@@ -15,8 +15,9 @@ namespace Host.Commands
         public static Command Create()
         {
             var scene = new Argument<string>("scene") { Description = "dam:<particles>, column:<layers>:<spacing in m>, " +
-                "tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m> or " +
-                "bucket:<particles across the radius>:<friction of its wall>." };
+                "tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m>, " +
+                "bucket:<particles across the radius>:<friction of its wall> or " +
+                "cup:<thickness of its walls in spacings>:<acceleration in m/s²>:<degrees of its path to the grid>." };
             var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
@@ -50,6 +51,13 @@ namespace Host.Commands
                 material.velocitySmoothing = parsed.GetValue(smoothing);
                 GivenNumber.Clamp("measure", ref settings, ref material);
                 StepInput input = ExperimentFigures.Input(settings, material);
+                if (parsed.GetValue(scene).Split(':')[0] == "cup")
+                {
+                    (float wall, double acceleration, double degrees) = ParseCup(parsed.GetValue(scene));
+                    using var cups = new Session(Session.Root());
+                    PrintCup(parsed.GetValue(scene), wall, acceleration, degrees, input, cups.DescribeDevice());
+                    return 0;
+                }
                 bool isBucket = parsed.GetValue(scene).Split(':')[0] == "bucket";
                 GivenNumber.CheckOption("--seconds", parsed.GetValue(seconds), isBucket ? BucketPeriod + 0.1 : 0.05, GivenNumber.MaxSeconds);
                 GivenNumber.CheckOption("--every", parsed.GetValue(every), 1, 1_000_000);
@@ -107,6 +115,23 @@ namespace Host.Commands
             foreach (var ring in bucket.Profile)
                 Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  at {ring.Radius:0.000} m: height " +
                     $"{ring.Height:0.0000} m of {ring.OwnTheory:0.0000} for its own turning, {ring.Turning:0.000} rad/s"));
+        }
+
+        /// <summary>"cup:2:4:20": thickness of the walls in spacings, acceleration in m/s², degrees of the path to the grid.</summary>
+        public static (float Wall, double Acceleration, double Degrees) ParseCup(string text)
+        {
+            double[] numbers = GivenNumber.Parse(text, "cup:2:4:20", new GivenNumber("thickness of its walls", 0.5, 16, false),
+                new GivenNumber("acceleration", 0.5, 8, false), new GivenNumber("degrees of its path", 0, 90, false));
+            return ((float)numbers[0], numbers[1], numbers[2]);
+        }
+
+        static void PrintCup(string scene, float wall, double acceleration, double degrees, StepInput input, string device)
+        {
+            double[] slopes = Enumerable.Range(0, 4).Select(shift => MovingCup.Run(input, wall, acceleration, degrees, shift)).ToArray();
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene} N {MovingCup.Inside * MovingCup.Inside * MovingCup.Layers:N0}, " +
+                $"{input.settings.substeps} x {input.settings.iterations}, deep water {input.settings.deepWater}, {device}"));
+            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"  slope over a / g, from places 0 to 3 d along the path: " +
+                $"{string.Join(", ", slopes.Select(s => s.ToString("0.000", CultureInfo.InvariantCulture)))}; mean {slopes.Average():0.000}"));
         }
 
         static void PrintSheets(string window, IEnumerable<(double time, Sheet sheet)> sheets)

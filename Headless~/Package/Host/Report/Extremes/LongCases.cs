@@ -14,7 +14,7 @@ namespace Host.Report.Extremes
         {
             int steps = quick ? 300 : 100_000;
             yield return Still(steps);
-            yield return Floating(quick ? steps : 20_000);
+            yield return Floating(quick ? steps : 6_000);
         }
 
         static ExtremeCase Still(int steps) => new(Subject, $"still water of 8 x 6 x 8; {steps} steps", (setting, check) =>
@@ -34,7 +34,8 @@ namespace Host.Report.Extremes
 
         static ExtremeCase Floating(int steps) => new(Subject, $"block of 8 x 8 x 8 afloat without gravity; {steps} steps", (setting, check) =>
         {
-            using var fluid = new ExtremeFluid(32f, Spacing, 512, setting.Solver).AddLattice(12f, 8);
+            // What is pressed out of the block flies off for good, at up to 0.5 d/s: no wall may be within reach, since it would push.
+            using var fluid = new ExtremeFluid(128f, Spacing, 512, setting.Solver).AddLattice(60f, 8);
             fluid.Input.gravity = 0f;
             fluid.Step(steps, steps / 100);
             double mass = 1000.0 * 512 * Math.Pow(Spacing, 3);
