@@ -7,7 +7,7 @@ namespace Rill.Editor
     /// <summary>What is wrong with a mesh, found once: on a thread beside the editor, or at once for a bake.</summary>
     sealed class MeshAnalysis
     {
-        // Seconds at most; the rest of a larger mesh is said not to have been looked at.
+        // Seconds at most; the rest of a larger mesh is reported as not examined.
         const long MaxCrossingTests = 2_000_000;
         const int MillisecondsBetweenLooks = 20;
         const string Reading = "Reading the mesh";

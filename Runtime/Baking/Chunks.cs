@@ -10,7 +10,7 @@ namespace Rill
 
         public static int Of(int items) => (items + Size - 1) / Size;
 
-        /// <param name="work">The chunk, its first item and the one behind its last.</param>
+        /// <param name="work">The chunk, its first item and the one after its last.</param>
         public static void Run(int items, Action<int, int, int> work)
         {
             void One(int chunk) => work(chunk, chunk * Size, Math.Min(items, (chunk + 1) * Size));

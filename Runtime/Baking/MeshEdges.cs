@@ -168,7 +168,7 @@ namespace Rill
         static int TriangleOf(ulong side) => (int)((uint)(side >> 1) / 3);
         static bool RunsDown(ulong side) => (side & 1) != 0;
 
-        /// <summary>Behind the last side of the edge that begins at one.</summary>
+        /// <summary>After the last side of the edge that begins at one.</summary>
         int EndOfEdge(int first, int endOfBundle)
         {
             int end = first + 1;

@@ -64,7 +64,7 @@ namespace Rill
         /// <summary>Heights over <see cref="Center"/>, m; null once disposed of.</summary>
         internal Texture3D Texture { get; private set; }
 
-        /// <summary>Frees the texture; a collider that still has these heights is left out, which is said.</summary>
+        /// <summary>Frees the texture; a collider that still has these heights is left out, which is logged.</summary>
         public void Dispose()
         {
             if (Texture != null)

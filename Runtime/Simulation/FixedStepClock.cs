@@ -13,7 +13,7 @@ namespace Rill
         /// <summary>Time that the cap dropped since the start, s.</summary>
         public double Dropped { get; private set; }
 
-        /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is seen once a frame of steps
+        /// <summary>Time from the frame before the last that took steps to that last one, s: in which what is drawn once a frame of steps
         /// has moved.</summary>
         public double FrameInterval { get; private set; }
 

@@ -17,7 +17,7 @@ namespace Rill
         public bool needsDensity;
         /// <summary>Solid colliders over the frame that the step belongs to; null for none.</summary>
         public ColliderSet colliders;
-        /// <summary>Shares of that frame at which the step starts and ends.</summary>
+        /// <summary>Fractions of that frame at which the step starts and ends.</summary>
         public float frameFrom, frameTo;
         /// <summary>Emitters, drains and force fields; null for none.</summary>
         public StepSources sources;

@@ -23,7 +23,7 @@ namespace Rill.Tests
             ids = Enumerable.Range(0, places.Length).Select(i => (uint)i).ToArray();
         }
 
-        /// <summary>Places anywhere in a box of three different sides, about as many as its volume: densities on both sides of rest.</summary>
+        /// <summary>Positions anywhere in a box of three different sides, about as many as its volume: densities on both sides of rest.</summary>
         public static ParticleState Random(int count, int seed, float speed = 0f)
         {
             float side = math.max((float)Math.Pow(count, 1.0 / 3.0), 5f);

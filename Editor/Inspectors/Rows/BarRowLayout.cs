@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Rill.Editor
 {
-    /// <summary>Where a label, the figure behind it and the bar below both stand.</summary>
+    /// <summary>Where a label, the figure after it and the bar below both stand.</summary>
     readonly struct BarRowLayout
     {
         readonly float indent, figureWidth;

@@ -14,7 +14,7 @@ namespace Rill.Editor
 
         static readonly Color Bar = new Color(0.25f, 0.5f, 0.85f, 0.6f);
 
-        /// <summary>A serialized field with its unit behind it.</summary>
+        /// <summary>A serialized field followed by its unit.</summary>
         /// <param name="unit">Null for none.</param>
         public static void Field(SerializedProperty property, GUIContent label, string unit)
         {

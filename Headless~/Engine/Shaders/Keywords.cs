@@ -21,7 +21,7 @@ namespace Host.Shaders
             public bool Implicit;
         }
 
-        const int MostChoices = 4096;
+        const int MaxChoices = 4096;
 
         readonly List<Line> lines = new List<Line>();
 
@@ -84,8 +84,8 @@ namespace Host.Shaders
             {
                 IEnumerable<string> names = line.Dynamic && !line.Names.Contains("") ? line.Names.Prepend("") : line.Names;
                 choices = choices.SelectMany(choice => names, (choice, name) => name.Length == 0 ? choice : choice.Append(name).ToArray()).ToList();
-                if (choices.Count > MostChoices)
-                    throw new ShaderCompileException(file, 1, $"its keywords make more than {MostChoices} variants; no build would " +
+                if (choices.Count > MaxChoices)
+                    throw new ShaderCompileException(file, 1, $"its keywords make more than {MaxChoices} variants; no build would " +
                         $"want to compile them: use fewer, or dynamic_branch");
             }
             return choices;

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Host.Check
 {
-    /// <summary>One thing that must hold for a package. A rule that cannot read what it has to judge says so as a fault.</summary>
+    /// <summary>One thing that must hold for a package. A rule that cannot read what it has to judge reports that as a fault.</summary>
     abstract class Rule
     {
         /// <summary>"group: what must hold", a line of the table; <c>rill check --filter</c> looks for a part of it.</summary>

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Host.Tests
 {
-    /// <summary>What is said when Microsoft's compiler cannot run, with tools that are missing or false.</summary>
+    /// <summary>What is reported when Microsoft's compiler cannot run, with tools that are missing or false.</summary>
     public sealed class FxcInstallationTests
     {
         const string Gcc = "x86_64-w64-mingw32-gcc";

@@ -144,7 +144,7 @@ namespace Host.Tests
         public void A_strip_and_a_fan_have_the_corners_of_their_list()
         {
             string Primitive(int mode) => Scene("{'mesh':0}", "'mode':" + mode + ",'attributes':{'POSITION':0}");
-            Assert.That(ReadGlb(Primitive(5)).Triangles.Take(9), Is.EqualTo(new[] { 0, 2, 1, 2, 3, 1, 2, 4, 3 }), "every second triangle of a strip is the other way around");
+            Assert.That(ReadGlb(Primitive(5)).Triangles.Take(9), Is.EqualTo(new[] { 0, 2, 1, 2, 3, 1, 2, 4, 3 }), "every second triangle of a strip is reversed");
             Assert.That(ReadGlb(Primitive(6)).Triangles.Take(6), Is.EqualTo(new[] { 0, 2, 1, 0, 3, 2 }));
             MeshFile lines = ReadGlb(Primitive(1));
             Assert.That((lines.Triangles.Length, lines.Notes.Single()), Is.EqualTo((0, "1 primitives of points or lines are left out.")));

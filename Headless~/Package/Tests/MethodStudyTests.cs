@@ -313,7 +313,7 @@ namespace Host.Tests
             return ByNumber(solver.Positions, solver.ParticleIds, positions.Length);
         }
 
-        /// <param name="speed">d/s, of particles that move every way.</param>
+        /// <param name="speed">d/s, of particles that move in all directions.</param>
         static void Fill(float4[] positions, float speed, Action<NativeArray<float4>, NativeArray<float4>> add)
         {
             using var metres = new NativeArray<float4>(positions.Select(p => p * Spacing).ToArray(), Allocator.Persistent);

@@ -50,7 +50,7 @@ namespace Host.Tests
 
         public Findings Examine(Rule rule) => rule.Examine(new PackageTree(Root, assemblies));
 
-        /// <summary>The rule holds in the copy, and after the fault says so in these words, each in one fault.</summary>
+        /// <summary>The rule holds in the copy, and after the fault fails in these words, each in one fault.</summary>
         public void Catches(Rule rule, Action plant, params string[] words)
         {
             Assert.That(Examine(rule).Faults, Is.Empty, "before the fault is planted");

@@ -120,7 +120,7 @@ namespace Host.Tests
         const string PierPrefab = "a0000000000000000000000000000002", RowPrefab = "a0000000000000000000000000000003",
             ThickPrefab = "a0000000000000000000000000000004";
 
-        /// <param name="changes">The list as Unity writes it, from behind its name on.</param>
+        /// <param name="changes">The list as Unity writes it, from the end of its name on.</param>
         static string Instance(long id, string prefab, string changes = " []\n") =>
             $"--- !u!1001 &{id}\nPrefabInstance:\n  m_ObjectHideFlags: 0\n  serializedVersion: 2\n  m_Modification:\n    " +
             $"serializedVersion: 3\n    m_TransformParent: {{fileID: 0}}\n    m_Modifications:{changes}"

@@ -26,8 +26,8 @@ namespace Host.Tests
             public const int OfCSharpAlone = 1;
         }
 
-        [SharedWithHlsl("Planted", Prefix = "Way")]
-        enum Ways { In, Out = 4, Off }
+        [SharedWithHlsl("Planted", Prefix = "Kind")]
+        enum Kinds { In, Out = 4, Off }
 
         [SharedWithHlsl("Planted", Name = "Body")]
         struct Element
@@ -60,7 +60,7 @@ namespace Host.Tests
             public uint4 a, b;
         }
 
-        static readonly Type[] Planted = { typeof(Constants), typeof(Ways), typeof(Element), typeof(Buffer) };
+        static readonly Type[] Planted = { typeof(Constants), typeof(Kinds), typeof(Element), typeof(Buffer) };
 
         static CodeSummaries Summaries(params (string id, string text)[] members) =>
             CodeSummaries.Parse($"<doc><members>{string.Concat(members.Select(m => $"<member name=\"{m.id}\"><summary>{m.text}</summary></member>"))}</members></doc>");
@@ -84,7 +84,7 @@ namespace Host.Tests
                 "static const uint kGroup = 128;", "static const int kBand = 2;", "static const int kBelow = -3;", "static const uint kMask = 0x00FFFFFFu;",
                 "static const uint kFew = 4;", "static const float kRestSide = 8.0;", "static const float kSmall = 1E-08;",
                 "struct Body", "{", "    float3 center;", "    uint kind;", "    uint2 cells;", "    float4 color;", "    float four[4];", "};",
-                "static const uint kWayIn = 0;", "static const uint kWayOut = 4;", "static const uint kWayOff = 5;",
+                "static const uint kKindIn = 0;", "static const uint kKindOut = 4;", "static const uint kKindOff = 5;",
             }));
         }
 
@@ -102,8 +102,8 @@ namespace Host.Tests
         public void Summaries_become_comments_of_ASCII()
         {
             string id = typeof(Constants).FullName.Replace('+', '.');
-            string text = SharedHlsl.Files(Planted, Summaries(($"F:{id}.Group", "Threads of <see cref=\"P:A.B.C(System.Int32)\"/>,\n   1/d²."), ($"T:{typeof(Ways).FullName.Replace('+', '.')}", "All ways.")), new Findings())["Planted"];
-            Assert.That(text, Does.Contain("static const uint kGroup = 128;    // Threads of C, 1/d^2.\n").And.Contain("\n// All ways.\nstatic const uint kWayIn"));
+            string text = SharedHlsl.Files(Planted, Summaries(($"F:{id}.Group", "Threads of <see cref=\"P:A.B.C(System.Int32)\"/>,\n   1/d²."), ($"T:{typeof(Kinds).FullName.Replace('+', '.')}", "All kinds.")), new Findings())["Planted"];
+            Assert.That(text, Does.Contain("static const uint kGroup = 128;    // Threads of C, 1/d^2.\n").And.Contain("\n// All kinds.\nstatic const uint kKindIn"));
         }
 
         [Test]

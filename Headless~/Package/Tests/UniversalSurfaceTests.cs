@@ -220,7 +220,7 @@ namespace Host.Tests
             var inspector = (Rill.Editor.FluidSurfaceEditor)UnityEditor.Editor.CreateEditor(simulation.GetComponent<FluidSurface>());
             UnityEditor.GuiTrace.Clear();
             GuiPasses.Draw(() => inspector.OnInspectorGUI());
-            Assert.That(UnityEditor.GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.Contains("'Mobile'"), "the inspector says so");
+            Assert.That(UnityEditor.GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.Contains("'Mobile'"), "the inspector reports it");
             UnityEngine.Object.DestroyImmediate(inspector);
             UnityEditor.GuiTrace.Clear();
             SetupProblem problem = setup.Problems.Single();

@@ -13,7 +13,7 @@ namespace Rill
         ErrorIsReached,
         /// <summary>The best settings within the bounds fit.</summary>
         BestFits,
-        /// <summary>The least settings that keep the scene stable, within the bounds, take longer than the budget; they stand.</summary>
+        /// <summary>The cheapest settings that keep the scene stable, within the bounds, take longer than the budget; they stand.</summary>
         MinStable,
     }
 }

@@ -52,7 +52,7 @@ namespace Rill
                     ? Format($"the next better settings are expected to take {nextMilliseconds:0.###} ms") : "no better settings fit";
                 case BudgetReason.ErrorIsReached: return "the density error is within its target";
                 case BudgetReason.BestFits: return "the best settings within the bounds fit";
-                case BudgetReason.MinStable: return "the least settings that are stable and within the bounds take longer than the budget";
+                case BudgetReason.MinStable: return "the cheapest settings that are stable and within the bounds take longer than the budget";
                 default: throw new ArgumentOutOfRangeException(nameof(reason), reason, "No such reason.");
             }
         }

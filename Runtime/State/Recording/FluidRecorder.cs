@@ -12,7 +12,7 @@ namespace Rill
     /// waits: the GPU packs each frame, it comes back two or three frames later, and a thread of its own writes it.
     /// </summary>
     /// <remarks>
-    /// It stops, and says so, where the disk falls behind by <see cref="BufferedFrames"/>, where it is full, and where the fluid starts again.
+    /// It stops, and logs why, where the disk falls behind by <see cref="BufferedFrames"/>, where it is full, and where the fluid starts again.
     /// What was written until then is whole and can be played. Recording changes nothing in the fluid. WebGL has no threads and so no recordings.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Recorder")]

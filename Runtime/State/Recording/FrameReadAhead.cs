@@ -37,7 +37,7 @@ namespace Rill
             thread.Start();
         }
 
-        /// <summary>Asks for a frame and for those behind it.</summary>
+        /// <summary>Asks for a frame and for those after it.</summary>
         /// <param name="forward">Whether time goes on, so that higher numbers come next.</param>
         /// <param name="waits">Whether to wait for the disk.</param>
         /// <param name="problem">Why it cannot be read; null where it is there or pending.</param>

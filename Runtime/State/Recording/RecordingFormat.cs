@@ -173,7 +173,7 @@ namespace Rill
                 entries[i] = new IndexEntry { position = next, time = time, particles = (int)particles, step = (int)step };
                 next += FrameHeaderBytes + sizeof(uint) * header.Layout.Words(particles);
                 if (next > position)
-                    throw Damaged($"frame {i} of its index ends behind the frames");
+                    throw Damaged($"frame {i} of its index ends after the frames");
             }
             if (next != position)
                 throw Damaged("its index does not list all of its frames");

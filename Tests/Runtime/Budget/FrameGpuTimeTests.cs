@@ -4,7 +4,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Rill.Tests
 {
-    /// <summary>The fluid's share found in the whole frame's GPU time.</summary>
+    /// <summary>The fluid's part found in the whole frame's GPU time.</summary>
     public class FrameGpuTimeTests
     {
         const float Seconds = 1f / 60f;

@@ -48,7 +48,7 @@ namespace Rill.Tests.Reference
             return particles;
         }
 
-        public int3 Place(int cell) => new int3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
+        public int3 Coordinates(int cell) => new int3(cell % counts.x, cell / counts.x % counts.y, cell / (counts.x * counts.y));
 
         public int Index(int3 place) => (place.z * counts.y + place.y) * counts.x + place.x;
 
@@ -63,7 +63,7 @@ namespace Rill.Tests.Reference
         /// <summary>The next cell along an axis, up or down; -1 at a wall.</summary>
         public int Beside(int cell, int axis, bool up)
         {
-            int3 place = Place(cell);
+            int3 place = Coordinates(cell);
             place[axis] += up ? 1 : -1;
             return place[axis] < 0 || place[axis] >= counts[axis] ? -1 : Index(place);
         }
@@ -91,7 +91,7 @@ namespace Rill.Tests.Reference
         {
             for (int cell = 0; cell < Total; cell++)
                 if (IsAtSurface(cell))
-                    water[cell] = points.Sum(p => WeightOf(p, Place(cell))) / Volume;
+                    water[cell] = points.Sum(p => WeightOf(p, Coordinates(cell))) / Volume;
             double least = Math.Ceiling(2.0 * Math.Pow(Volume, 2.0 / 3.0) - 0.01) / Volume;
             bool[] weighted = Enumerable.Range(0, Total).Select(IsAtSurface).ToArray();
             for (int cell = 0; cell < Total; cell++)

@@ -78,7 +78,7 @@ namespace Rill.Tests.Reference
 
         static RigidPose Pose(float3 path, float3 turn) => new RigidPose(new float3(0.5f, 0.3f, 0.5f) * Box + path, quaternion.Euler(turn));
 
-        /// <summary>Places of water at rest in the cup at a pose, on a lattice.</summary>
+        /// <summary>Positions of water at rest in the cup at a pose, on a lattice.</summary>
         public static float3[] Water(RigidPose cup)
         {
             var random = new Unity.Mathematics.Random(7u);
@@ -129,7 +129,7 @@ namespace Rill.Tests.Reference
             }
         }
 
-        // The surface that a line of points (radius, height) sweeps about the axis, facing right of the line's way.
+        // The surface that a line of points (radius, height) sweeps about the axis, facing right of the line's direction.
         static TriangleMesh Turned(string name, params float2[] line)
         {
             var vertices = new List<Vector3>();

@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Rill.Tests
 {
-    /// <summary>Colliders as components: where they are in a simulation's frame, how they move, what is said of bad ones.</summary>
+    /// <summary>Colliders as components: where they are in a simulation's frame, how they move, what is logged of bad ones.</summary>
     public class FluidColliderTests
     {
         GameObject water;

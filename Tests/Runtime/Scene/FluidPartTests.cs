@@ -431,7 +431,7 @@ namespace Rill.Tests
         [Test]
         public void Two_fluids_with_parts_of_their_own_do_not_disturb_each_other()
         {
-            ParticleState alone, beside, otherAlone, otherBeside;
+            ParticleState alone, beside, otherAlone, otherTogether;
             using (SourceScene scene = First())
                 alone = scene.Step(30).Read();
             using (SourceScene scene = Second())
@@ -444,10 +444,10 @@ namespace Rill.Tests
                     other.Step();
                 }
                 beside = scene.Read();
-                otherBeside = other.Read();
+                otherTogether = other.Read();
             }
             TestFluid.AssertSame(beside, alone);
-            TestFluid.AssertSame(otherBeside, otherAlone);
+            TestFluid.AssertSame(otherTogether, otherAlone);
 
             SourceScene First()
             {

@@ -16,7 +16,7 @@ namespace Rill.Tests
 
         GameObject fluid;
 
-        // Fluids take their steps when this test says so and at no other time.
+        // Fluids take their steps when this test asks for them and at no other time.
         [SetUp]
         public void StopTime() => Time.timeScale = 0f;
 

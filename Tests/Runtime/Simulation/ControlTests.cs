@@ -116,7 +116,7 @@ namespace Rill.Tests
                 scene.Fluid.Fill(FluidShape.Box(new Vector3(0f, -0.1f, 0f), new Vector3(1f, 0.8f, 0.5f)));
                 int full = scene.Read().Count;
                 FluidStatistics statistics = scene.Step(90).AssertConserved();
-                TestContext.Out.WriteLine($"{before} particles, {same} after a fill of what is there, {full} of 400 after one twice as " +
+                TestContext.Out.WriteLine($"{before} particles, {same} after a fill of the same space, {full} of 400 after one twice as " +
                     $"high, {statistics.densityError:0.0000} density error");
                 Assert.That(same - before, Is.InRange(0, 5));
                 Assert.That(full, Is.InRange(340, 410));

@@ -119,18 +119,18 @@ namespace Rill.Tests
             yield return Frames(10);
             Assert.That(Buffers(deep), Has.Member("Rill.Coarse.Bins"));
             Assert.That(Buffers(shallow), Has.No.Member("Rill.Coarse.Bins"));
-            ParticleState deepBeside = State(deep), shallowBeside = State(shallow);
+            ParticleState deepTogether = State(deep), shallowTogether = State(shallow);
             deep.gameObject.SetActive(false);
             shallow.gameObject.SetActive(false);
 
             FluidSimulation deepAlone = Tank();
             yield return Frames(10);
-            TestFluid.AssertSame(deepBeside, State(deepAlone));
+            TestFluid.AssertSame(deepTogether, State(deepAlone));
             deepAlone.gameObject.SetActive(false);
 
             FluidSimulation shallowAlone = Puddle();
             yield return Frames(10);
-            TestFluid.AssertSame(shallowBeside, State(shallowAlone));
+            TestFluid.AssertSame(shallowTogether, State(shallowAlone));
         }
 
         [UnityTest]
@@ -748,7 +748,7 @@ namespace Rill.Tests
                 Is.LessThan(1e-5f));
         }
 
-        /// <summary>A layout that cannot be, and what is said of it.</summary>
+        /// <summary>A layout that cannot be, and what is logged of it.</summary>
         public sealed class BadLayout
         {
             public readonly Vector3 Box;

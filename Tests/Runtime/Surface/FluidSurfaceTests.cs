@@ -165,7 +165,7 @@ namespace Rill.Tests
             surface.Look = SurfaceLook.Water;
             surface.Sun = null;
             fluid.gameObject.SetActive(true);
-            // Straight down on a plain white ground, so that what is seen is a matter of depth and slope alone. By a pixel a frame: the
+            // Straight down on a plain white ground, so that the picture is a matter of depth and slope alone. By a pixel a frame: the
             // last picture is the next one, shifted.
             yield return Frames(150);
             float4[] last = scene.Pixels();
@@ -297,7 +297,7 @@ namespace Rill.Tests
             yield return Frames(1);
             version = fluid.Solver.SurfaceVersion;
             yield return Frames(3);
-            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version), "it falls away from what is seen");
+            Assert.That(fluid.Solver.SurfaceVersion, Is.EqualTo(version), "it falls away from the camera");
             Object.Destroy(sun.gameObject);
         }
 

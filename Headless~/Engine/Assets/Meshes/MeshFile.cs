@@ -18,7 +18,7 @@ namespace Host.Assets
         public readonly int[] Triangles;
         /// <summary>Objects, groups, materials or primitives that have triangles.</summary>
         public readonly int Parts;
-        /// <summary>What the file has beside and was left out, or was taken in another way than it says.</summary>
+        /// <summary>What the file has beside and was left out, or was read differently from what it says.</summary>
         public readonly IReadOnlyList<string> Notes;
         /// <summary>What an OBJ file says beside its shape; null where no one asked for it.</summary>
         public MeshLooks Looks;

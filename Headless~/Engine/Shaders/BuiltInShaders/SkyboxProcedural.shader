@@ -1,5 +1,5 @@
 // Of the headless host: a stand-in, by the same name and properties, for the shader that comes with the editor.
-// Light that air scatters once: blue overhead, white towards the horizon, where the way through it is long, and red where the sun is
+// Light that air scatters once: blue overhead, white towards the horizon, where the path through it is long, and red where the sun is
 // low; a disk and a glow for the sun; the ground's colour below.
 Shader "Skybox/Procedural"
 {
@@ -50,13 +50,13 @@ Shader "Skybox/Procedural"
             #else
                 float3 tint = _SkyTint.rgb / unity_ColorSpaceGrey.rgb, ground = _GroundColor.rgb, light = _LightColor0.rgb;
             #endif
-                // By wavelength, over a vertical way; ways in vertical ones.
+                // By wavelength, over a vertical path; paths in vertical ones.
                 float3 scattering = float3(0.058, 0.135, 0.331) * tint * _AtmosphereThickness;
-                float way = 1 / (0.95 * max(d.y, 0) + 0.05), sunWay = 1 / (0.95 * max(sun.y, 0) + 0.05);
+                float path = 1 / (0.95 * max(d.y, 0) + 0.05), sunPath = 1 / (0.95 * max(sun.y, 0) + 0.05);
                 float cosine = dot(d, sun);
-                float3 sunlight = exp(-scattering * 0.35 * (sunWay - 1)) * smoothstep(-0.15, 0.1, sun.y);
-                float glow = 0.012 / pow(1.64 - 1.6 * cosine, 1.5) * saturate(way * 0.15);
-                float3 sky = (1 - exp(-scattering * way)) * sunlight * (0.8 + 0.15 * cosine * cosine) + glow * sunlight;
+                float3 sunlight = exp(-scattering * 0.35 * (sunPath - 1)) * smoothstep(-0.15, 0.1, sun.y);
+                float glow = 0.012 / pow(1.64 - 1.6 * cosine, 1.5) * saturate(path * 0.15);
+                float3 sky = (1 - exp(-scattering * path)) * sunlight * (0.8 + 0.15 * cosine * cosine) + glow * sunlight;
                 float3 horizon = (1 - exp(-scattering * 20)) * sunlight * (0.8 + 0.15 * cosine * cosine);
                 float3 color = d.y >= 0 ? sky : lerp(horizon, ground * max(sunlight, 0.1), smoothstep(0, 0.06, -d.y));
 

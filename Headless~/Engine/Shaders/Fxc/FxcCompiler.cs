@@ -9,7 +9,7 @@ namespace Host.Shaders
     sealed class FxcCompiler
     {
         // A start of wine costs as much as some kernels.
-        const int LeastPerWorker = 4;
+        const int MinPerWorker = 4;
         static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
 
         readonly FxcCache cache;
@@ -54,8 +54,8 @@ namespace Host.Shaders
         {
             if (wanted.Count == 0)
                 return Enumerable.Empty<(string, FxcWorker.Answer)>();
-            _ = installation.Value;     // one thread finds what is missing, and says so
-            int workers = Math.Clamp(wanted.Count / LeastPerWorker, 1, Environment.ProcessorCount);
+            _ = installation.Value;     // one thread finds what is missing and reports it
+            int workers = Math.Clamp(wanted.Count / MinPerWorker, 1, Environment.ProcessorCount);
             // Dealt out in turn: the kernels of one file cost alike.
             return Enumerable.Range(0, workers)
                 .Select(worker => Task.Run(() => RunOne(wanted.Where((_, i) => i % workers == worker).ToList())))

@@ -19,7 +19,7 @@ namespace Host.Shaders
         const string Gcc = "x86_64-w64-mingw32-gcc", WineFolder = "/usr/lib/wine";    // Debian's wine64 is in no folder of the PATH
 
         static readonly string[] WineNames = { "wine64", "wine" };
-        static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
+        static readonly TimeSpan MaxWait = TimeSpan.FromMinutes(10);
 
         /// <summary>Where programs are looked for when no folders are named.</summary>
         public static IReadOnlyList<string> ToolFolders
@@ -105,7 +105,7 @@ namespace Host.Shaders
                 {
                     return new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
                 }
-                catch (IOException) when (waited.Elapsed < LongestWait)
+                catch (IOException) when (waited.Elapsed < MaxWait)
                 {
                     // Another process installs.
                 }

@@ -173,7 +173,7 @@ namespace Host.Shaders
             return inside.ToString().Trim();
         }
 
-        /// <summary>With an opening brace as the present token: skips to behind its closing one.</summary>
+        /// <summary>With an opening brace as the present token: skips past its closing one.</summary>
         public void SkipBraces()
         {
             int open = Line;

@@ -34,7 +34,7 @@ namespace Host.Shaders
         /// <summary>Of a vector the type of its components, of a scalar itself.</summary>
         public Instruction Scalar(Instruction type) => type.Op == Op.TypeVector ? definitions[type[1]] : type;
 
-        /// <summary>The type with these operands behind its id.</summary>
+        /// <summary>The type with these operands after its id.</summary>
         public uint Type(Op op, params uint[] operands)
         {
             Instruction same = definitions.Values.FirstOrDefault(i => i.Op == op && i.Words.Skip(1).SequenceEqual(operands));

@@ -80,7 +80,7 @@ namespace UnityEngine.Headless
             Alive(target, "CopyCount");
             if (offset < 0 || offset % 4 != 0 || offset + 4 > target.Bytes)
                 throw new ArgumentException($"CopyCount from {source} to {target}: offset {offset} must be a multiple of 4 with 4 " +
-                    $"bytes behind it; the target holds {target.Bytes:N0} bytes.");
+                    $"bytes after it; the target holds {target.Bytes:N0} bytes.");
             return true;
         }
 

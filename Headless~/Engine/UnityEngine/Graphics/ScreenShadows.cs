@@ -8,7 +8,7 @@ namespace UnityEngine.Headless
     /// <summary>
     /// The shadow of the main directional light as the Built-in pipeline gives it to forward passes on Direct3D 11: casters draw
     /// their ShadowCaster pass into a map from the light and into the camera's depth, and both become a mask on the screen
-    /// (_ShadowMapTexture), which opaque receivers read under SHADOWS_SCREEN. One map without cascades, fitted to what is seen.
+    /// (_ShadowMapTexture), which opaque receivers read under SHADOWS_SCREEN. One map without cascades, fitted to what is visible.
     /// </summary>
     internal static class ScreenShadows
     {

@@ -21,7 +21,7 @@ namespace UnityEngine
 
         // ---- local
         public Vector3 localPosition { get { ThrowIfDestroyed(); return m_LocalPosition; } set { ThrowIfDestroyed();
-            if (IsPlace(nameof(localPosition), value)) { m_LocalPosition = value; Moved(); } } }
+            if (IsValidPosition(nameof(localPosition), value)) { m_LocalPosition = value; Moved(); } } }
         public Quaternion localRotation { get { ThrowIfDestroyed(); return m_LocalRotation; } set { ThrowIfDestroyed();
             m_LocalRotation = Quaternion.Normalize(value); Moved(); } }
         public Vector3 localScale { get { ThrowIfDestroyed(); return m_LocalScale; } set { ThrowIfDestroyed(); m_LocalScale = value; Moved(); } }
@@ -59,13 +59,13 @@ namespace UnityEngine
             get => localToWorldMatrix.GetPosition();
             set
             {
-                if (IsPlace(nameof(position), value))
+                if (IsValidPosition(nameof(position), value))
                     localPosition = ParentOf is null ? value : ParentOf.InverseTransformPoint(value);
             }
         }
 
         // What is no place is refused with Unity's message, and the old one stays.
-        bool IsPlace(string property, Vector3 value)
+        bool IsValidPosition(string property, Vector3 value)
         {
             if (float.IsFinite(value.x) && float.IsFinite(value.y) && float.IsFinite(value.z))
                 return true;
@@ -184,9 +184,9 @@ namespace UnityEngine
 
         public void LookAt(Vector3 worldPosition, Vector3 worldUp)
         {
-            Vector3 way = worldPosition - position;
-            if (way != Vector3.zero)
-                rotation = Quaternion.LookRotation(way, worldUp);
+            Vector3 direction = worldPosition - position;
+            if (direction != Vector3.zero)
+                rotation = Quaternion.LookRotation(direction, worldUp);
         }
 
         // ---- between spaces: points take position, rotation and scale, vectors rotation and scale, directions rotation only

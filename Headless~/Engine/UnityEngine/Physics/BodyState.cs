@@ -79,7 +79,7 @@ namespace UnityEngine.Headless
             wantedRotation = null;
         }
 
-        // Moved by MovePosition and MoveRotation alone; the velocities are those of the way.
+        // Moved by MovePosition and MoveRotation alone; the velocities are those of the displacement.
         void StepKinematic(float time)
         {
             Position = wantedPosition ?? Position;

@@ -11,7 +11,7 @@ namespace Host.Check
     /// <summary>
     /// Without domain reload a static keeps its value from one play mode to the next: one that can change has to be set
     /// by a method with [RuntimeInitializeOnLoadMethod(SubsystemRegistration)]. What follows the assets that are
-    /// loaded stays instead, and says so by an attribute.
+    /// loaded stays instead, and is marked by an attribute.
     /// </summary>
     sealed class StaticsRule : Rule
     {

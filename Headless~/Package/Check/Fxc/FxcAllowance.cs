@@ -5,7 +5,7 @@ namespace Host.Check
     {
         /// <summary>"X3568".</summary>
         public readonly string Number;
-        /// <summary>The file that it is said of.</summary>
+        /// <summary>The file that it applies to.</summary>
         public readonly string File;
         public readonly string Reason;
 

@@ -27,7 +27,7 @@ namespace Host.Check
 
         int Threads => declarations.GroupSize.x * declarations.GroupSize.y * declarations.GroupSize.z;
 
-        /// <summary>FXC checks some of it itself, and says so as errors.</summary>
+        /// <summary>FXC checks some of it itself, and reports it as errors.</summary>
         public IEnumerable<string> Faults()
         {
             if (declarations.Uavs > MaxUavs)

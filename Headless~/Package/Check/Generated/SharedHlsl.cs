@@ -91,7 +91,7 @@ namespace Host.Check
 
         static string WithPoint(string number) => number.IndexOfAny(new[] { '.', 'E' }) < 0 ? number + ".0" : number;
 
-        /// <summary>A line of code with what it means behind it; either may be empty.</summary>
+        /// <summary>A line of code with its meaning after it; either may be empty.</summary>
         public static string Line(string code, string summary)
         {
             if (summary.Length == 0)

@@ -74,7 +74,7 @@ namespace Host.Baking
             return Replace(text, start + list.Index, list.Length, $"    m_Modifications:{newLine}{list.Groups[2].Value}{added}");
         }
 
-        // From behind a document's head to behind its last line.
+        // From the end of a document's head to the end of its last line.
         static bool TryFind(string text, int classId, long id, out int start, out int end)
         {
             string newLine = NewLineOf(text), head = $"--- !u!{classId} &{id}{newLine}";

@@ -24,11 +24,11 @@ namespace Host.Bench
         {
             int rings = Math.Max(4, (int)Math.Round(Math.Sqrt(triangles / 4.0))), across = 2 * rings;
             var vertices = new Vector3[2 + (rings - 1) * across];
-            vertices[0] = Place(0, 0);
-            vertices[^1] = Place(0, Math.PI);
+            vertices[0] = PointOn(0, 0);
+            vertices[^1] = PointOn(0, Math.PI);
             for (int ring = 1; ring < rings; ring++)
                 for (int i = 0; i < across; i++)
-                    vertices[1 + (ring - 1) * across + i] = Place(2 * Math.PI * i / across, Math.PI * ring / rings);
+                    vertices[1 + (ring - 1) * across + i] = PointOn(2 * Math.PI * i / across, Math.PI * ring / rings);
 
             var indices = new List<int>();
             int At(int ring, int i) => ring == 0 ? 0 : ring == rings ? vertices.Length - 1 : 1 + (ring - 1) * across + i % across;
@@ -43,7 +43,7 @@ namespace Host.Bench
             return new TriangleMesh("Lump", vertices, indices.ToArray());
         }
 
-        static Vector3 Place(double around, double down)
+        static Vector3 PointOn(double around, double down)
         {
             double x = Math.Sin(down) * Math.Cos(around), y = Math.Cos(down), z = Math.Sin(down) * Math.Sin(around), radius = 1;
             for (int octave = 1; octave <= 32; octave *= 2)

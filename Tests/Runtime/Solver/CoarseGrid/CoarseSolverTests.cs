@@ -217,12 +217,12 @@ namespace Rill.Tests
                 var diagonals = new float[Cells.Total];
                 for (int cell = 0; cell < Cells.Total; cell++)
                 {
-                    Cells.fill[cell] = fill(Cells.Place(cell), random.NextDouble());
+                    Cells.fill[cell] = fill(Cells.Coordinates(cell), random.NextDouble());
                     Cells.active[cell] = Cells.fill[cell] >= 0.6;
                 }
                 for (int cell = 0; cell < Cells.Total; cell++)
                 {
-                    double3 place = (double3)Cells.Place(cell) / counts;
+                    double3 place = (double3)Cells.Coordinates(cell) / counts;
                     double smooth = 0.1 * Math.Sin(7.0 * place.x) * Math.Cos(5.0 * place.z) + mean;
                     sources[cell] = Cells.active[cell] ? (float)(smooth + random.NextDouble(-0.1, 0.1)) : Inactive;
                     diagonals[cell] = Cells.active[cell] ? (float)Cells.Diagonal(cell) : 1f;

@@ -387,7 +387,7 @@ namespace Rill.Tests
 
         static StageDescription Coarse(TestFluid fluid) => fluid.Solver.Describe(fluid.Input, 0).Single(stage => stage.Name == "Coarse correction");
 
-        // Both of what is said and of what is there.
+        // Both of what is reported and of what exists.
         static bool IsDeep(TestFluid fluid)
         {
             StageDescription stage = Coarse(fluid);

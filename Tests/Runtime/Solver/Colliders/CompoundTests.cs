@@ -19,7 +19,7 @@ namespace Rill.Tests
 
         public enum Kind
         {
-            Slab, Tiles, Stacked, LStanding, LThrough, LBeside, T, Corner, Twice, Crossing, Bend, HalfSunk, MeshOnBox,
+            Slab, Tiles, Stacked, LStanding, LThrough, LAdjacent, T, Corner, Twice, Crossing, Bend, HalfSunk, MeshOnBox,
         }
 
         SignedDistanceField ball;
@@ -40,7 +40,7 @@ namespace Rill.Tests
         [TestCase(Kind.Stacked, 0.012f)]
         [TestCase(Kind.LStanding, 0.02f)]
         [TestCase(Kind.LThrough, 0.02f)]
-        [TestCase(Kind.LBeside, 0.02f)]
+        [TestCase(Kind.LAdjacent, 0.02f)]
         [TestCase(Kind.T, 0.02f)]
         [TestCase(Kind.Corner, 0.11f)]
         [TestCase(Kind.Twice, 0.11f)]
@@ -131,7 +131,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Nobody_gets_into_a_compound([Values(Kind.LBeside, Kind.T, Kind.Corner, Kind.Crossing, Kind.Bend, Kind.HalfSunk,
+        public void Nobody_gets_into_a_compound([Values(Kind.LAdjacent, Kind.T, Kind.Corner, Kind.Crossing, Kind.Bend, Kind.HalfSunk,
             Kind.MeshOnBox)] Kind kind, [Values(DeepWater.On, DeepWater.Off)] DeepWater deepWater)
         {
             ColliderMotion[] bodies = Make(kind);
@@ -151,7 +151,7 @@ namespace Rill.Tests
             }
         }
 
-        // Each of the eight is as small as a cell of the coarse grid, which looks at eight places of it.
+        // Each of the eight is as small as a cell of the coarse grid, which looks at eight points of it.
         [Test]
         public void Eight_boxes_are_lifted_as_the_one_that_they_make()
         {
@@ -250,7 +250,7 @@ namespace Rill.Tests
                 case Kind.Stacked: return Enumerable.Range(0, 4).Select(i => Box(new float3(-4f, i, -4f), new float3(28f, i + 1f, 28f))).ToArray();
                 case Kind.LStanding: return new[] { slab, Box(new float3(-4f, FloorTop, -4f), new float3(8f, 14f, 28f)) };
                 case Kind.LThrough: return new[] { slab, Box(new float3(-4f, 0f, -4f), new float3(8f, 14f, 28f)) };
-                case Kind.LBeside:
+                case Kind.LAdjacent:
                     return new[] { Box(new float3(8f, 0f, -4f), new float3(28f, FloorTop, 28f)),
                     Box(new float3(-4f, 0f, -4f), new float3(8f, 14f, 28f)) };
                 case Kind.T:

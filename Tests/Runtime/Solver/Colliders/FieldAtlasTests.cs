@@ -42,7 +42,7 @@ namespace Rill.Tests
                 long mesh = HalfFloat * Side * Side * Side, heights = HalfFloat * GroundSide * GroundSide;
                 Assert.That(Bytes(fluid, "Fields"), Is.EqualTo(mesh));
                 Assert.That(Bytes(fluid, "Heights"), Is.EqualTo(heights));
-                Assert.That(BytesAlive("Fields") + BytesAlive("Heights"), Is.EqualTo(mesh + heights), "what is said is what is there");
+                Assert.That(BytesAlive("Fields") + BytesAlive("Heights"), Is.EqualTo(mesh + heights), "what is reported is what exists");
 
                 ParticleState state = fluid.Read();
                 float[] distances = GpuTest.Read<float>(fluid.Solver.Colliders.Distances, state.Count);

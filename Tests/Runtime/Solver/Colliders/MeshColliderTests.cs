@@ -44,7 +44,7 @@ namespace Rill.Tests
         [Test]
         public void A_scaled_and_turned_ball_is_as_far_away_as_the_sphere_that_it_is()
         {
-            FluidSimulation simulation = Simulation(Places());
+            FluidSimulation simulation = Simulation(Points());
             FluidCollider collider = Add(ball, new Vector3(0.05f, 0.1f, -0.05f));
             collider.transform.localScale = 0.8f * Vector3.one;
             simulation.Advance(simulation.FixedStep);
@@ -56,7 +56,7 @@ namespace Rill.Tests
         [Test]
         public void Two_meshes_share_the_atlas_and_keep_their_distances()
         {
-            FluidSimulation simulation = Simulation(Places());
+            FluidSimulation simulation = Simulation(Points());
             FluidCollider first = Add(ball, new Vector3(-0.5f, 0f, 0f)), second = Add(box, new Vector3(0.45f, 0f, 0f));
             first.transform.localScale = second.transform.localScale = 0.7f * Vector3.one;
             simulation.Advance(simulation.FixedStep);
@@ -80,7 +80,7 @@ namespace Rill.Tests
         [TestCase(1f, -1f, 1f, -1f)]
         public void A_negative_scale_mirrors_the_mesh(float x, float y, float z, float parentX)
         {
-            FluidSimulation simulation = Simulation(Places());
+            FluidSimulation simulation = Simulation(Points());
             SignedDistanceField field = Balls();
             var parent = new GameObject("Parent");
             try
@@ -109,7 +109,7 @@ namespace Rill.Tests
         [Test]
         public void A_mesh_that_is_stretched_is_refused_by_name()
         {
-            FluidSimulation simulation = Simulation(Places());
+            FluidSimulation simulation = Simulation(Points());
             FluidCollider collider = Add(box, Vector3.zero);
             collider.transform.localScale = new Vector3(1f, 0.5f, 1f);
             UnityEngine.TestTools.LogAssert.Expect(LogType.Error,
@@ -160,7 +160,7 @@ namespace Rill.Tests
             return SignedDistanceField.Create(new SdfBake("Balls", grid, distances, settings, MeshSdfSign.WindingNumber, 1));
         }
 
-        static float3[] Places()
+        static float3[] Points()
         {
             var random = new Unity.Mathematics.Random(5u);
             return Enumerable.Range(0, 1500).Select(_ => random.NextFloat3(-0.9f, 0.9f)).ToArray();

@@ -16,7 +16,7 @@ namespace Rill.Tests
 
         FluidSimulation fluid;
 
-        // Fluids take their steps when a test says so and at no other time.
+        // Fluids take their steps when a test asks for them and at no other time.
         [SetUp]
         public void Make()
         {

@@ -30,7 +30,7 @@ namespace Rill.Tests
             int crest = Array.FindIndex(points, p => math.all(p == 0.0));
             var reference = new Reference.Velocities(points, velocities, Reference.Neighbors.BruteForce(points, Reference.Kernels.H));
             double decay = 1.0 - reference.Smoothed(crest, material.velocitySmoothing).x;
-            TestContext.Out.WriteLine($"share lost in a step {decay:G4}, by the viscosity {expected:G4}");
+            TestContext.Out.WriteLine($"fraction lost in a step {decay:G4}, by the viscosity {expected:G4}");
             Assert.That(decay, Is.EqualTo(expected).Within(tolerance * expected));
         }
 

@@ -49,10 +49,10 @@ namespace Rill.Tests
             using (var stages = Updated(state, smoothing: 0.01f, iterations: 1, relaxation: 0f))
             {
                 float4[] start = stages.Start, corrected = stages.Predicted;
-                double3[] ways = corrected.Select((to, i) => (double3)(to.xyz - start[i].xyz)).ToArray();
-                Compare.Vectors("packed ways", ways.Length, i => (float3)Unpacked(corrected[i].w), i => ways[i],
-                    i => math.sqrt(3.0) / 256.0 * math.cmax(math.abs(ways[i])) + 1e-8);
-                Assert.That(ways.Count(path => math.length(path) > 0.0), Is.GreaterThan(100));
+                double3[] displacements = corrected.Select((to, i) => (double3)(to.xyz - start[i].xyz)).ToArray();
+                Compare.Vectors("packed displacements", displacements.Length, i => (float3)Unpacked(corrected[i].w), i => displacements[i],
+                    i => math.sqrt(3.0) / 256.0 * math.cmax(math.abs(displacements[i])) + 1e-8);
+                Assert.That(displacements.Count(path => math.length(path) > 0.0), Is.GreaterThan(100));
             }
         }
 

@@ -18,7 +18,7 @@ namespace Rill.Tests
         const float Spacing = 0.05f, TimeStep = 1f / 60f;
         const float Stretch = 1.5f;
 
-        // Of a ball drawn out to one and a half times its length and let go: within a quarter of a swing the way back is as the modulus.
+        // Of a ball drawn out to one and a half times its length and let go: within a quarter of a swing the return is as the modulus.
         [Test]
         public void A_stretched_ball_springs_back_by_its_modulus_and_one_without_stays()
         {
@@ -26,7 +26,7 @@ namespace Rill.Tests
             TestContext.Out.WriteLine(
                 $"recovered after 0.25 s: {none:0.0000} without, {soft:0.0000} with 5 Pa, {firm:0.000} with 50 Pa, {stiff:0.00} with 500 Pa");
             Assert.That(none, Is.EqualTo(0f).Within(1e-4f));
-            Assert.That(firm / soft, Is.InRange(7f, 11f), "short of a swing the way is proportional to the modulus");
+            Assert.That(firm / soft, Is.InRange(7f, 11f), "short of a swing the displacement is proportional to the modulus");
             Assert.That(stiff, Is.GreaterThan(0.6f));
         }
 
@@ -49,7 +49,7 @@ namespace Rill.Tests
             using (var fluid = Free(Modulus))
             {
                 float3 middle = 20f;
-                float3[] places = Places(p => math.length(p.xy) < Radius && math.abs(p.z) < 0.5f * Length)
+                float3[] places = Points(p => math.length(p.xy) < Radius && math.abs(p.z) < 0.5f * Length)
                     .Select(p => (middle + p) * Spacing).ToArray();
                 fluid.Add(places, p => 0.5f * Along(p) * math.cross(new float3(0f, 0f, 1f), p - middle * Spacing));
                 var crossings = new List<double>();
@@ -187,7 +187,7 @@ namespace Rill.Tests
                 material.shearModulus = 1e-3f;      // too little to move anything
                 material.relaxationTime = 1000f;
                 scene.Fluid.Material = material;
-                float3[] places = Places(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing).ToArray();
+                float3[] places = Points(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing).ToArray();
                 first = (uint)places.Length;
                 AddTo(scene.Fluid, places, new float3(1.2f, 0.6f, 0f));
                 scene.Step();
@@ -351,7 +351,7 @@ namespace Rill.Tests
                     ball.transform.localPosition = new Vector3(0f, -0.3f, 0f);
                     ball.Shape = ColliderShape.Sphere;
                     ball.Radius = 0.25f;
-                    AddTo(scene.Fluid, Places(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing + new float3(0f, 0.3f, 0f)).ToArray(), 0f);
+                    AddTo(scene.Fluid, Points(p => math.cmax(math.abs(p)) < 5f).Select(p => p * Spacing + new float3(0f, 0.3f, 0f)).ToArray(), 0f);
                     scene.Step(60);
                     scene.AssertConserved();
                     float3 middle = new float3(0.6f, 0.3f, 0.6f) / Spacing;
@@ -382,7 +382,7 @@ namespace Rill.Tests
             TestFluid fluid = Free(modulus);
             fluid.Input.material.relaxationTime = relaxationTime;
             var draw = new float3(Stretch, 1f / math.sqrt(Stretch), 1f / math.sqrt(Stretch));
-            fluid.Add(Places(p => math.length(p) < 6f).Select(p => (20f + draw * p) * Spacing).ToArray());
+            fluid.Add(Points(p => math.length(p) < 6f).Select(p => (20f + draw * p) * Spacing).ToArray());
             fluid.Step();       // nothing moves yet: it is stretched no closer than it rests
             if (stretched && fluid.Solver.Viscoelasticity != null)
                 fluid.Solver.Viscoelasticity.Conformation.SetData(
@@ -408,7 +408,7 @@ namespace Rill.Tests
         }
 
         // Of a lattice around 0, d.
-        static IEnumerable<float3> Places(Func<float3, bool> inside)
+        static IEnumerable<float3> Points(Func<float3, bool> inside)
         {
             ParticleState lattice = ParticleState.Lattice(0f, -9.5f, 20, jitter: 0.02f);
             return lattice.positions.Select(p => p.xyz).Where(inside);

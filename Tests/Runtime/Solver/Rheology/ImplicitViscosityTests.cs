@@ -43,7 +43,7 @@ namespace Rill.Tests
                 for (int i = 0; i < after.Length; i++)
                 {
                     momentum += after[i] - before[i];
-                    spin += math.cross(stage.Places[i], after[i] - before[i]);
+                    spin += math.cross(stage.Points[i], after[i] - before[i]);
                     size += math.length(after[i] - before[i]);
                 }
                 TestContext.Out.WriteLine(
@@ -79,7 +79,7 @@ namespace Rill.Tests
         sealed class Stage : IDisposable
         {
             public readonly SolverStages Stages;
-            public readonly double3[] Places;
+            public readonly double3[] Points;
 
             readonly ImplicitViscosity stage;
 
@@ -97,7 +97,7 @@ namespace Rill.Tests
                 Stages.Particles.Advance();
                 Before = GpuTest.Read<uint>(Stages.Particles.Ids, state.Count).Select(id => new float4(velocities[id], 0.25f + id)).ToArray();
                 Stages.Particles.Velocities.SetData(Before, 0, 0, state.Count);
-                Places = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Current, state.Count));
+                Points = Compare.Points(GpuTest.Read<float4>(Stages.Particles.Current, state.Count));
                 stage = new ImplicitViscosity(Stages.Layout.Capacity);
             }
 
@@ -106,7 +106,7 @@ namespace Rill.Tests
 
             public float4[] After => GpuTest.Read<float4>(Stages.Particles.Velocities, Before.Length);
 
-            public Viscosity Reference => new Viscosity(Places, Neighbors.ByCells(Places, Kernels.H));
+            public Viscosity Reference => new Viscosity(Points, Neighbors.ByCells(Points, Kernels.H));
 
             public Stage Run()
             {

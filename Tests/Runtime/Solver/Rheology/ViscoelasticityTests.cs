@@ -111,12 +111,12 @@ namespace Rill.Tests
                 {
                     double3 change = (double3)after[i].xyz - stage.Before[i].xyz;
                     sum += change;
-                    spin += math.cross(stage.Places[i], change);
+                    spin += math.cross(stage.Points[i], change);
                     size += math.length(change);
                     longest = Math.Max(longest, math.length(change) * TimeStep);
                 }
                 TestContext.Out.WriteLine($"momentum {math.length(sum) / size:g3}, spin {math.length(spin) / size:g3} d of " +
-                    $"{size / after.Length:g3} d/s; longest way {longest:g3} d");
+                    $"{size / after.Length:g3} d/s; longest displacement {longest:g3} d");
                 Assert.That(longest, Is.GreaterThan(0.001).And.LessThan(0.5), "something was done, and nothing was cut off");
                 Assert.That(math.length(sum), Is.LessThan(1e-6 * size));
                 Assert.That(math.length(spin), Is.LessThan(1e-5 * size));
@@ -159,7 +159,7 @@ namespace Rill.Tests
         }
 
         [Test]
-        public void Places_past_the_particles_are_left_alone_and_none_is_no_harm()
+        public void Points_past_the_particles_are_left_alone_and_none_is_no_harm()
         {
             foreach (int count in new[] { 0, 200 })
                 using (var stage = new Stage(ParticleState.Random(count, seed: 3, speed: 3f), Modulus, capacity: 300))
@@ -183,7 +183,7 @@ namespace Rill.Tests
         sealed class Stage : IDisposable
         {
             public readonly SolverStages Stages;
-            public readonly double3[] Places;
+            public readonly double3[] Points;
             public readonly uint[] Ids;
 
             readonly Viscoelasticity stage;
@@ -198,7 +198,7 @@ namespace Rill.Tests
                 Stages = new SolverStages(state, SolverStages.Still(SolverStages.Roomy, material), capacity, maxBinding);
                 Stages.Sort().Constrain(iterations: 0).UpdateVelocities();
                 places = Stages.Predicted;
-                Places = Compare.Points(places);
+                Points = Compare.Points(places);
                 Ids = Stages.SortedIds;
                 Before = Stages.Velocities;
                 stage = new Viscoelasticity(Stages.Layout.Capacity);
@@ -210,7 +210,7 @@ namespace Rill.Tests
             public float4[] After => Stages.Velocities;
             public UnityEngine.GraphicsBuffer Conformation => stage.Conformation;
 
-            public Elasticity Reference => new Elasticity(Compare.Points(Stages.Start), Places, Neighbors.ByCells(Places, Kernels.H));
+            public Elasticity Reference => new Elasticity(Compare.Points(Stages.Start), Points, Neighbors.ByCells(Points, Kernels.H));
 
             public Tensor[] Stretch => GpuTest.Read<Viscoelasticity.Symmetric>(stage.Conformation, Ids.Length)
                 .Select(b => Tensor.Symmetric(b.diagonal, b.others)).ToArray();
@@ -235,16 +235,16 @@ namespace Rill.Tests
             /// one, d/s.</summary>
             public double Come(Tensor map)
             {
-                double3 center = Places.Aggregate((a, b) => a + b) / Places.Length;
+                double3 center = Points.Aggregate((a, b) => a + b) / Points.Length;
                 Tensor back = map.Inverse;
-                return From(Places.Select(p => center + back * (p - center)).ToArray());
+                return From(Points.Select(p => center + back * (p - center)).ToArray());
             }
 
             /// <summary>The same from anywhere within a distance of their places.</summary>
             public double Tear(float distance, uint seed)
             {
                 var random = new Unity.Mathematics.Random(seed | 1u);
-                return From(Places.Select(p => p + distance * (double3)random.NextFloat3(-1f, 1f)).ToArray());
+                return From(Points.Select(p => p + distance * (double3)random.NextFloat3(-1f, 1f)).ToArray());
             }
 
             double From(double3[] starts)

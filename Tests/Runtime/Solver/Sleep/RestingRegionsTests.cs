@@ -234,8 +234,8 @@ namespace Rill.Tests
         // Regions numbered x first: awake within one of the mover, at the edge within two.
         static uint Around(int region, int mover, int3 counts)
         {
-            int3 Place(int r) => new int3(r % counts.x, r / counts.x % counts.y, r / (counts.x * counts.y));
-            int away = math.cmax(math.abs(Place(region) - Place(mover)));
+            int3 Coordinates(int r) => new int3(r % counts.x, r / counts.x % counts.y, r / (counts.x * counts.y));
+            int away = math.cmax(math.abs(Coordinates(region) -Coordinates(mover)));
             return away <= 1 ? Awake : away == 2 ? AtEdge : Asleep;
         }
 

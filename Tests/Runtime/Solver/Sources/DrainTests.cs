@@ -193,7 +193,7 @@ namespace Rill.Tests
             return drain.Shape == DrainShape.Sphere ? local / drain.Radius : local / (0.5f * (float3)drain.Size);
         }
 
-        // Slow and obvious, by places along the way.
+        // Slow and obvious, by positions along the path.
         static bool Crosses(DrainShape shape, float3 a, float3 b, float size)
         {
             for (int i = 0; i <= 5000; i++)
@@ -241,7 +241,7 @@ namespace Rill.Tests
             }
         }
 
-        // The way that counts is that of the step before, in as many substeps as that had: others would look back too far, or not far enough.
+        // The path that counts is that of the step before, in as many substeps as that had: others would look back too far, or not far enough.
         [Test]
         public void Nobody_gets_past_a_thin_drain_when_the_substeps_change([Values(1, 4)] int substeps)
         {
@@ -266,7 +266,7 @@ namespace Rill.Tests
             }
         }
 
-        // Neither came through it: what code adds beyond it, and what an emitter beside it lets in the other way.
+        // Neither came through it: what code adds beyond it, and what an emitter beside it lets in the other direction.
         [Test]
         public void What_begins_beyond_a_drain_has_not_come_through_it()
         {

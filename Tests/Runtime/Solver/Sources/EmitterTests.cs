@@ -151,7 +151,7 @@ namespace Rill.Tests
                     float3 spin = angle > 180f ? -math.radians(360f - angle) / duration * (float3)around
                         : math.radians(angle) / duration * (float3)around;
 
-                    // Where on the outlet it left follows from where it has got to: offset = arm + share age (spin x arm).
+                    // Where on the outlet it left follows from where it has got to: offset = arm + fraction age (spin x arm).
                     float age = (float)(time - instant);
                     float3 velocity = state.velocities[i].xyz * Spacing, place = state.positions[i].xyz * Spacing - (float3)Box;
                     float3 offset = place - (float3)position - axis * (0.5f * Spacing + speed * age) - fraction * linear * age;
@@ -193,7 +193,7 @@ namespace Rill.Tests
                 TestContext.Out.WriteLine($"{along.Length} of {state.Count} particles, {along.Min():0.000} to {along.Max():0.000} m/s");
                 Assert.That(along.Length, Is.GreaterThan(1));
                 Assert.That(along, Is.All.EqualTo(cart).Within(0.01f),
-                    "a step's way over a step's time is off by a quarter at 144 Hz, and after a hitch by seven times");
+                    "a step's displacement over a step's time is off by a quarter at 144 Hz, and after a hitch by seven times");
             }
         }
 
@@ -673,7 +673,7 @@ namespace Rill.Tests
             }
         }
 
-        // In each step all places beside what is there look free at once; if all were taken, they would be too dense together.
+        // In each step all positions beside the water look free at once; if all were taken, they would be too dense together.
         [Test]
         public void Water_that_is_filled_up_fast_stays_at_rest_density()
         {

@@ -167,7 +167,7 @@ namespace Rill.Tests
             }
         }
 
-        // A particle that was just added has density 1 behind its velocity, as ParticleState has.
+        // A particle that was just added has density 1 after its velocity, as ParticleState has.
         ParticleState Append(int count, int seed)
         {
             ParticleState batch = ParticleState.Random(count, seed, speed: 10f);

@@ -70,7 +70,7 @@ namespace Host.Report.Extremes
             return statistics;
         }
 
-        /// <summary>Places of all particles by their ids, d.</summary>
+        /// <summary>Positions of all particles by their ids, d.</summary>
         public float3[] Read()
         {
             int count = Samples[^1].particles;

@@ -11,7 +11,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Host.Report.Extremes
 {
-    /// <summary>A solver to maltreat, measured as it goes. Places in spacings d, everything else in SI units.</summary>
+    /// <summary>A solver to stress, measured as it goes. Positions in spacings d, everything else in SI units.</summary>
     sealed class ExtremeFluid : IDisposable
     {
         const int StepsAtOnce = 20;
@@ -149,7 +149,7 @@ namespace Host.Report.Extremes
             return ids;
         }
 
-        /// <summary>Places of all particles, d.</summary>
+        /// <summary>Positions of all particles, d.</summary>
         public float3[] Read()
         {
             var positions = new float4[Last.particles];

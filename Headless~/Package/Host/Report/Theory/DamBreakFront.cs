@@ -35,11 +35,11 @@ namespace Host.Report
         {
             using var run = new FluidRun(Scene(across, thickness), input);
             double start = run.Measure().Energy;
-            var points = new List<(double T, double Z)> { (0, Place(run, across)) };
+            var points = new List<(double T, double Z)> { (0, FrontOf(run, across)) };
             while (run.Time * TimeScale < End)
             {
                 run.Step();
-                points.Add((run.Time * TimeScale, Place(run, across)));
+                points.Add((run.Time * TimeScale, FrontOf(run, across)));
             }
             double middle = 0.5 * run.Substep * TimeScale;
             return new DamBreakFront
@@ -50,6 +50,6 @@ namespace Host.Report
             };
         }
 
-        static double Place(FluidRun run, int across) => Percentile.Of(run.ReadPositions().Select(p => p.x).ToArray(), Fraction) / across;
+        static double FrontOf(FluidRun run, int across) => Percentile.Of(run.ReadPositions().Select(p => p.x).ToArray(), Fraction) / across;
     }
 }

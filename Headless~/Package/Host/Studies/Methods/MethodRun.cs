@@ -11,7 +11,7 @@ namespace Host.Studies.Methods
         /// <summary>A closed scene whose energy rose by more than this fraction has diverged.</summary>
         const double MaxRise = 0.05;
 
-        /// <summary>A run is broken off where it is lost beyond doubt: the energy, or the volume, that says so.</summary>
+        /// <summary>A run is broken off where it is lost beyond doubt: the energy, or the volume, that shows it.</summary>
         const double LostEnergy = 1.2, LostVolume = 0.75;
 
         /// <summary>Water at less than this fraction of its volume is collapsed; still water at more than that has boiled.</summary>

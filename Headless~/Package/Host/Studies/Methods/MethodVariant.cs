@@ -10,7 +10,7 @@ namespace Host.Studies.Methods
     {
         /// <summary>Of one curve; what the verdicts are on.</summary>
         public string Series { get; init; }
-        /// <summary>Place on the curve.</summary>
+        /// <summary>Position on the curve.</summary>
         public double Value { get; init; }
         /// <summary>The value as text, where the number does not say it.</summary>
         public string Label { get; init; }

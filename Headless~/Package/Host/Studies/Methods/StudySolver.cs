@@ -22,7 +22,7 @@ namespace Host.Studies.Methods
         readonly VelocityUpdate velocityUpdate = new();
         readonly ParticleUpload particleUpload = new();
         readonly StatisticsPass statistics;
-        readonly ComputeShader ways = StudyShader.Load("Ways");
+        readonly ComputeShader displacements = StudyShader.Load("Displacements");
         readonly GraphicsBuffer constants;
         readonly Dictionary<float, GraphicsBuffer> constantsByRelaxation = new();
         uint stepIndex;
@@ -111,11 +111,11 @@ namespace Host.Studies.Methods
         // What the package's last pass leaves for the viscosity.
         void RecordDisplacements(CommandBuffer cmd)
         {
-            int kernel = ways.FindKernel("PackDisplacements");
-            BindConstants(cmd, ways);
-            cmd.SetComputeBufferParam(ways, kernel, "_StartPositions", Particles.Start);
-            cmd.SetComputeBufferParam(ways, kernel, "_Corrected", Particles.Predicted);
-            DispatchParticles(cmd, ways, kernel);
+            int kernel = displacements.FindKernel("PackDisplacements");
+            BindConstants(cmd, displacements);
+            cmd.SetComputeBufferParam(displacements, kernel, "_StartPositions", Particles.Start);
+            cmd.SetComputeBufferParam(displacements, kernel, "_Corrected", Particles.Predicted);
+            DispatchParticles(cmd, displacements, kernel);
         }
 
         public void RecordStatistics(CommandBuffer cmd)

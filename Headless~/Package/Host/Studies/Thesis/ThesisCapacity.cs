@@ -13,7 +13,7 @@ namespace Host.Studies.Thesis
         const string TableName = "thesis-capacity";
         const double Frame = 1000.0 / 60;
         // Of the frame; the rest is for drawing and the game.
-        static readonly (string Name, double Share)[] Shares = { ("an eighth", 1 / 8.0), ("a quarter", 1 / 4.0) };
+        static readonly (string Name, double Value)[] Fractions = { ("an eighth", 1 / 8.0), ("a quarter", 1 / 4.0) };
 
         public override string Title => "Particles at 60 frames a second (figure 5.2)";
 
@@ -42,20 +42,20 @@ namespace Host.Studies.Thesis
             double least = byIterations[0].Points[0].Particles, most = byIterations[0].Points[^1].Particles;
 
             var plot = new PlotData();
-            for (int i = 0; i < Shares.Length; i++)
-                plot.Add($"using 1:2 with linespoints ls {i + 1} title '{Shares[i].Name} of the frame'",
-                    byIterations.Select(k => new object[] { k.Iterations, Particles(k.Points, Shares[i].Share * Frame) })
+            for (int i = 0; i < Fractions.Length; i++)
+                plot.Add($"using 1:2 with linespoints ls {i + 1} title '{Fractions[i].Name} of the frame'",
+                    byIterations.Select(k => new object[] { k.Iterations, Particles(k.Points, Fractions[i].Value * Frame) })
                         .Where(point => !double.IsNaN((double)point[1])));
             page.Plot("thesis-capacity", "Particles that fit a fraction of a frame at 60 Hz against iterations",
                 plot.Script("set xlabel 'iterations'\nset ylabel 'particles'\nset logscale y\nset format y '%.0s%c'\n"));
 
             page.Line(FormattableString.Invariant(
-                $"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Shares.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Share * Frame:0.00} ms)")))}:"));
+                $"Step times of the initial block, interpolated between the sizes measured; assumed is that the step may take {string.Join(" or ", Fractions.Select(fraction => FormattableString.Invariant($"{fraction.Name} of the frame ({fraction.Value * Frame:0.00} ms)")))}:"));
             page.Line();
-            page.Table(new[] { "iterations" }.Concat(Shares.Select(fraction => $"particles in {fraction.Name}"))
+            page.Table(new[] { "iterations" }.Concat(Fractions.Select(fraction => $"particles in {fraction.Name}"))
                 .Concat(byIterations[0].Points.Select(p => FormattableString.Invariant($"ms at {p.Particles:N0}"))),
                 byIterations.Select(k => new[] {
-                    k.Iterations.ToString() }.Concat(Shares.Select(fraction => Count(k.Points, fraction.Share * Frame, least, most)))
+                    k.Iterations.ToString() }.Concat(Fractions.Select(fraction => Count(k.Points, fraction.Value * Frame, least, most)))
                     .Concat(k.Points.Select(p => FormattableString.Invariant($"{p.Ms:0.000}")))));
             page.Line("The thesis draws the same curve for its hardware; its absolute counts belong to that and are not repeated here. "
                 + Shape(byIterations));
