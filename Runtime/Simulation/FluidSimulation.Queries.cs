@@ -26,12 +26,12 @@ namespace Rill
         int queryPartCount;
 
         /// <summary>
-        /// Waits for the GPU and hands all results that are pending to probes and detectors. For tests and tools in the Editor: it holds
+        /// Waits for the GPU and hands all results that are pending to probes, detectors and batches. For tests and tools in the Editor: it holds
         /// the frame up, and in the game a result that is a few frames old is there without waiting.
         /// </summary>
         public void FlushQueries()
         {
-            if (pbf?.Queries != null)
+            if (pbf?.Queries != null || queryBatches.Count > 0)
                 AsyncGPUReadback.WaitAllRequests();
         }
 
@@ -66,19 +66,7 @@ namespace Rill
 
         void Ask(AskedQueries to)
         {
-            GetPose(out Vector3 place, out Quaternion rotation);
-            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
-            float3 up = frame.Vector(-gravity);
-            queryInput.up = math.length(gravity) > 1e-6f ? math.normalize(up) : 0f;
-            to.frame = new QueryFrame
-            {
-                step = StepCount,
-                time = FluidTime,
-                rotation = rotation,
-                spacing = particleSpacing,
-                density = material.density,
-                up = math.length(gravity) > 1e-6f ? -gravity.normalized : Vector3.zero,
-            };
+            to.frame = BeginQueries(out DomainFrame frame, out queryInput.up);
             to.probeCount = to.detectorCount = 0;
             float3 size = pbf.Layout.DomainSize;
             foreach (FluidProbe probe in probes)
@@ -104,6 +92,24 @@ namespace Rill
             queryInput.detectorCount = to.detectorCount;
         }
 
+        // The state that is asked, its frame, and against gravity in it, length 1; 0 without gravity.
+        QueryFrame BeginQueries(out DomainFrame frame, out float3 up)
+        {
+            GetPose(out Vector3 place, out Quaternion rotation);
+            frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            bool hasGravity = math.length(gravity) > 1e-6f;
+            up = hasGravity ? math.normalize(frame.Vector(-gravity)) : 0f;
+            return new QueryFrame
+            {
+                step = StepCount,
+                time = FluidTime,
+                rotation = rotation,
+                spacing = particleSpacing,
+                density = material.density,
+                up = hasGravity ? -gravity.normalized : Vector3.zero,
+            };
+        }
+
         void RequestQueries(int slot)
         {
             if (slot >= 0)
@@ -120,7 +126,7 @@ namespace Rill
             {
                 FluidProbe probe = of.probes[i];
                 if (probe != null && ReferenceEquals(probe.Simulation, this) && probe.Number >= 0)
-                    probe.SetResult(of.frame, of.positions[i], of.isOutside[i], queries, slot, i);
+                    probe.SetResult(of.frame, of.positions[i], of.isOutside[i], queries.Latest(slot), i * Queries.ProbeWords);
             }
             for (int i = 0; i < of.detectorCount; i++)
             {
@@ -136,6 +142,8 @@ namespace Rill
 
         void RestartQueries()
         {
+            foreach (FluidQueryBatch batch in queryBatches)
+                batch.OnRestart();
             if (queryPartCount == 0)
                 return;
             foreach (FluidProbe probe in probes)
@@ -145,21 +153,5 @@ namespace Rill
                 if (detector != null)
                     detector.OnRestart();
         }
-    }
-
-    /// <summary>Of which state the results of a frame are.</summary>
-    struct QueryFrame
-    {
-        public int step;
-        /// <summary>s</summary>
-        public double time;
-        /// <summary>From the box to world space.</summary>
-        public Quaternion rotation;
-        /// <summary>m</summary>
-        public float spacing;
-        /// <summary>At rest, kg/m³.</summary>
-        public float density;
-        /// <summary>Against gravity in world space, length 1; 0 without gravity.</summary>
-        public Vector3 up;
     }
 }

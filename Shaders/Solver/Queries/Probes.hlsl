@@ -102,7 +102,7 @@ void FitNormal(uint3 group : SV_GroupID, uint column : SV_GroupIndex)
         return;
     float3 normal = _Up.xyz;
     if (found != 0)
-        normal = NormalOfRing(_Up.xyz);
+        normal = NormalOfRing(_Up.xyz, _Up.xyz);
     StoreFloat(at + kProbeHeight, height);
     StoreVector(at + kProbeNormal, normal);
 }

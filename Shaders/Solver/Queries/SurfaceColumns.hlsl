@@ -106,8 +106,8 @@ float FindRingHeight(uint slot, uint column, float3 center, float3 up)
     return found;
 }
 
-// Of the plane through the columns' heights by least squares.
-float3 NormalOfRing(float3 up)
+// Of the plane through the columns' heights by least squares; 'otherwise' where too few have one.
+float3 NormalOfRing(float3 up, float3 otherwise)
 {
     uint column;
     float count = 1.0;      // the probe's own column, at 0
@@ -130,7 +130,7 @@ float3 NormalOfRing(float3 up)
     }
     float determinant = squares.x * squares.y - mixed * mixed;
     if (determinant < kMinSpread)
-        return up;
+        return otherwise;
     slope = float2(squares.y * slope.x - mixed * slope.y, squares.x * slope.y - mixed * slope.x) / determinant;
     float3 x, y;
     Across(up, x, y);

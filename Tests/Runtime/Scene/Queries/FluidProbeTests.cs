@@ -365,10 +365,10 @@ namespace Rill.Tests
         [Test]
         public void The_submerged_fraction_is_that_of_the_ball_below_the_surface()
         {
-            Assert.That(FluidProbe.FractionOfBall(0f), Is.EqualTo(0.5f).Within(1e-6f));
-            Assert.That(FluidProbe.FractionOfBall(-1f), Is.Zero);
-            Assert.That(FluidProbe.FractionOfBall(2f), Is.EqualTo(1f));
-            Assert.That(FluidProbe.FractionOfBall(0.5f), Is.EqualTo(27f / 32f).Within(1e-6f));     // Archimedes: all but a cap of half the radius
+            Assert.That(QueryResults.FractionOfBall(0f), Is.EqualTo(0.5f).Within(1e-6f));
+            Assert.That(QueryResults.FractionOfBall(-1f), Is.Zero);
+            Assert.That(QueryResults.FractionOfBall(2f), Is.EqualTo(1f));
+            Assert.That(QueryResults.FractionOfBall(0.5f), Is.EqualTo(27f / 32f).Within(1e-6f));     // Archimedes: all but a cap of half the radius
         }
     }
 }
