@@ -79,17 +79,27 @@ namespace Rill
                 to.isOutside[i] = math.any(pose.position < 0f) || math.any(pose.position > size);
                 queryInput.points[i] = new float4(math.clamp(pose.position, 0f, size), 0f);
             }
+            AskDetectors(to, frame, false);
+            int simple = to.detectorCount;
+            AskDetectors(to, frame, true);
+            queryInput.meshCount = to.detectorCount - simple;
+            queryInput.pointCount = to.probeCount;
+            queryInput.detectorCount = to.detectorCount;
+        }
+
+        void AskDetectors(AskedQueries to, in DomainFrame frame, bool areMeshes)
+        {
             foreach (FluidDetector detector in detectors)
             {
-                if (detector == null || !detector.TryGetRegion(frame, particleSpacing, out DetectorRegion region, out DetectorPose pose))
+                if (detector == null || detector.Shape == DetectorShape.Mesh != areMeshes
+                    || !detector.TryGetRegion(frame, particleSpacing, out DetectorRegion region, out DetectorPose pose))
                     continue;
                 int i = to.detectorCount++;
                 to.detectors[i] = detector;
                 to.poses[i] = pose;
                 queryInput.detectors[i] = region;
+                queryInput.fields[i] = areMeshes ? detector.Field.Texture : null;
             }
-            queryInput.pointCount = to.probeCount;
-            queryInput.detectorCount = to.detectorCount;
         }
 
         // The state that is asked, its frame, and against gravity in it, length 1; 0 without gravity.

@@ -8,18 +8,19 @@ struct DetectorRegion
     float4 rotation;    // from its own frame to the domain's, quaternion
     float3 center;    // d
     uint shape;    // a DetectorShape
-    float3 size;    // box: half sides; sphere and capsule: x radius, y half the straight part
-    float unused;
+    float3 size;    // box: half sides; sphere and capsule: x radius, y half the straight part; mesh: half of its field, negative where mirrored
+    float fieldUnit;    // mesh: d for a metre of its field
     float3 low;    // lowest corner of what it can find particles in, d
-    float unused2;
+    float halfVoxel;    // mesh: half a voxel of its field, d
     float3 high;    // and the highest
-    float unused3;
+    float unused;
 };
 
 // What a detector has the shape of.
 static const uint kBox = 0;    // A box with sides along the axes of the object.
 static const uint kSphere = 1;    // A sphere.
 static const uint kCapsule = 2;    // A capsule along the object's y axis.
+static const uint kMesh = 3;    // A mesh, by its baked signed distance field, with the object's scale, which has to be even.
 
 // Which way a ray has to cross the water's surface to hit it.
 static const uint kCrossingEnter = 1;    // Into the water. Water in which the ray starts is not hit, as by Physics.Raycast.

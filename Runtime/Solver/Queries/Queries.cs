@@ -18,6 +18,8 @@ namespace Rill
         Sphere,
         /// <summary>A capsule along the object's y axis.</summary>
         Capsule,
+        /// <summary>A mesh, by its baked signed distance field, with the object's scale, which has to be even.</summary>
+        Mesh,
     }
 
     /// <summary>A detector at the end of a step; lengths in d, in the domain's frame.</summary>
@@ -31,15 +33,18 @@ namespace Rill
         public float3 center;
         /// <summary>a <see cref="DetectorShape"/></summary>
         public uint shape;
-        /// <summary>box: half sides; sphere and capsule: x radius, y half the straight part</summary>
+        /// <summary>box: half sides; sphere and capsule: x radius, y half the straight part; mesh: half of its field, negative where
+        /// mirrored</summary>
         public float3 size;
-        public float unused;
+        /// <summary>mesh: d for a metre of its field</summary>
+        public float fieldUnit;
         /// <summary>lowest corner of what it can find particles in, d</summary>
         public float3 low;
-        public float unused2;
+        /// <summary>mesh: half a voxel of its field, d</summary>
+        public float halfVoxel;
         /// <summary>and the highest</summary>
         public float3 high;
-        public float unused3;
+        public float unused;
     }
 
     /// <summary>Words of a probe's result; floats by their bits.</summary>
@@ -76,8 +81,11 @@ namespace Rill
     {
         /// <summary>xyz within the domain.</summary>
         public readonly float4[] points = new float4[Queries.MaxProbes];
+        /// <summary>Those that are meshes come last.</summary>
         public readonly DetectorRegion[] detectors = new DetectorRegion[Queries.MaxDetectors];
-        public int pointCount, detectorCount;
+        /// <summary>Of the detectors that are meshes.</summary>
+        public readonly Texture3D[] fields = new Texture3D[Queries.MaxDetectors];
+        public int pointCount, detectorCount, meshCount;
         /// <summary>Against gravity, length 1; 0 without gravity.</summary>
         public float3 up;
     }
@@ -164,7 +172,8 @@ namespace Rill
             {
                 cmd.SetBufferData(detectors, input.detectors, 0, 0, input.detectorCount);
                 cmd.SetBufferData(results, zeros, 0, FirstDetectorWord, input.detectorCount * DetectorWords);
-                shader.RecordDetectors(step, tags, detectors, results, FirstDetectorWord, input.detectorCount);
+                int simple = input.detectorCount - input.meshCount;
+                shader.RecordDetectors(step, tags, detectors, results, FirstDetectorWord, simple, input.fields, input.meshCount);
             }
             cmd.EndSample(Marker);
         }
@@ -213,7 +222,7 @@ namespace Rill
             if (probes > 0)
                 stage.shader.DescribePoints(description, tags);
             if (regions > 0)
-                stage.shader.DescribeDetectors(description, tags);
+                stage.shader.DescribeDetectors(description, tags, regions - input.meshCount, input.meshCount);
             description.Buffer("Rill.Queries.Points", stage.points);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
             description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);

@@ -27,7 +27,7 @@ namespace Rill
         const float ChunkLength = 0.5f * (Samples - 1);        // as in SurfaceLines.hlsl, d
 
         readonly ComputeShader shader = StageShader.LoadCompute(Name);
-        readonly Kernel findSurface, findSurroundings, fitNormal, detect, searchLines, findHits, findRayColumns, fitRayNormal;
+        readonly Kernel findSurface, findSurroundings, fitNormal, detect, detectMesh, searchLines, findHits, findRayColumns, fitRayNormal;
         readonly LocalKeyword withTags;
 
         public QueryShader()
@@ -36,6 +36,7 @@ namespace Rill
             findSurroundings = new Kernel(shader, "FindSurroundings");
             fitNormal = new Kernel(shader, "FitNormal");
             detect = new Kernel(shader, "Detect");
+            detectMesh = new Kernel(shader, "DetectMesh");
             searchLines = new Kernel(shader, "SearchLines");
             findHits = new Kernel(shader, "FindHits");
             findRayColumns = new Kernel(shader, "FindRayColumns");
@@ -91,20 +92,22 @@ namespace Rill
             cmd.DispatchCompute(shader, fitRayNormal.Index, buffers.rayCount, 1, 1);
         }
 
-        /// <summary>Records what is in shapes.</summary>
-        /// <param name="detectors"><see cref="DetectorRegion"/>.</param>
+        /// <summary>Records what is in shapes: all that need no field at once, then each mesh, since a kernel cannot choose among
+        /// textures.</summary>
+        /// <param name="detectors"><see cref="DetectorRegion"/>, those that are meshes last.</param>
         /// <param name="results">uint, from a word on <see cref="Queries.DetectorWords"/> for each shape, 0 at entry.</param>
+        /// <param name="fields">Of the meshes, at their indices among all.</param>
         public void RecordDetectors(in StepContext step, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int firstWord,
-            int count)
+            int simpleCount, Texture3D[] fields, int meshCount)
         {
-            const int PerGroup = ParticleBuffers.Group * ParticlesPerThread;
-            CommandBuffer cmd = step.Commands;
             Begin(step, tags);
-            cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, firstWord);
-            cmd.SetComputeIntParam(shader, Ids.DetectorCount, count);
-            cmd.SetComputeBufferParam(shader, detect.Index, Ids.Detectors, detectors);
-            Bind(step, detect.Index, tags, results);
-            cmd.DispatchCompute(shader, detect.Index, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
+            if (simpleCount > 0)
+                Detect(step, detect.Index, tags, detectors, results, 0, simpleCount, firstWord);
+            for (int i = simpleCount; i < simpleCount + meshCount; i++)
+            {
+                step.Commands.SetComputeTextureParam(shader, detectMesh.Index, Ids.Field, fields[i]);
+                Detect(step, detectMesh.Index, tags, detectors, results, i, 1, firstWord);
+            }
         }
 
         public void DescribePoints(StageDescription description, ParticleTags tags)
@@ -122,8 +125,13 @@ namespace Rill
             description.Kernel(Name, fitRayNormal.Name, 0, Variant(tags));
         }
 
-        public void DescribeDetectors(StageDescription description, ParticleTags tags)
-            => description.Kernel(Name, detect.Name, 0, Variant(tags));
+        public void DescribeDetectors(StageDescription description, ParticleTags tags, int simpleCount, int meshCount)
+        {
+            if (simpleCount > 0)
+                description.Kernel(Name, detect.Name, 0, Variant(tags));
+            if (meshCount > 0)
+                description.Kernel(Name, detectMesh.Name, 0, Variant(tags));
+        }
 
         static string Variant(ParticleTags tags) => tags != null ? ParticleTags.Keyword : null;
 
@@ -134,6 +142,19 @@ namespace Rill
         {
             step.BindConstants(shader);
             step.Commands.SetKeyword(shader, withTags, tags != null);
+        }
+
+        void Detect(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer detectors, GraphicsBuffer results, int first, int count,
+            int firstWord)
+        {
+            const int PerGroup = ParticleBuffers.Group * ParticlesPerThread;
+            CommandBuffer cmd = step.Commands;
+            cmd.SetComputeIntParam(shader, Ids.FirstDetector, first);
+            cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, firstWord + first * Queries.DetectorWords);
+            cmd.SetComputeIntParam(shader, Ids.DetectorCount, count);
+            cmd.SetComputeBufferParam(shader, kernel, Ids.Detectors, detectors);
+            Bind(step, kernel, tags, results);
+            cmd.DispatchCompute(shader, kernel, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
         }
 
         void BindPoints(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer points, GraphicsBuffer ringHeights,
@@ -181,6 +202,8 @@ namespace Rill
             public static readonly int Lines = Shader.PropertyToID("_Lines");
             public static readonly int LineCount = Shader.PropertyToID("_LineCount");
             public static readonly int FirstRayWord = Shader.PropertyToID("_FirstRayWord");
+            public static readonly int FirstDetector = Shader.PropertyToID("_FirstDetector");
+            public static readonly int Field = Shader.PropertyToID("_Field");
             public static readonly int DetectorCount = Shader.PropertyToID("_DetectorCount");
         }
     }

@@ -10,10 +10,21 @@ groupshared uint g_High[3];
 groupshared uint g_Hits;            // a bit for each detector that the group may have particles in
 groupshared int g_Totals[kMaxDetectors * kGroupSums * kCopies];
 
+#ifdef MESH
+Texture3D<float> _Field;        // distance, m of the mesh's frame
+SamplerState sampler_LinearClamp;
+#endif
+
 // Fraction of a particle's cube that is in the shape: of a box along its axes exactly, else by the distance of its centre.
 float FractionInside(DetectorRegion detector, float3 p)
 {
     float3 local = Unrotate(detector.rotation, p - detector.center);
+#ifdef MESH
+    float3 reach = max(abs(detector.size) - detector.halfVoxel, 0.0);
+    float3 held = clamp(local, -reach, reach);        // beyond the field its distance grows by that to it
+    float distanceToMesh = _Field.SampleLevel(sampler_LinearClamp, 0.5 + 0.5 * held / detector.size, 0.0) * detector.fieldUnit;
+    return saturate(0.5 - distanceToMesh - length(local - held));
+#endif
     if (detector.shape == kBox)
     {
         float3 inside = saturate(min(local + 0.5, detector.size) - max(local - 0.5, -detector.size));
@@ -83,7 +94,7 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (thread < _DetectorCount)
     {
         float3 groupLow = asfloat(uint3(g_Low[0], g_Low[1], g_Low[2])), groupHigh = asfloat(uint3(g_High[0], g_High[1], g_High[2]));
-        if (g_Low[0] <= g_High[0] && all(groupLow <= _Detectors[thread].high) && all(groupHigh >= _Detectors[thread].low))
+        if (g_Low[0] <= g_High[0] && all(groupLow <= _Detectors[_FirstDetector + thread].high) && all(groupHigh >= _Detectors[_FirstDetector + thread].low))
             InterlockedOr(g_Hits, 1u << thread);
     }
     GroupMemoryBarrierWithGroupSync();
@@ -99,7 +110,7 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     for (uint left = hits; left != 0; left &= left - 1)
     {
         uint detector = firstbitlow(left);
-        DetectorRegion region = _Detectors[detector];
+        DetectorRegion region = _Detectors[_FirstDetector + detector];
         int3 momentum = 0;
         int volume = 0;
         [unroll]
