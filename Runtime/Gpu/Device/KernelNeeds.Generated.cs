@@ -218,6 +218,8 @@ namespace Rill
             new KernelNeed("Queries", "FitRayNormal", "RILL_TAGS", 16, 192, 2, 2, 0),
             new KernelNeed("Queries", "Detect", "", 128, 11292, 5, 1, 0),
             new KernelNeed("Queries", "Detect", "RILL_TAGS", 128, 11292, 6, 1, 0),
+            new KernelNeed("Queries", "DetectMesh", "MESH", 128, 11292, 5, 1, 1),
+            new KernelNeed("Queries", "DetectMesh", "MESH RILL_TAGS", 128, 11292, 6, 1, 1),
             new KernelNeed("Statistics", "Measure", "", 128, 10752, 7, 2, 0),
             new KernelNeed("Statistics", "MeasureWithColliders", "WITH_COLLIDERS", 128, 10752, 9, 2, 0),
             new KernelNeed("Statistics", "Reduce", "REDUCE", 256, 2048, 4, 2, 0),
