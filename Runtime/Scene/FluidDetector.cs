@@ -8,7 +8,8 @@ namespace Rill
     /// <summary>Measures the water in a shape: volume, fill level, mean velocity and momentum, and how much there is of each phase.</summary>
     /// <remarks>
     /// Measured after the last step of each frame; the result comes two or three frames later, without waiting, and says of which step it
-    /// is. A simulation takes 32 detectors. Its shape follows the object's position and rotation, that of a mesh its scale too. A particle on the shape's surface counts by the part of it that is inside.
+    /// is. A simulation takes 32 detectors. The shape follows the object's position and rotation, that of a mesh its scale too. A particle on
+    /// the shape's surface counts by the part of it that is inside.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Detector")]
     public sealed class FluidDetector : FluidQuery
@@ -278,12 +279,15 @@ namespace Rill
                 if (!field.Validate(out string problem))
                     return problem;
                 float3 scale = math.abs((float3)transform.lossyScale);
-                return !(math.cmin(scale) > 0f) || math.cmax(scale) > 1.001f * math.cmin(scale) ? $"its scale {(Vector3)scale} is not the " +
-                    "same along all axes, so it measures nothing: distances cannot be stretched. Scale it evenly, or bake the mesh as it shall be." : null;
+                if (math.cmin(scale) > 0f && math.cmax(scale) <= 1.001f * math.cmin(scale))
+                    return null;
+                return $"its scale {(Vector3)scale} is not the same along all axes, so it measures nothing: distances cannot be stretched. " +
+                    "Scale it evenly, or bake the mesh as it shall be.";
             }
         }
 
-        bool IsEmpty => shape == DetectorShape.Mesh ? MeshProblem != null : shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
+        bool IsEmpty => shape == DetectorShape.Mesh ? MeshProblem != null
+            : shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
 
         string SizeProblem
         {

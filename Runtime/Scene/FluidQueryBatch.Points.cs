@@ -19,7 +19,8 @@ namespace Rill
         /// <summary>Most points, as it was made for.</summary>
         public int PointCapacity { get; }
 
-        /// <summary>Points that are asked for, 0 to <see cref="PointCapacity"/>. Those that more of them adds have no sample until they are set.</summary>
+        /// <summary>Points that are asked for, 0 to <see cref="PointCapacity"/>. Those that more of them adds have no sample until they are
+        /// set.</summary>
         /// <exception cref="ArgumentOutOfRangeException">It is out of range.</exception>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public int PointCount

@@ -71,7 +71,8 @@ namespace Rill
         /// <summary>The same from a list.</summary>
         /// <param name="casts">Rays, and balls.</param>
         /// <exception cref="ArgumentNullException">No list.</exception>
-        /// <exception cref="ArgumentException">More than <see cref="RayCapacity"/>, or a ray that cannot be cast; the rays of before stay.</exception>
+        /// <exception cref="ArgumentException">More than <see cref="RayCapacity"/>, or a ray that cannot be cast; the rays of before
+        /// stay.</exception>
         /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
         public void SetRays(List<FluidRay> casts)
         {

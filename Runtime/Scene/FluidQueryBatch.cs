@@ -1,6 +1,7 @@
 using System;
 using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine.Rendering;
 
 namespace Rill
 {
@@ -129,7 +130,7 @@ namespace Rill
         }
 
         /// <summary>Records the questions about the state that the steps of this frame left.</summary>
-        internal void Record(PbfSolver solver, UnityEngine.Rendering.CommandBuffer commands, in QueryFrame frame, in DomainFrame domain, float3 up)
+        internal void Record(PbfSolver solver, CommandBuffer commands, in QueryFrame frame, in DomainFrame domain, float3 up)
         {
             recorded = -1;
             if (!IsAsking)

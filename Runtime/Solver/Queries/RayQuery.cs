@@ -34,7 +34,8 @@ namespace Rill
 
         const int MinLines = 12, MaxLines = 1 << LineShift;
 
-        /// <summary>Lines that stand for a ball of a radius, d: half a sphere of it in so many parts is flat within 0.1 d in each, up to 10 d.</summary>
+        /// <summary>Lines that stand for a ball of a radius, d: half a sphere of it in so many parts is flat within 0.1 d in each, up to
+        /// 10 d.</summary>
         public static int LinesFor(float radius) => radius > 0f ? math.clamp((int)math.ceil(12f * radius), MinLines, MaxLines) : 1;
     }
 

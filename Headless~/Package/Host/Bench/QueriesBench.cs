@@ -99,12 +99,13 @@ namespace Host.Bench
             var table = new ReportTable("particles", "probes", "detectors", "points", "rays", "stage", "median_ms", "p10_ms", "p90_ms",
                 "steps") { MeasuredOn = $"{session.DescribeDevice()}; {setting}" };
             output.WriteLine($"{"",-34}{"median ms",12}{"10 %",10}{"90 %",10}");
-            foreach ((string stage, StepTimes.Spread spread) in times.Where(time => time.Key == Stage || time.Key == BatchStage || time.Key == StepTimes.Step
-                || time.Key.StartsWith("Queries", StringComparison.Ordinal)))
+            foreach ((string stage, StepTimes.Spread spread) in times.Where(time => time.Key == Stage || time.Key == BatchStage
+                || time.Key == StepTimes.Step || time.Key.StartsWith("Queries", StringComparison.Ordinal)))
             {
                 output.WriteLine(string.Create(CultureInfo.InvariantCulture,
                     $"{stage,-34}{spread.Median,12:0.0000}{spread.Low,10:0.0000}{spread.High,10:0.0000}"));
-                table.Add(scene.Particles, counts.Probes, counts.Detectors, counts.Points, counts.Rays, stage, spread.Median, spread.Low, spread.High, spread.Count);
+                table.Add(scene.Particles, counts.Probes, counts.Detectors, counts.Points, counts.Rays, stage, spread.Median, spread.Low,
+                    spread.High, spread.Count);
             }
             if (csv != null)
                 table.Save(Path.GetFullPath(csv));

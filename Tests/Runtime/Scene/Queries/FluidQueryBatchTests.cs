@@ -26,7 +26,8 @@ namespace Rill.Tests
                 scene.Fluid.Inertial = false;
                 var random = new Unity.Mathematics.Random(9u);
                 float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
-                Vector3[] places = Enumerable.Range(0, 300).Select(_ => scene.Fluid.transform.TransformPoint(random.NextFloat3(-half, half))).ToArray();
+                Vector3[] places = Enumerable.Range(0, 300)
+                    .Select(_ => scene.Fluid.transform.TransformPoint(random.NextFloat3(-half, half))).ToArray();
                 FluidProbe[] probes = places.Take(60).Select(scene.Probe).ToArray();
                 for (int i = 0; i < probes.Length; i++)
                     places[i] = probes[i].transform.position;       // as its object's place rounds it
@@ -173,7 +174,8 @@ namespace Rill.Tests
             using (SourceScene scene = Pool())
             {
                 AssertThrows<ArgumentNullException>(() => new FluidQueryBatch(null, 1), "fluid");
-                AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 0), "A batch asks at 0 to 16,384 points, or casts at least one ray");
+                AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 0),
+                    "A batch asks at 0 to 16,384 points, or casts at least one ray");
                 AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 16385), "make several for more");
                 var batch = new FluidQueryBatch(scene.Fluid, 2);
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoints(new Vector3[3], 0, 3),

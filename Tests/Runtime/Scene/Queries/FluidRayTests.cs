@@ -53,7 +53,8 @@ namespace Rill.Tests
                     double touchError = Math.Abs(found.distance - expected) * cos / Spacing;       // in height
                     worstDistance = Math.Max(worstDistance, touchError);
                     if (rays[i].radius > 0f)
-                        worstBall = Math.Max(worstBall, Vector3.Distance(found.point, rays[i].origin + found.distance * direction) / rays[i].radius - 1.0);
+                        worstBall = Math.Max(worstBall,
+                            Math.Abs(Vector3.Distance(found.point, rays[i].origin + found.distance * direction) / rays[i].radius - 1.0));
                     else
                         Assert.That(found.point, Is.EqualTo(rays[i].origin + found.distance * direction).Using(Near(1e-3f)));
                     worstHeight = Math.Max(worstHeight, Math.Abs(found.point.y - level) / Spacing);
@@ -64,7 +65,7 @@ namespace Rill.Tests
                 Assert.That(worstDistance, Is.LessThan(0.25));
                 Assert.That(worstHeight, Is.LessThan(0.5));
                 Assert.That(worstAngle, Is.LessThan(2.0));
-                Assert.That(Math.Abs(worstBall), Is.LessThan(1e-3), "the point is on the ball");
+                Assert.That(worstBall, Is.LessThan(1e-3), "the point is on the ball");
             }
         }
 
@@ -272,12 +273,14 @@ namespace Rill.Tests
                 AssertRefused(new FluidRay(new Vector3(0f, float.NaN, 0f), Vector3.up), "Ray 1 starts at");
                 AssertRefused(new FluidRay(Vector3.zero, Vector3.zero), "points nowhere: give a finite one that is not 0");
                 AssertRefused(new FluidRay(Vector3.zero, Vector3.up, 0f), "goes 0 m far: give a distance above 0");
-                AssertRefused(FluidRay.Sphere(Vector3.zero, 1.01f, Vector3.up), "has a radius of 1.01 m: give 0 to 1 m, which is 20 particle spacings");
+                AssertRefused(FluidRay.Sphere(Vector3.zero, 1.01f, Vector3.up),
+                    "has a radius of 1.01 m: give 0 to 1 m, which is 20 particle spacings");
                 AssertRefused(FluidRay.Sphere(Vector3.zero, -0.1f, Vector3.up), "has a radius of -0.1 m");
                 AssertRefused(new FluidRay(Vector3.zero, Vector3.up, 1f, 0), "hits nothing: give Enter, Leave or Any");
                 AssertRefused(new FluidRay(Vector3.zero, Vector3.up, 1f, FluidCrossing.Leave) { radius = 0.1f }, "a ball only enters");
                 Assert.That(batch.RayCount, Is.Zero);
-                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetRays(new FluidRay[3], 0, 3), "3 rays are more than this batch was made for, 2");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetRays(new FluidRay[3], 0, 3),
+                    "3 rays are more than this batch was made for, 2");
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.SetRay(0, new FluidRay(Vector3.zero, Vector3.up)), "no index 0 among 0 rays");
                 AssertThrows<ArgumentOutOfRangeException>(() => batch.TryGetHit(2, out _), "no index 2 among 2 rays");
                 AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 0, 16385), "0 to 16,384 rays");
