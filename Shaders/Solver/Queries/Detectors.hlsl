@@ -94,7 +94,8 @@ void Detect(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (thread < _DetectorCount)
     {
         float3 groupLow = asfloat(uint3(g_Low[0], g_Low[1], g_Low[2])), groupHigh = asfloat(uint3(g_High[0], g_High[1], g_High[2]));
-        if (g_Low[0] <= g_High[0] && all(groupLow <= _Detectors[_FirstDetector + thread].high) && all(groupHigh >= _Detectors[_FirstDetector + thread].low))
+        DetectorRegion asked = _Detectors[_FirstDetector + thread];
+        if (g_Low[0] <= g_High[0] && all(groupLow <= asked.high) && all(groupHigh >= asked.low))
             InterlockedOr(g_Hits, 1u << thread);
     }
     GroupMemoryBarrierWithGroupSync();
