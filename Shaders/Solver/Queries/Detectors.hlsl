@@ -24,7 +24,7 @@ float FractionInside(DetectorRegion detector, float3 p)
     float3 held = clamp(local, -reach, reach);        // beyond the field its distance grows by that to it
     float distanceToMesh = _Field.SampleLevel(sampler_LinearClamp, 0.5 + 0.5 * held / detector.size, 0.0) * detector.fieldUnit;
     return saturate(0.5 - distanceToMesh - length(local - held));
-#endif
+#else
     if (detector.shape == kBox)
     {
         float3 inside = saturate(min(local + 0.5, detector.size) - max(local - 0.5, -detector.size));
@@ -35,6 +35,7 @@ float FractionInside(DetectorRegion detector, float3 p)
     float distance = length(float3(local.x, aside, local.z)) - detector.size.x;
     float curvature = (aside != 0.0 || detector.size.y <= 0.0 ? 2.0 : 1.0) / max(detector.size.x, 0.25);
     return saturate(0.5 - distance - curvature / 24.0);
+#endif
 }
 
 void AddTotal(uint detector, uint sum, uint thread, int value)
