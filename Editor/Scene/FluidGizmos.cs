@@ -100,6 +100,8 @@ namespace Rill.Editor
         {
             if (detector.Shape == DetectorShape.Box)
                 DrawBox(detector.transform, detector.Size, GizmoColors.Query);
+            else if (detector.Shape == DetectorShape.Mesh)
+                DrawField(detector.transform, detector.Field, GizmoColors.Query);
             else
                 DrawSphere(detector.transform, detector.Radius, GizmoColors.Query);
             if (detector.Shape != DetectorShape.Capsule)
@@ -149,6 +151,13 @@ namespace Rill.Editor
         {
             SetPose(at, Vector3.one, color);
             Gizmos.DrawWireCube(Vector3.zero, size);
+        }
+
+        static void DrawField(Transform at, SignedDistanceField field, Color color)
+        {
+            SetPose(at, at.lossyScale, color);
+            if (field != null)
+                Gizmos.DrawWireCube(field.Bounds.center, field.Bounds.size);
         }
 
         static void DrawSphere(Transform at, float radius, Color color)

@@ -11,6 +11,14 @@ namespace Rill
         [SharedWithHlsl("Clear")] public const int Group = 256;
 
         readonly ComputeShader shader = StageShader.LoadCompute("Clear");
+        readonly int clearWords, clearBlocks, clearTriples;
+
+        public BufferClear()
+        {
+            clearWords = shader.FindKernel("ClearWords");
+            clearBlocks = shader.FindKernel("ClearBlocks");
+            clearTriples = shader.FindKernel("ClearTriples");
+        }
 
         /// <summary>Clears buffers at once.</summary>
         /// <param name="buffers">Structured, with elements of 4, 16 or 24 bytes.</param>
@@ -40,9 +48,9 @@ namespace Rill
         {
             switch (stride)
             {
-                case 4: property = Ids.Words; return shader.FindKernel("ClearWords");
-                case 16: property = Ids.Blocks; return shader.FindKernel("ClearBlocks");
-                case 24: property = Ids.Triples; return shader.FindKernel("ClearTriples");
+                case 4: property = Ids.Words; return clearWords;
+                case 16: property = Ids.Blocks; return clearBlocks;
+                case 24: property = Ids.Triples; return clearTriples;
                 default:
                     throw new ArgumentException($"A buffer with elements of {stride} bytes has no kernel that clears it. Add one " +
                     $"to Clear.compute; there are those of 4, 16 and 24 bytes.");

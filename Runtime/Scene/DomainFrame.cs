@@ -36,6 +36,9 @@ namespace Rill
 
         public RigidPose Pose(Vector3 worldPosition, Quaternion worldRotation) => new RigidPose(Point(worldPosition), Rotation(worldRotation));
 
+        /// <summary>Of a point in the domain, d: world space, m.</summary>
+        public Vector3 WorldPoint(float3 point) => position + toWorld * (point * spacing - half);
+
         /// <summary>A pose of the domain's frame in world space, m.</summary>
         public RigidPose World(in RigidPose pose)
             => new RigidPose((float3)(position + toWorld * (pose.position * spacing - half)), toWorld * pose.rotation);

@@ -8,12 +8,13 @@ namespace Rill
     /// <summary>Measures the water in a shape: volume, fill level, mean velocity and momentum, and how much there is of each phase.</summary>
     /// <remarks>
     /// Measured after the last step of each frame; the result comes two or three frames later, without waiting, and says of which step it
-    /// is. A simulation takes 32 detectors. A particle on the shape's surface counts by the part of it that is inside.
+    /// is. A simulation takes 32 detectors. The shape follows the object's position and rotation, that of a mesh its scale too. A particle on
+    /// the shape's surface counts by the part of it that is inside.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Detector")]
     public sealed class FluidDetector : FluidQuery
     {
-        [Tooltip("A box, a sphere or a capsule along the y axis, around this object.")]
+        [Tooltip("A box, a sphere or a capsule along the y axis, around this object, or a mesh by its signed distance field.")]
         [SerializeField] DetectorShape shape = DetectorShape.Box;
 
         [Tooltip("Size of the box, m.")]
@@ -24,6 +25,9 @@ namespace Rill
 
         [Tooltip("Height of the capsule from end to end, m. Less than twice the radius is a sphere.")]
         [SerializeField] float height = 1f;
+
+        [Tooltip("Signed distance field of the mesh, baked in its frame. It follows this object's scale, which has to be the same along all axes.")]
+        [SerializeField] SignedDistanceField field;
 
         [Tooltip("Fill from which water has entered. 0.001 to 1. It has left below half of it.")]
         [Range(0.001f, 1f)]
@@ -56,12 +60,13 @@ namespace Rill
         [SerializeField] UnityEvent impact = new UnityEvent();
 
         const int NoSize = FirstOwnProblem;
+        const float OfParticle = 0.9f;      // half the diagonal of its cube, d
         const float LeaveFraction = 0.5f, CalmFraction = 0.8f;
 
         FluidDetectorSample latest;
         bool isNew, isEntered, isFilled, isImpact;
 
-        /// <summary>A box, a sphere or a capsule.</summary>
+        /// <summary>A box, a sphere, a capsule or a mesh.</summary>
         public DetectorShape Shape { get => shape; set => shape = value; }
         /// <summary>Size of the box, m.</summary>
         public Vector3 Size { get => size; set { size = value; Validate(); } }
@@ -69,6 +74,9 @@ namespace Rill
         public float Radius { get => radius; set { radius = value; Validate(); } }
         /// <summary>Height of the capsule from end to end, m. Out-of-range values are clamped with a warning.</summary>
         public float Height { get => height; set { height = value; Validate(); } }
+
+        /// <summary>Signed distance field of the mesh; null for none.</summary>
+        public SignedDistanceField Field { get => field; set => field = value; }
 
         /// <summary>Fill from which water has entered; it has left below half of it. Out-of-range values are clamped with a warning.</summary>
         public float EnterFill { get => enterFill; set { enterFill = value; Validate(); } }
@@ -101,6 +109,7 @@ namespace Rill
                 {
                     case DetectorShape.Sphere: return ball;
                     case DetectorShape.Capsule: return ball + Mathf.PI * radius * radius * Mathf.Max(height - 2f * radius, 0f);
+                    case DetectorShape.Mesh: return MeshProblem == null ? field.Volume * math.pow(EvenScale, 3f) : 0f;
                     default: return size.x * size.y * size.z;
                 }
             }
@@ -149,12 +158,16 @@ namespace Rill
                 return false;
             }
             pose = new DetectorPose { position = transform.position, volume = ShapeVolume };
+            if (shape == DetectorShape.Mesh)
+            {
+                region = MeshRegion(frame, spacing);
+                return true;
+            }
             float straight = shape == DetectorShape.Capsule ? math.max(0.5f * height - radius, 0f) : 0f;
             float3 half = shape == DetectorShape.Box ? (float3)size * 0.5f / spacing : new float3(radius, straight, 0f) / spacing;
             float3 reach = shape == DetectorShape.Box
                 ? math.abs(place.axisX) * half.x + math.abs(place.axisY) * half.y + math.abs(place.axisZ) * half.z
                 : half.x + math.abs(place.axisY) * half.y;
-            const float OfParticle = 0.9f;      // half the diagonal of its cube, d
             region = new DetectorRegion
             {
                 rotation = ((quaternion)frame.Rotation(transform.rotation)).value,
@@ -165,6 +178,27 @@ namespace Rill
                 high = place.position + reach + OfParticle,
             };
             return true;
+        }
+
+        // Around the middle of the field, which need not be where the object is.
+        DetectorRegion MeshRegion(in DomainFrame frame, float spacing)
+        {
+            Bounds bounds = field.Bounds;
+            float unit = EvenScale / spacing;
+            PoseInDomain place = frame.ToDomain(transform.TransformPoint(bounds.center), transform.rotation);
+            float3 half = (float3)bounds.extents * unit;
+            float3 reach = math.abs(place.axisX) * half.x + math.abs(place.axisY) * half.y + math.abs(place.axisZ) * half.z;
+            return new DetectorRegion
+            {
+                rotation = ((quaternion)frame.Rotation(transform.rotation)).value,
+                center = place.position,
+                shape = (uint)DetectorShape.Mesh,
+                size = math.select(half, -half, (float3)transform.lossyScale < 0f),
+                fieldUnit = unit,
+                halfVoxel = 0.5f * field.VoxelSize * unit,
+                low = place.position - reach - OfParticle,
+                high = place.position + reach + OfParticle,
+            };
         }
 
         internal void SetResult(in QueryFrame frame, in DetectorPose pose, Queries queries, int slot, int index)
@@ -233,12 +267,34 @@ namespace Rill
                 happened.Invoke();
         }
 
-        bool IsEmpty => shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
+        float EvenScale => math.cmax(math.abs((float3)transform.lossyScale));
+
+        // Why the mesh measures nothing; null where it does.
+        string MeshProblem
+        {
+            get
+            {
+                if (field == null)
+                    return "it is a mesh without a signed distance field, so it measures nothing. Bake one from the mesh and assign it.";
+                if (!field.Validate(out string problem))
+                    return problem;
+                float3 scale = math.abs((float3)transform.lossyScale);
+                if (math.cmin(scale) > 0f && math.cmax(scale) <= 1.001f * math.cmin(scale))
+                    return null;
+                return $"its scale {(Vector3)scale} is not the same along all axes, so it measures nothing: distances cannot be stretched. " +
+                    "Scale it evenly, or bake the mesh as it shall be.";
+            }
+        }
+
+        bool IsEmpty => shape == DetectorShape.Mesh ? MeshProblem != null
+            : shape == DetectorShape.Box ? !(math.cmin((float3)size) > 0f) : !(radius > 0f);
 
         string SizeProblem
         {
             get
             {
+                if (shape == DetectorShape.Mesh)
+                    return MeshProblem;
                 string what = shape == DetectorShape.Box ? $"box of {size.x} x {size.y} x {size.z} m"
                     : $"{(shape == DetectorShape.Sphere ? "sphere" : "capsule")} of radius {radius} m";
                 return $"its {what} has no size, so it measures nothing. Set its size above 0.";

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Unity.Mathematics;
+using Unity.Collections;
 using UnityEngine;
 
 namespace Rill
@@ -14,8 +14,6 @@ namespace Rill
     {
         [Tooltip("Radius of the ball whose submerged fraction is given, m. Above 0.")]
         [SerializeField] float radius = 0.1f;
-
-        const float MinSteepness = 0.2f;        // of the normal along gravity: a steeper surface rises no faster
 
         FluidProbeSample latest;
 
@@ -51,42 +49,9 @@ namespace Rill
             latest = default;
         }
 
-        internal void SetResult(in QueryFrame frame, Vector3 position, bool isOutside, Queries queries, int slot, int index)
-        {
-            latest = default;
-            latest.step = frame.step;
-            latest.time = frame.time;
-            latest.position = position;
-            if (isOutside)
-                return;
-            var flags = (ProbeFlag)queries.ProbeResult(slot, index, ProbeWord.Flags);
-            latest.valid = true;
-            latest.density = queries.ProbeValue(slot, index, ProbeWord.Density);
-            latest.hasVelocity = (flags & ProbeFlag.NearWater) != 0;
-            if (latest.hasVelocity)
-            {
-                latest.velocity = frame.rotation * (queries.ProbeVector(slot, index, ProbeWord.Velocity) * frame.spacing);
-                latest.phase = (int)queries.ProbeResult(slot, index, ProbeWord.Phase);
-            }
-            latest.hasSurface = (flags & ProbeFlag.HasSurface) != 0;
-            if (!latest.hasSurface)
-                return;
-            float above = queries.ProbeValue(slot, index, ProbeWord.Height) * frame.spacing;
-            latest.depth = above;
-            latest.surfacePoint = position + frame.up * above;
-            latest.height = Vector3.Dot(latest.surfacePoint, frame.up);
-            latest.normal = frame.rotation * queries.ProbeVector(slot, index, ProbeWord.Normal);
-            latest.surfaceVelocity = frame.rotation * (queries.ProbeVector(slot, index, ProbeWord.SurfaceVelocity) * frame.spacing);
-            latest.heightRate = Vector3.Dot(latest.surfaceVelocity, latest.normal) / math.max(Vector3.Dot(latest.normal, frame.up), MinSteepness);
-            latest.submerged = FractionOfBall(above * Vector3.Dot(latest.normal, frame.up) / radius);
-        }
-
-        /// <summary>Fraction of a ball that lies below a plane this far above its centre, in radii.</summary>
-        internal static float FractionOfBall(float above)
-        {
-            float h = math.clamp(above, -1f, 1f) + 1f;
-            return h * h * (3f - h) * 0.25f;
-        }
+        /// <param name="words">What came back, of this probe from <paramref name="at"/> on.</param>
+        internal void SetResult(in QueryFrame frame, Vector3 position, bool isOutside, NativeArray<uint> words, int at)
+            => latest = QueryResults.Probe(frame, words, at, position, isOutside, radius);
 
         private protected override string ValidateValues()
         {

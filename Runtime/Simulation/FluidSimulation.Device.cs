@@ -134,7 +134,7 @@ namespace Rill
             Want(Foam.IsNeeded(input), DeviceFeature.Foam);
             Want(statisticsInterval > 0, DeviceFeature.Statistics);
             Want(NeedsSurface, DeviceFeature.Surface);
-            Want(queryPartCount > 0, DeviceFeature.Queries);
+            Want(queryPartCount > 0 || AsksBatches, DeviceFeature.Queries);
             Want(passes.Length > 0, DeviceFeature.ParticleAccess);
             Want(input.tracksPhases, DeviceFeature.Tags);
             if (sources != null)

@@ -26,12 +26,12 @@ namespace Rill
         int queryPartCount;
 
         /// <summary>
-        /// Waits for the GPU and hands all results that are pending to probes and detectors. For tests and tools in the Editor: it holds
+        /// Waits for the GPU and hands all results that are pending to probes, detectors and batches. For tests and tools in the Editor: it holds
         /// the frame up, and in the game a result that is a few frames old is there without waiting.
         /// </summary>
         public void FlushQueries()
         {
-            if (pbf?.Queries != null)
+            if (pbf?.Queries != null || queryBatches.Count > 0)
                 AsyncGPUReadback.WaitAllRequests();
         }
 
@@ -66,19 +66,7 @@ namespace Rill
 
         void Ask(AskedQueries to)
         {
-            GetPose(out Vector3 place, out Quaternion rotation);
-            var frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
-            float3 up = frame.Vector(-gravity);
-            queryInput.up = math.length(gravity) > 1e-6f ? math.normalize(up) : 0f;
-            to.frame = new QueryFrame
-            {
-                step = StepCount,
-                time = FluidTime,
-                rotation = rotation,
-                spacing = particleSpacing,
-                density = material.density,
-                up = math.length(gravity) > 1e-6f ? -gravity.normalized : Vector3.zero,
-            };
+            to.frame = BeginQueries(out DomainFrame frame, out queryInput.up);
             to.probeCount = to.detectorCount = 0;
             float3 size = pbf.Layout.DomainSize;
             foreach (FluidProbe probe in probes)
@@ -91,17 +79,45 @@ namespace Rill
                 to.isOutside[i] = math.any(pose.position < 0f) || math.any(pose.position > size);
                 queryInput.points[i] = new float4(math.clamp(pose.position, 0f, size), 0f);
             }
+            AskDetectors(to, frame, false);
+            int simple = to.detectorCount;
+            AskDetectors(to, frame, true);
+            queryInput.meshCount = to.detectorCount - simple;
+            queryInput.pointCount = to.probeCount;
+            queryInput.detectorCount = to.detectorCount;
+        }
+
+        void AskDetectors(AskedQueries to, in DomainFrame frame, bool areMeshes)
+        {
             foreach (FluidDetector detector in detectors)
             {
-                if (detector == null || !detector.TryGetRegion(frame, particleSpacing, out DetectorRegion region, out DetectorPose pose))
+                if (detector == null || detector.Shape == DetectorShape.Mesh != areMeshes
+                    || !detector.TryGetRegion(frame, particleSpacing, out DetectorRegion region, out DetectorPose pose))
                     continue;
                 int i = to.detectorCount++;
                 to.detectors[i] = detector;
                 to.poses[i] = pose;
                 queryInput.detectors[i] = region;
+                queryInput.fields[i] = areMeshes ? detector.Field.Texture : null;
             }
-            queryInput.pointCount = to.probeCount;
-            queryInput.detectorCount = to.detectorCount;
+        }
+
+        // The state that is asked, its frame, and against gravity in it, length 1; 0 without gravity.
+        QueryFrame BeginQueries(out DomainFrame frame, out float3 up)
+        {
+            GetPose(out Vector3 place, out Quaternion rotation);
+            frame = new DomainFrame(place, rotation, domainSize, particleSpacing);
+            bool hasGravity = math.length(gravity) > 1e-6f;
+            up = hasGravity ? math.normalize(frame.Vector(-gravity)) : 0f;
+            return new QueryFrame
+            {
+                step = StepCount,
+                time = FluidTime,
+                rotation = rotation,
+                spacing = particleSpacing,
+                density = material.density,
+                up = hasGravity ? -gravity.normalized : Vector3.zero,
+            };
         }
 
         void RequestQueries(int slot)
@@ -120,7 +136,7 @@ namespace Rill
             {
                 FluidProbe probe = of.probes[i];
                 if (probe != null && ReferenceEquals(probe.Simulation, this) && probe.Number >= 0)
-                    probe.SetResult(of.frame, of.positions[i], of.isOutside[i], queries, slot, i);
+                    probe.SetResult(of.frame, of.positions[i], of.isOutside[i], queries.Latest(slot), i * Queries.ProbeWords);
             }
             for (int i = 0; i < of.detectorCount; i++)
             {
@@ -136,6 +152,8 @@ namespace Rill
 
         void RestartQueries()
         {
+            foreach (FluidQueryBatch batch in queryBatches)
+                batch.OnRestart();
             if (queryPartCount == 0)
                 return;
             foreach (FluidProbe probe in probes)
@@ -145,21 +163,5 @@ namespace Rill
                 if (detector != null)
                     detector.OnRestart();
         }
-    }
-
-    /// <summary>Of which state the results of a frame are.</summary>
-    struct QueryFrame
-    {
-        public int step;
-        /// <summary>s</summary>
-        public double time;
-        /// <summary>From the box to world space.</summary>
-        public Quaternion rotation;
-        /// <summary>m</summary>
-        public float spacing;
-        /// <summary>At rest, kg/m³.</summary>
-        public float density;
-        /// <summary>Against gravity in world space, length 1; 0 without gravity.</summary>
-        public Vector3 up;
     }
 }

@@ -193,6 +193,7 @@ namespace Rill
             if (pbf == null)
                 return stages;
             stages.AddRange(pbf.Describe(input, statisticsInterval));
+            stages.Add(DescribeBatches());
             stages.Add(DescribeBudget());
             FluidRenderer[] renderers = GetComponents<FluidRenderer>();
             foreach (FluidRenderer renderer in renderers)
@@ -349,6 +350,7 @@ namespace Rill
         {
             RecordSurface();        // before statistics, which sort again
             int queries = RecordQueries();      // before statistics too
+            RecordBatches();
 
             bool measures = statisticsInterval > 0 && stepsSinceStatistics >= statisticsInterval && !pbf.StatisticsPending
             && !IsRefused(DeviceFeature.Statistics) && HasStages(StageSet.Statistics);
@@ -361,6 +363,7 @@ namespace Rill
 
             reactions?.Request();
             RequestQueries(queries);
+            RequestBatches();
             if (measures)
             {
                 pbf.Foam?.Request();

@@ -2,17 +2,20 @@ using UnityEngine.Rendering;
 
 namespace Rill
 {
-    // What probes and detectors ask of the state: made when first needed.
+    // What probes, detectors and batches ask of the state: made when first needed.
     sealed partial class PbfSolver
     {
+        QueryShader queryShader;
         Queries queries;
         QueryInput queried;     // of the newest frame
 
         /// <summary>Answers to probes and detectors; null while there are none.</summary>
         public Queries Queries => queries;
 
+        QueryShader QueryShader => queryShader ??= new QueryShader();
+
         /// <summary>Makes what answers, where there is none yet.</summary>
-        public Queries MakeQueries() => queries ??= new Queries();
+        public Queries MakeQueries() => queries ??= new Queries(QueryShader);
 
         /// <summary>Records the answers of the state that the last step left; not after <see cref="RecordStatistics"/> of that state, which
         /// sorts again.</summary>
@@ -22,6 +25,14 @@ namespace Rill
             queried = input;
             queries.Record(BetweenSteps(cmd), tags, input, slot);
         }
+
+        /// <summary>The same for a batch.</summary>
+        /// <param name="slot">A <see cref="QueryBatch.FreeSlot"/>.</param>
+        public void RecordBatch(CommandBuffer cmd, QueryBatch batch, in BatchInput input, int slot)
+            => batch.Record(BetweenSteps(cmd), QueryShader, tags, input, slot);
+
+        /// <summary>What a batch costs.</summary>
+        public void DescribeBatch(QueryBatch batch, StageDescription description) => batch.Describe(description, QueryShader, tags);
 
         /// <summary>Gives back what answering needs, where nothing asks any more.</summary>
         public void ReleaseQueries()

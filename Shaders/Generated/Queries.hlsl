@@ -8,18 +8,24 @@ struct DetectorRegion
     float4 rotation;    // from its own frame to the domain's, quaternion
     float3 center;    // d
     uint shape;    // a DetectorShape
-    float3 size;    // box: half sides; sphere and capsule: x radius, y half the straight part
-    float unused;
+    float3 size;    // box: half sides; sphere and capsule: x radius, y half the straight part; mesh: half of its field, negative where mirrored
+    float fieldUnit;    // mesh: d for a metre of its field
     float3 low;    // lowest corner of what it can find particles in, d
-    float unused2;
+    float halfVoxel;    // mesh: half a voxel of its field, d
     float3 high;    // and the highest
-    float unused3;
+    float unused;
 };
 
 // What a detector has the shape of.
 static const uint kBox = 0;    // A box with sides along the axes of the object.
 static const uint kSphere = 1;    // A sphere.
 static const uint kCapsule = 2;    // A capsule along the object's y axis.
+static const uint kMesh = 3;    // A mesh, by its baked signed distance field, with the object's scale, which has to be even.
+
+// Which way a ray has to cross the water's surface to hit it.
+static const uint kCrossingEnter = 1;    // Into the water. Water in which the ray starts is not hit, as by Physics.Raycast.
+static const uint kCrossingLeave = 2;    // Out of the water.
+static const uint kCrossingAny = 3;    // Either.
 
 // What a probe's result has.
 static const uint kNearWater = 1;    // particles within the kernel's support
@@ -40,10 +46,39 @@ static const uint kProbeWords = 16;    // words of a probe's result
 static const uint kDetectorWords = 22;    // words of a detector's result: 64-bit sums, of the velocity along x, y, z and of the volume of each phase
 static const float kVolumeScale = 65536.0;    // steps of a particle's volume
 static const float kVelocityScale = 256.0;    // steps of a particle's velocity times its volume, 1 d/s
+
 static const uint kParticlesPerThread = 4;    // particles that a thread of the detectors visits
 static const uint kProbeGroup = 256;    // threads of a probe's groups
-static const uint kSamples = 32;    // densities along gravity that a group finds
-static const uint kColumns = 16;    // columns around a probe in which the surface is found too
+static const uint kSamples = 32;    // densities along a line that a group finds
+static const uint kColumns = 16;    // columns around a point of the surface in which it is found too
 static const uint kGroupColumns = 4;    // columns of a group
+
+// What a ray's result has.
+static const uint kRayHit = 1;
+static const uint kRayStartsInWater = 2;
+static const uint kRayAtSurface = 4;    // the hit is not at a wall, which has a normal of its own
+
+static const uint kLineShift = 7;    // the number of a line is below this bit, that of its ray from there on
+static const uint kRayWords = 12;    // words of a ray's result
+
+// A ray, or a ball that is cast along one, at the end of a step; lengths in d, in the domain's frame.
+struct RayQuery
+{
+    float3 origin;    // d
+    float maxDistance;    // d, from the origin
+    float3 direction;    // length 1
+    float radius;    // of the ball, d; 0 for a ray
+    uint crossings;    // of FluidCrossing
+    uint lines;    // that stand for the ball; 1 for a ray
+    float2 unused;
+};
+
+// Words of a ray's result; floats by their bits.
+static const uint kRayDistance = 0;    // d
+static const uint kRayPoint = 1;    // and 2, 3: where the water was hit, d
+static const uint kRayNormal = 4;    // and 5, 6: out of the water, length 1
+static const uint kRayVelocity = 7;    // and 8, 9: d/s
+static const uint kRayPhase = 10;
+static const uint kRayFlags = 11;    // of RayFlag
 
 #endif

@@ -214,6 +214,27 @@ namespace Rill.Tests
             #endregion
         }
 
+        static void AskInManyPlaces(FluidSimulation fluid, Vector3[] floats, ref FluidQueryBatch batch)
+        {
+            #region Ask the water in many places
+            batch ??= new FluidQueryBatch(fluid, points: floats.Length, rays: 1);      // once; Dispose it in OnDisable
+            batch.SetPoints(floats, 0, floats.Length);                                 // each frame in which they have moved
+            for (int i = 0; i < floats.Length; i++)
+                if (batch.TryGetSample(i, out FluidProbeSample water) && water.hasSurface)
+                    floats[i].y = water.ExtrapolatedHeight;
+            #endregion
+        }
+
+        static void CastRays(FluidQueryBatch batch, Transform eye, Transform marker)
+        {
+            #region Cast rays against the water
+            batch.RayCount = 1;
+            batch.SetRay(0, new FluidRay(eye.position, eye.forward, 20f));      // or FluidRay.Sphere(eye.position, 0.1f, eye.forward)
+            if (batch.TryGetHit(0, out FluidRayHit found) && found.hit)         // false before the first result, and where it misses
+                marker.SetPositionAndRotation(found.point, Quaternion.LookRotation(found.normal));
+            #endregion
+        }
+
         static void StartAgain(FluidSimulation fluid)
         {
             #region Pause and start again
@@ -381,6 +402,20 @@ namespace Rill.Tests
             AskTheWater(probe, buoy);
             Assert.That(buoy.position.y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
             Assert.That(basin.Latest.valid);
+            FluidQueryBatch batch = null;
+            var floats = new[] { probe.transform.position, probe.transform.position + 0.05f * Vector3.right };
+            Vector3 above = probe.transform.position + 0.4f * Vector3.up;
+            probe.transform.SetPositionAndRotation(above, Quaternion.LookRotation(Vector3.down, Vector3.forward));     // the eye
+            for (int i = 0; i < 6; i++)
+            {
+                AskInManyPlaces(fluid, floats, ref batch);
+                CastRays(batch, probe.transform, buoy);
+                yield return null;
+            }
+            Assert.That(floats[1].y, Is.LessThan(-0.1f).And.GreaterThan(-1f));
+            Assert.That(buoy.position.y, Is.EqualTo(floats[0].y).Within(0.1f));
+            Assert.That(batch.TryGetHit(0, out FluidRayHit below) && below.hit);
+            batch.Dispose();
 
             StartAgain(fluid);
             Assert.That(fluid.StepCount, Is.EqualTo(0));

@@ -25,7 +25,7 @@ namespace Host.Tests
             "Rill.PreviousIndices", "Vorticity", "Rill.Curl", "Rill.Confined", "Regions", RestingRegions.Keyword, "WithPressure",
             "Emitters", "Drain", "ForceFields", "Rill.Fields", "Tags", "ParticleAccess", "Recording", "Rill.RecordedFrame",
             "Rill.PlayedFrame", NeighborLists.TwoListsKeyword, "Rill.MoreNeighbors", "Collider", "WithColliders", "WithColliders", "Foam",
-            "Queries" };
+            "Queries", "QueryBatch" };
 
         // What each feature adds to (+) and takes from (-) a frame of a shallow pool. A name that ends in * stands for all that begin so,
         // at least one.
@@ -157,6 +157,13 @@ namespace Host.Tests
                 new[] { $"+1 Queries.compute FindSurface {ParticleTags.Keyword}",
                 $"+1 Queries.compute FindSurroundings {ParticleTags.Keyword}", $"+1 Queries.compute FitNormal {ParticleTags.Keyword}",
                 "+1 Rill.Queries.*", $"+{Queries.RingSize} Rill.Queries.Results *" }),
+            ("a batch of points", null, Batch(2, 0), new[] { "+1 Queries.compute FindSurface", "+1 Queries.compute FindSurroundings",
+                "+1 Queries.compute FitNormal", "+1 Clear.compute ClearWords", "+1 Rill.QueryBatch.Points *", "+1 Rill.QueryBatch.RingHeights *",
+                $"+{QueryBatch.RingSize} Rill.QueryBatch.Results *" }),
+            ("a batch of rays", null, Batch(0, 2), new[] { "+1 Queries.compute SearchLines", "+1 Queries.compute FindHits",
+                "+1 Queries.compute FindRayColumns", "+1 Queries.compute FitRayNormal", "+1 Clear.compute ClearWords", "+1 Rill.QueryBatch.Rays *",
+                "+1 Rill.QueryBatch.Lines *", "+1 Rill.QueryBatch.RingHeights *", $"+{QueryBatch.RingSize} Rill.QueryBatch.Results *" }),
+            ("a batch that asks nothing", null, Batch(0, 0), new string[0]),
             ("an emitter where water sleeps", Settings((ref SolverSettings v) => v.sleepSpeed = 0.02f), Part<FluidEmitter>(Still),
                 new[] { $"+1 Emitters.compute FindRoom {RestingRegions.Keyword}", $"+1 Emitters.compute Emit {RestingRegions.Keyword}",
                 "+1 Rill.Emitters.*" }),
@@ -220,6 +227,8 @@ namespace Host.Tests
             simulation.StatisticsInterval = 0;
             foreach (Mover mover in UnityEngine.Object.FindObjectsOfType<Mover>())
                 UnityEngine.Object.DestroyImmediate(mover);
+            foreach (BatchOwner owner in UnityEngine.Object.FindObjectsOfType<BatchOwner>())
+                UnityEngine.Object.DestroyImmediate(owner);
             foreach (FluidCollider collider in FluidCollider.Enabled.Except(collidersBefore).ToArray())
                 UnityEngine.Object.DestroyImmediate(collider.gameObject);
             UnityEngine.Object.DestroyImmediate(simulation.GetComponent<FluidFoam>());
@@ -310,6 +319,7 @@ namespace Host.Tests
         [TestCase("a force field")]
         [TestCase("a probe")]
         [TestCase("a detector")]
+        [TestCase("a batch of rays")]
         public void What_a_shallow_pool_leaves_out_would_be_seen_if_it_ran(string name)
         {
             FluidSimulation simulation = Pool();
@@ -435,6 +445,21 @@ namespace Host.Tests
             set?.Invoke(component);
             part.SetActive(true);
         };
+
+        // With room for more than it asks.
+        static Action<FluidSimulation> Batch(int points, int rays) => simulation =>
+        {
+            var batch = new FluidQueryBatch(simulation, points + (rays == 0 ? 1 : 0), rays);
+            batch.SetPoints(new Vector3[points], 0, points);
+            batch.SetRays(Enumerable.Repeat(new FluidRay(Vector3.up, Vector3.down), rays).ToArray(), 0, rays);
+            simulation.gameObject.AddComponent<BatchOwner>().Batch = batch;
+        };
+
+        sealed class BatchOwner : MonoBehaviour
+        {
+            public FluidQueryBatch Batch;
+            void OnDestroy() => Batch.Dispose();
+        }
 
         static void Still(FluidEmitter emitter) => emitter.Rate = 0f;
 

@@ -88,6 +88,7 @@ namespace Rill
                 case "FIRST":
                 case "FLOW":
                 case "LAST":
+                case "MESH":
                 case "MOVE":
                 case "NARROW":
                 case "NORMALS":

@@ -18,6 +18,8 @@ namespace Rill
         Sphere,
         /// <summary>A capsule along the object's y axis.</summary>
         Capsule,
+        /// <summary>A mesh, by its baked signed distance field, with the object's scale, which has to be even.</summary>
+        Mesh,
     }
 
     /// <summary>A detector at the end of a step; lengths in d, in the domain's frame.</summary>
@@ -31,15 +33,18 @@ namespace Rill
         public float3 center;
         /// <summary>a <see cref="DetectorShape"/></summary>
         public uint shape;
-        /// <summary>box: half sides; sphere and capsule: x radius, y half the straight part</summary>
+        /// <summary>box: half sides; sphere and capsule: x radius, y half the straight part; mesh: half of its field, negative where
+        /// mirrored</summary>
         public float3 size;
-        public float unused;
+        /// <summary>mesh: d for a metre of its field</summary>
+        public float fieldUnit;
         /// <summary>lowest corner of what it can find particles in, d</summary>
         public float3 low;
-        public float unused2;
+        /// <summary>mesh: half a voxel of its field, d</summary>
+        public float halfVoxel;
         /// <summary>and the highest</summary>
         public float3 high;
-        public float unused3;
+        public float unused;
     }
 
     /// <summary>Words of a probe's result; floats by their bits.</summary>
@@ -76,8 +81,11 @@ namespace Rill
     {
         /// <summary>xyz within the domain.</summary>
         public readonly float4[] points = new float4[Queries.MaxProbes];
+        /// <summary>Those that are meshes come last.</summary>
         public readonly DetectorRegion[] detectors = new DetectorRegion[Queries.MaxDetectors];
-        public int pointCount, detectorCount;
+        /// <summary>Of the detectors that are meshes.</summary>
+        public readonly Texture3D[] fields = new Texture3D[Queries.MaxDetectors];
+        public int pointCount, detectorCount, meshCount;
         /// <summary>Against gravity, length 1; 0 without gravity.</summary>
         public float3 up;
     }
@@ -106,47 +114,25 @@ namespace Rill
         /// <summary>steps of a particle's velocity times its volume, 1 d/s</summary>
         [SharedWithHlsl("Queries")] public const double VelocityScale = 256.0;
 
-        /// <summary>particles that a thread of the detectors visits</summary>
-        [SharedWithHlsl("Queries")] const int ParticlesPerThread = 4;
-
-        /// <summary>threads of a probe's groups</summary>
-        [SharedWithHlsl("Queries")] const int ProbeGroup = 256;
-
-        /// <summary>densities along gravity that a group finds</summary>
-        [SharedWithHlsl("Queries")] const int Samples = 32;
-
-        /// <summary>columns around a probe in which the surface is found too</summary>
-        [SharedWithHlsl("Queries")] const int Columns = 16;
-
-        /// <summary>columns of a group</summary>
-        [SharedWithHlsl("Queries")] const int GroupColumns = 4;
-
         /// <summary>Requests that may be pending: an answer to each frame, though it comes some frames later.</summary>
         public const int RingSize = 4;
 
         const int FirstDetectorWord = MaxProbes * ProbeWords;
         const int Words = FirstDetectorWord + MaxDetectors * DetectorWords;
-        const float ChunkLength = 0.5f * (Samples - 1);        // as in Queries.compute, d
 
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Queries");
 
-        readonly ComputeShader shader = StageShader.LoadCompute("Queries");
-        readonly Kernel findSurface, findSurroundings, fitNormal, detect;
-        readonly LocalKeyword withTags;
+        readonly QueryShader shader;
         readonly Readback[] ring = new Readback[RingSize];
         readonly uint[] zeros = new uint[Words];
         GraphicsBuffer points, detectors, ringHeights;
 
-        public Queries()
+        public Queries(QueryShader shader)
         {
-            findSurface = new Kernel(shader, "FindSurface");
-            findSurroundings = new Kernel(shader, "FindSurroundings");
-            fitNormal = new Kernel(shader, "FitNormal");
-            detect = new Kernel(shader, "Detect");
-            withTags = new LocalKeyword(shader, ParticleTags.Keyword);
+            this.shader = shader;
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
-            ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * Columns);
+            ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * QueryShader.Columns);
             for (int i = 0; i < RingSize; i++)
             {
                 int slot = i;
@@ -176,34 +162,18 @@ namespace Rill
             CommandBuffer cmd = step.Commands;
             GraphicsBuffer results = ring[slot].Buffer;
             cmd.BeginSample(Marker);
-            step.BindConstants(shader);
-            cmd.SetKeyword(shader, withTags, tags != null);
             if (input.pointCount > 0)
             {
                 cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
                 cmd.SetBufferData(results, zeros, 0, 0, input.pointCount * ProbeWords);
-                cmd.SetComputeVectorParam(shader, Ids.Up, (Vector3)input.up);
-                if (math.any(input.up != 0f))
-                {
-                    float length = math.dot(math.abs(input.up), step.Layout.DomainSize);     // at least that of any line through the box
-                    BindProbes(step, findSurface.Index, tags, results);
-                    cmd.DispatchCompute(shader, findSurface.Index, input.pointCount, math.max((int)math.ceil(length / ChunkLength), 1), 1);
-                }
-                BindProbes(step, findSurroundings.Index, tags, results);
-                cmd.DispatchCompute(shader, findSurroundings.Index, input.pointCount, Columns / GroupColumns + 2, 1);
-                BindProbes(step, fitNormal.Index, tags, results);
-                cmd.DispatchCompute(shader, fitNormal.Index, input.pointCount, 1, 1);
+                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount);
             }
             if (input.detectorCount > 0)
             {
-                const int PerGroup = ParticleBuffers.Group * ParticlesPerThread;
                 cmd.SetBufferData(detectors, input.detectors, 0, 0, input.detectorCount);
                 cmd.SetBufferData(results, zeros, 0, FirstDetectorWord, input.detectorCount * DetectorWords);
-                cmd.SetComputeIntParam(shader, Ids.FirstDetectorWord, FirstDetectorWord);
-                cmd.SetComputeIntParam(shader, Ids.DetectorCount, input.detectorCount);
-                cmd.SetComputeBufferParam(shader, detect.Index, Ids.Detectors, detectors);
-                Bind(step, detect.Index, tags, results);
-                cmd.DispatchCompute(shader, detect.Index, (step.Layout.Capacity + PerGroup - 1) / PerGroup, 1, 1);
+                int simple = input.detectorCount - input.meshCount;
+                shader.RecordDetectors(step, tags, detectors, results, FirstDetectorWord, simple, input.fields, input.meshCount);
             }
             cmd.EndSample(Marker);
         }
@@ -218,15 +188,8 @@ namespace Rill
                 readback.Invalidate();
         }
 
-        /// <summary>A word of a probe's result, of what has come to a slot.</summary>
-        public uint ProbeResult(int slot, int index, ProbeWord word) => ring[slot].Latest[index * ProbeWords + (int)word];
-
-        /// <summary>The same as a float.</summary>
-        public float ProbeValue(int slot, int index, ProbeWord word) => math.asfloat(ProbeResult(slot, index, word));
-
-        /// <summary>Three floats from a word on.</summary>
-        public Vector3 ProbeVector(int slot, int index, ProbeWord word)
-            => new Vector3(ProbeValue(slot, index, word), ProbeValue(slot, index, word + 1), ProbeValue(slot, index, word + 2));
+        /// <summary>What has come to a slot: from <see cref="ProbeWords"/> times its number on, the words of each probe.</summary>
+        public NativeArray<uint> Latest(int slot) => ring[slot].Latest;
 
         /// <summary>A sum of a detector's result: 0 to 2 velocity times volume in particles, d/s; from 3 on the volume of each phase, in
         /// particles.</summary>
@@ -256,52 +219,16 @@ namespace Rill
                 ? $"{probes} probes and {regions} detectors, once a frame, outside the step" : "no probe and no detector");
             if (!needed)
                 return description;
-            string variant = tags != null ? ParticleTags.Keyword : null;
             if (probes > 0)
-                foreach (Kernel kernel in new[] { stage.findSurface, stage.findSurroundings, stage.fitNormal })
-                    description.Kernel("Queries", kernel.Name, 0, variant);
+                stage.shader.DescribePoints(description, tags);
             if (regions > 0)
-                description.Kernel("Queries", stage.detect.Name, 0, variant);
+                stage.shader.DescribeDetectors(description, tags, regions - input.meshCount, input.meshCount);
             description.Buffer("Rill.Queries.Points", stage.points);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
             description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);
             foreach (Readback readback in stage.ring)
                 description.Buffer("Rill.Queries.Results", readback.Buffer);
             return description;
-        }
-
-        void BindProbes(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
-        {
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.CellStarts, step.Search.CellStarts);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.Points, points);
-            step.Commands.SetComputeBufferParam(shader, kernel, Ids.RingHeights, ringHeights);
-            Bind(step, kernel, tags, results);
-        }
-
-        void Bind(in StepContext step, int kernel, ParticleTags tags, GraphicsBuffer results)
-        {
-            CommandBuffer cmd = step.Commands;
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Positions, step.Particles.Current);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Velocities, step.Particles.Velocities);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Counters, step.Particles.Counters);
-            cmd.SetComputeBufferParam(shader, kernel, Ids.Results, results);
-            if (tags != null)
-                cmd.SetComputeBufferParam(shader, kernel, ParticleTags.Ids.Tags, tags.Current);
-        }
-
-        static class Ids
-        {
-            public static readonly int Positions = Shader.PropertyToID("_Positions");
-            public static readonly int Velocities = Shader.PropertyToID("_Velocities");
-            public static readonly int CellStarts = Shader.PropertyToID("_CellStarts");
-            public static readonly int Counters = Shader.PropertyToID("_Counters");
-            public static readonly int Points = Shader.PropertyToID("_Points");
-            public static readonly int Detectors = Shader.PropertyToID("_Detectors");
-            public static readonly int Results = Shader.PropertyToID("_Results");
-            public static readonly int Up = Shader.PropertyToID("_Up");
-            public static readonly int RingHeights = Shader.PropertyToID("_RingHeights");
-            public static readonly int FirstDetectorWord = Shader.PropertyToID("_FirstDetectorWord");
-            public static readonly int DetectorCount = Shader.PropertyToID("_DetectorCount");
         }
     }
 }

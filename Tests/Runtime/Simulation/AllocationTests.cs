@@ -1,5 +1,7 @@
 using System.Collections;
 using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
 using UnityEngine.TestTools.Constraints;
@@ -115,6 +117,44 @@ namespace Rill.Tests
                 Assert.That(passes, NUnit.Framework.Is.GreaterThanOrEqualTo(90));
                 Assert.That(copies, NUnit.Framework.Is.GreaterThan(20));
                 Assert.That(readback.HasData);
+            }
+        }
+
+        [UnityTest]
+        public IEnumerator Thirty_frames_in_which_a_batch_is_set_and_read_allocate_no_managed_memory()
+        {
+            FluidSimulation simulation = Basin();
+            using (var batch = new FluidQueryBatch(simulation, 16, 8))
+            using (var points = new NativeArray<float3>(16, Allocator.Persistent))
+            using (var rays = new NativeArray<FluidRay>(8, Allocator.Persistent))
+            using (var samples = new NativeArray<FluidProbeSample>(16, Allocator.Persistent))
+            {
+                NativeArray<FluidRay> to = rays;
+                for (int i = 0; i < rays.Length; i++)
+                    to[i] = FluidRay.Sphere(new Vector3(0.05f * i - 0.2f, 0.2f, 0f), 0.01f * i, Vector3.down);
+                int valid = 0, hits = 0;
+                TestDelegate frame = () =>
+                {
+                    batch.SetPoints(points);
+                    batch.SetRays(rays);
+                    simulation.Advance(Step);
+                    valid += batch.CopySamples(samples);
+                    for (int i = 0; i < batch.RayCount; i++)
+                        hits += batch.TryGetHit(i, out FluidRayHit found) && found.hit ? 1 : 0;
+                };
+                yield return null;
+                for (int i = 0; i < WarmUp; i++)
+                {
+                    frame();
+                    yield return null;
+                }
+                for (int i = 0; i < 30; i++)
+                {
+                    Assert.That(frame, Is.Not.AllocatingGCMemory(), $"frame {i}");
+                    yield return null;
+                }
+                Assert.That(valid, NUnit.Framework.Is.GreaterThan(16 * 40));
+                Assert.That(hits, NUnit.Framework.Is.GreaterThan(5 * 40));
             }
         }
 

@@ -16,7 +16,8 @@ namespace Rill.Tests
 
         // A block at rest without gravity, larger than the shapes: each finds its own volume, whichever way it is turned.
         [Test]
-        public void The_volume_in_a_known_block_is_that_of_the_shape_within_one_percent([Values] DetectorShape shape, [Values(0f, 1f)] float turned)
+        public void The_volume_in_a_known_block_is_that_of_the_shape_within_one_percent(
+            [Values(DetectorShape.Box, DetectorShape.Sphere, DetectorShape.Capsule)] DetectorShape shape, [Values(0f, 1f)] float turned)
         {
             using (var scene = new SourceScene(new Vector3(1.6f, 1.2f, 1.2f), Spacing, 25000))
             {
@@ -37,6 +38,83 @@ namespace Rill.Tests
                 Assert.That(sample.volume, Is.EqualTo(detector.ShapeVolume).Within(0.01f * detector.ShapeVolume));
                 Assert.That(sample.fill, Is.EqualTo(1f).Within(0.01f));
                 Assert.That(sample.mass, Is.EqualTo(sample.volume * 1000f).Within(1e-3f));
+            }
+        }
+
+        // A mesh that is not around its object's place, in a box that is moved and turned: in water it finds its own volume, and beside it none.
+        [Test]
+        public void The_volume_in_a_mesh_is_that_of_its_field_at_the_objects_pose_and_scale()
+        {
+            MeshSdfSettings settings = MeshSdfSettings.Default;
+            settings.resolution = 40;
+            TriangleMesh block = TestMeshes.Box(new Vector3(0.6f, 0.5f, 0.4f), new Vector3(0.2f, 0f, 0f));
+            SignedDistanceField box = SignedDistanceField.Create(MeshSdfBaker.Bake(block, settings));
+            SignedDistanceField ball = SignedDistanceField.Create(MeshSdfBaker.Bake(TestMeshes.Sphere(0.4f, 24), settings));
+            try
+            {
+                using (var scene = new SourceScene(new Vector3(1.6f, 1.2f, 1.2f), Spacing, 25000))
+                {
+                    scene.Fluid.Gravity = Vector3.zero;
+                    scene.AddWhere(place => place.x < 0.5f, 0.5f * Vector3.right);
+                    scene.Fluid.Inertial = false;
+                    scene.Fluid.transform.SetPositionAndRotation(new Vector3(3f, 1f, 2f), Quaternion.Euler(10f, 30f, 0f));
+                    FluidDetector Mesh(SignedDistanceField field, Vector3 local, Quaternion turn, float scale)
+                        => scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d =>
+                        {
+                            d.Shape = DetectorShape.Mesh;
+                            d.Field = field;
+                            d.transform.localPosition = local;
+                            d.transform.localRotation = turn;
+                            d.transform.localScale = scale * Vector3.one;
+                        });
+                    Quaternion turned = Quaternion.Euler(20f, 35f, 50f);
+                    FluidDetector[] inside =
+                    {
+                        Mesh(box, new Vector3(-0.3f, 0.02f, 0.01f), Quaternion.identity, 1f), Mesh(box, new Vector3(-0.2f, 0f, 0f), turned, 1f),
+                        Mesh(ball, new Vector3(-0.15f, 0f, 0f), turned, 1f),
+                        Mesh(box, new Vector3(-0.1f, 0f, 0f) - turned * new Vector3(0.23f, 0f, 0f), turned, 1.15f),
+                    };
+                    FluidDetector half = Mesh(ball, new Vector3(0.5f, 0f, 0f), Quaternion.identity, 0.5f);
+                    FluidDetector beside = Mesh(box, new Vector3(-2f, 0f, 0f), Quaternion.identity, 1f);
+                    FluidDetector plain = scene.Add<FluidDetector>(scene.Fluid.transform.position, scene.Fluid.transform.forward,
+                        d => d.Size = 0.4f * Vector3.one);
+                    scene.Step();
+                    foreach (FluidDetector detector in inside)
+                    {
+                        FluidDetectorSample sample = detector.Flushed();
+                        TestContext.Out.WriteLine($"{sample.volume:0.00000} m³ of {detector.ShapeVolume:0.00000}: " +
+                            $"{100f * (sample.volume / detector.ShapeVolume - 1f):0.00} %");
+                        Assert.That(sample.volume, Is.EqualTo(detector.ShapeVolume).Within(0.01f * detector.ShapeVolume));
+                        Assert.That(Vector3.Distance(sample.velocity, scene.Fluid.transform.rotation * (0.5f * Vector3.right)), Is.LessThan(0.02f));
+                    }
+                    Assert.That(inside[0].ShapeVolume, Is.EqualTo(0.12f).Within(0.002f));
+                    Assert.That(inside[3].ShapeVolume, Is.EqualTo(0.12f * 1.15f * 1.15f * 1.15f).Within(0.003f));
+                    Assert.That(half.Flushed().fill, Is.EqualTo(0.5f).Within(0.03f));
+                    Assert.That(beside.Flushed().volume, Is.Zero);
+                    Assert.That(plain.Flushed().volume, Is.EqualTo(0.064f).Within(0.001f), "a box beside meshes");
+                }
+            }
+            finally
+            {
+                foreach (SignedDistanceField field in new[] { box, ball })
+                {
+                    UnityEngine.Object.DestroyImmediate(field.Texture);
+                    UnityEngine.Object.DestroyImmediate(field);
+                }
+            }
+        }
+
+        [Test]
+        public void A_mesh_without_a_field_says_so_and_measures_nothing()
+        {
+            using (var scene = new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000).Fill(0.3f))
+            {
+                FluidDetector detector = scene.Add<FluidDetector>(Vector3.zero, Vector3.forward, d => d.Shape = DetectorShape.Mesh);
+                LogAssert.Expect(LogType.Warning, new Regex("^Rill: FluidDetector 'FluidDetector': it is a mesh without a signed distance field, " +
+                    "so it measures nothing. Bake one from the mesh and assign it."));
+                scene.Run(2);
+                Assert.That(detector.TryGetSample(out FluidDetectorSample sample) || sample.valid, Is.False);
+                Assert.That(detector.ShapeVolume, Is.Zero);
             }
         }
 

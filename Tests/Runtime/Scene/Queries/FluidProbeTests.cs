@@ -1,4 +1,5 @@
 using System;
+using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
@@ -272,12 +273,68 @@ namespace Rill.Tests
             Assert.That(slow.Values.Select(sample => sample.height).Distinct().Count(), Is.GreaterThan(20), "the water moves");
         }
 
+        // The fluid steps in LateUpdate, and results come between frames: a script that reads at fixed times gets a few of them, each of its step.
+        [UnityTest]
+        public IEnumerator Samples_that_FixedUpdate_reads_are_those_of_their_steps()
+        {
+            Dictionary<int, FluidProbeSample> expected = Series(60);
+            using (SourceScene scene = Breaking(out FluidProbe probe))
+            {
+                FixedReader reader = probe.gameObject.AddComponent<FixedReader>();
+                reader.Probe = probe;
+                for (int frame = 0; frame < 600 && scene.Fluid.StepCount < 28; frame++)
+                    yield return null;
+                int common = 0;
+                foreach (int step in reader.Samples.Keys.Where(expected.ContainsKey))
+                {
+                    FluidProbeSample a = expected[step], b = reader.Samples[step];
+                    Assert.That(b.height, Is.EqualTo(a.height), $"step {step}");
+                    Assert.That(b.density, Is.EqualTo(a.density), $"step {step}");
+                    Assert.That(b.velocity, Is.EqualTo(a.velocity), $"step {step}");
+                    Assert.That(b.time, Is.EqualTo(a.time), $"step {step}");
+                    common++;
+                }
+                TestContext.Out.WriteLine($"{reader.Reads} reads, {reader.Samples.Count} steps, {common} compared; oldest {reader.Oldest:0.000} s");
+                Assert.That(common, Is.GreaterThanOrEqualTo(5));
+                Assert.That(reader.Reads, Is.GreaterThanOrEqualTo(common));
+                Assert.That(reader.IsConsistent, "step, time and age of each sample belong together");
+            }
+        }
+
+        sealed class FixedReader : MonoBehaviour
+        {
+            public readonly Dictionary<int, FluidProbeSample> Samples = new Dictionary<int, FluidProbeSample>();
+            public FluidProbe Probe;
+            public int Reads;
+            public double Oldest;
+            public bool IsConsistent = true;
+
+            void FixedUpdate()
+            {
+                bool isValid = Probe.TryGetSample(out FluidProbeSample sample);
+                IsConsistent &= isValid == sample.valid;
+                if (!isValid)
+                    return;
+                Reads++;
+                Samples[sample.step] = sample;
+                Oldest = Math.Max(Oldest, sample.age);
+                IsConsistent &= sample.step <= Probe.Simulation.StepCount
+                    && Math.Abs(sample.time + sample.age - Probe.Simulation.FrameTime) < 1e-5;
+            }
+        }
+
+        static SourceScene Breaking(out FluidProbe probe)
+        {
+            var scene = new SourceScene(new Vector3(0.8f, 0.6f, 0.4f), Spacing, 2000);
+            scene.AddWhere(place => place.x < 0f && place.y < 0f);
+            probe = scene.Probe(new Vector3(0.05f, -0.2f, 0f));
+            return scene;
+        }
+
         static Dictionary<int, FluidProbeSample> Series(int rate)
         {
-            using (var scene = new SourceScene(new Vector3(0.8f, 0.6f, 0.4f), Spacing, 2000))
+            using (SourceScene scene = Breaking(out FluidProbe probe))
             {
-                scene.AddWhere(place => place.x < 0f && place.y < 0f);
-                FluidProbe probe = scene.Probe(new Vector3(0.05f, -0.2f, 0f));
                 var series = new Dictionary<int, FluidProbeSample>();
                 for (int frame = 0; frame < rate / 2; frame++)
                 {
@@ -365,10 +422,10 @@ namespace Rill.Tests
         [Test]
         public void The_submerged_fraction_is_that_of_the_ball_below_the_surface()
         {
-            Assert.That(FluidProbe.FractionOfBall(0f), Is.EqualTo(0.5f).Within(1e-6f));
-            Assert.That(FluidProbe.FractionOfBall(-1f), Is.Zero);
-            Assert.That(FluidProbe.FractionOfBall(2f), Is.EqualTo(1f));
-            Assert.That(FluidProbe.FractionOfBall(0.5f), Is.EqualTo(27f / 32f).Within(1e-6f));     // Archimedes: all but a cap of half the radius
+            Assert.That(QueryResults.FractionOfBall(0f), Is.EqualTo(0.5f).Within(1e-6f));
+            Assert.That(QueryResults.FractionOfBall(-1f), Is.Zero);
+            Assert.That(QueryResults.FractionOfBall(2f), Is.EqualTo(1f));
+            Assert.That(QueryResults.FractionOfBall(0.5f), Is.EqualTo(27f / 32f).Within(1e-6f));     // Archimedes: all but a cap of half the radius
         }
     }
 }

@@ -1,0 +1,215 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>
+    /// Asks the water of a <see cref="FluidSimulation"/> from code: at many points, for each what a <see cref="FluidProbe"/> says, and along
+    /// rays, where they hit the water. Make one for what is asked together, set points and rays when they move, read the newest results at any
+    /// time, and dispose of it.
+    /// </summary>
+    /// <remarks>
+    /// Measured after the last step of each frame; the results come two or three frames later, without waiting, and say of which step they
+    /// are. A batch has buffers of its own size on the GPU, one upload and one readback a frame: ask in one batch what is asked together.
+    /// Setting and reading allocates no managed memory. In a build, the shaders need a probe or a detector in the scene, or
+    /// <see cref="ShadersInBuild.AllFeatures"/> on the fluid.
+    /// </remarks>
+    public sealed partial class FluidQueryBatch : IDisposable
+    {
+        /// <summary>Most points of one batch.</summary>
+        public const int MaxPoints = 16384;
+
+        /// <summary>Most rays of one batch.</summary>
+        public const int MaxRays = 16384;
+
+        /// <summary>What was asked of a state, and where.</summary>
+        sealed class Asked : IDisposable
+        {
+            public NativeArray<float4> points;      // world space, m; w 1 outside the box
+            public NativeArray<FluidRay> rays;
+            public int pointCount, rayCount, version;
+            public QueryFrame frame;
+            public DomainFrame domain;
+
+            public Asked(int pointCapacity, int rayCapacity)
+            {
+                points = new NativeArray<float4>(pointCapacity, Allocator.Persistent);
+                rays = new NativeArray<FluidRay>(rayCapacity, Allocator.Persistent);
+            }
+
+            public void Dispose()
+            {
+                points.Dispose();
+                rays.Dispose();
+            }
+        }
+
+        readonly FluidSimulation fluid;
+        readonly Asked[] asked = new Asked[QueryBatch.RingSize];
+        QueryBatch buffers;
+        int version, askedVersion = -1, recorded = -1, newest = -1;
+        bool isDisposed;
+
+        /// <summary>Makes a batch that asks nothing until points or rays are set.</summary>
+        /// <param name="fluid">The fluid that is asked.</param>
+        /// <param name="points">Most points, 0 to <see cref="MaxPoints"/>. Memory is taken for all of them.</param>
+        /// <param name="rays">Most rays, 0 to <see cref="MaxRays"/>. Memory is taken for all of them.</param>
+        /// <exception cref="ArgumentNullException">No fluid.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">A number is out of range, or both are 0.</exception>
+        public FluidQueryBatch(FluidSimulation fluid, int points, int rays = 0)
+        {
+            if (fluid == null)
+                throw new ArgumentNullException(nameof(fluid));
+            if (points < 0 || points > MaxPoints || points + rays == 0)
+                throw new ArgumentOutOfRangeException(nameof(points), points,
+                    $"A batch asks at 0 to {MaxPoints:N0} points, or casts at least one ray: make several for more.");
+            if (rays < 0 || rays > MaxRays)
+                throw new ArgumentOutOfRangeException(nameof(rays), rays, $"A batch casts 0 to {MaxRays:N0} rays: make several for more.");
+            this.fluid = fluid;
+            (PointCapacity, RayCapacity) = (points, rays);
+            this.points = new NativeArray<float3>(points, Allocator.Persistent);
+            pointUpload = new NativeArray<float4>(points, Allocator.Persistent);
+            this.rays = new NativeArray<FluidRay>(rays, Allocator.Persistent);
+            rayUpload = new NativeArray<RayQuery>(rays, Allocator.Persistent);
+            for (int i = 0; i < asked.Length; i++)
+                asked[i] = new Asked(points, rays);
+            fluid.Attach(this);
+        }
+
+        /// <summary>The fluid that is asked.</summary>
+        public FluidSimulation Simulation => fluid;
+
+        /// <summary>Whether the questions are asked after the steps of each frame, as they are at first. Off: once each time that they are
+        /// set.</summary>
+        public bool Repeats { get; set; } = true;
+
+        /// <summary>Whether what was set last has no result yet.</summary>
+        public bool IsPending => HasQuestions && (newest < 0 || asked[newest].version != version);
+
+        /// <summary>Whether there is a result to read, which may be of what was set before.</summary>
+        public bool HasResult => !isDisposed && newest >= 0 && fluid != null && fluid.IsRunning;
+
+        /// <summary>Waits for the GPU until the newest step's results are there. For tests and tools in the Editor: see
+        /// <see cref="FluidSimulation.FlushQueries"/>.</summary>
+        /// <exception cref="ObjectDisposedException">The batch was disposed of.</exception>
+        public void Flush()
+        {
+            NeedAlive();
+            if (fluid != null)
+                fluid.FlushQueries();
+        }
+
+        /// <summary>Stops asking and gives the memory back, at any time: a pending request is forgotten.</summary>
+        public void Dispose()
+        {
+            if (isDisposed)
+                return;
+            isDisposed = true;
+            fluid.Detach(this);
+            buffers?.Dispose();
+            buffers = null;
+            points.Dispose();
+            pointUpload.Dispose();
+            rays.Dispose();
+            rayUpload.Dispose();
+            foreach (Asked of in asked)
+                of.Dispose();
+        }
+
+        /// <summary>Whether a question is to be asked of the next state.</summary>
+        internal bool IsAsking => HasQuestions && (Repeats || askedVersion != version);
+
+        /// <summary>Results of before are dropped; what was asked once is asked again.</summary>
+        internal void OnRestart()
+        {
+            newest = -1;
+            askedVersion = -1;
+            buffers?.Invalidate();
+        }
+
+        /// <summary>Records the questions about the state that the steps of this frame left.</summary>
+        internal void Record(PbfSolver solver, CommandBuffer commands, in QueryFrame frame, in DomainFrame domain, float3 up)
+        {
+            recorded = -1;
+            if (!IsAsking)
+                return;
+            buffers ??= new QueryBatch(PointCapacity, RayCapacity, OnArrived);
+            int slot = buffers.FreeSlot(newest);
+            if (slot < 0)
+                return;
+            Asked to = asked[slot];
+            (to.frame, to.domain, to.version) = (frame, domain, version);
+            AskPoints(to, domain, solver.Layout.DomainSize);
+            float length = AskRays(to, domain, solver.Layout.DomainSize);
+            var input = new BatchInput
+            {
+                points = pointUpload,
+                rays = rayUpload,
+                pointCount = pointCount,
+                rayCount = rayCount,
+                rayLength = length,
+                up = up,
+            };
+            solver.RecordBatch(commands, buffers, input, slot);
+            askedVersion = version;
+            recorded = slot;
+        }
+
+        /// <summary>Asks for what was recorded, after its commands ran.</summary>
+        internal void Request()
+        {
+            if (recorded >= 0)
+                buffers.Request(recorded);
+            recorded = -1;
+        }
+
+        internal void Describe(PbfSolver solver, StageDescription description)
+        {
+            if (buffers != null)
+                solver.DescribeBatch(buffers, description);
+        }
+
+        bool HasQuestions => !isDisposed && pointCount + rayCount > 0;
+
+        void OnArrived(int slot) => newest = slot;
+
+        float AgeOf(Asked of) => (float)(fluid.FrameTime - of.frame.time);
+
+        void CheckCount(int count, int capacity, string what, string name)
+        {
+            NeedAlive();
+            if (count < 0 || count > capacity)
+                throw new ArgumentOutOfRangeException(name, count,
+                    $"{count:N0} {what} are more than this batch was made for, {capacity:N0}: make it larger, or several.");
+        }
+
+        static void CheckPart(int length, int start, int count, string what)
+        {
+            if (start < 0 || count < 0 || start > length - count)
+                throw new ArgumentOutOfRangeException(nameof(count), count,
+                    $"{count} {what} from {start} on are not in an array of {length}.");
+        }
+
+        static void CheckIndex(int index, int count, string what, string limit)
+        {
+            if (index < 0 || index >= count)
+                throw new ArgumentOutOfRangeException(nameof(index), index,
+                    $"There is no index {index} among {count:N0} {what}: give 0 to below {limit}.");
+        }
+
+        static void CheckRoom(int length, int count, int capacity, string limit, string name)
+        {
+            if (length < count)
+                throw new ArgumentException(
+                    $"'{name}' holds {length:N0} elements, and {count:N0} results came back: make it as long as {limit}, {capacity:N0} here.", name);
+        }
+
+        void NeedAlive()
+        {
+            if (isDisposed)
+                throw new ObjectDisposedException(nameof(FluidQueryBatch));
+        }
+    }
+}

@@ -1,0 +1,156 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Rill
+{
+    /// <summary>The buffers of a batch of questions, of its own size: one upload, the kernels, one readback. It never waits.</summary>
+    sealed class QueryBatch : IDisposable
+    {
+        /// <summary>As many requests as may be pending, and the newest answer, which is read meanwhile.</summary>
+        public const int RingSize = Queries.RingSize + 1;
+
+        static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.QueryBatch");
+
+        readonly BufferClear clear = new BufferClear();
+        readonly Readback[] ring = new Readback[RingSize];
+        readonly int firstRayWord;
+        GraphicsBuffer points, rays, lines, ringHeights;
+        NativeArray<uint> lineUpload;
+
+        /// <param name="pointCapacity">0 or more.</param>
+        /// <param name="rayCapacity">0 or more; not both are 0.</param>
+        /// <param name="arrived">Called with the slot of each answer that has come.</param>
+        public QueryBatch(int pointCapacity, int rayCapacity, Action<int> arrived)
+        {
+            firstRayWord = pointCapacity * Queries.ProbeWords;
+            if (pointCapacity > 0)
+                points = GpuBuffer.Structured<float4>("Rill.QueryBatch.Points", pointCapacity);
+            if (rayCapacity > 0)
+                rays = GpuBuffer.Structured<RayQuery>("Rill.QueryBatch.Rays", rayCapacity);
+            ringHeights = GpuBuffer.Structured<float>("Rill.QueryBatch.RingHeights",
+                (long)math.max(pointCapacity, rayCapacity) * QueryShader.Columns);
+            int words = firstRayWord + rayCapacity * RayQuery.RayWords;
+            for (int i = 0; i < RingSize; i++)
+            {
+                int slot = i;
+                ring[i] = new Readback(GpuBuffer.Structured<uint>("Rill.QueryBatch.Results", words)) { Arrived = () => arrived(slot) };
+            }
+        }
+
+        /// <summary>Slot of the next request; -1 while all are pending.</summary>
+        /// <param name="newest">A slot that is still read, or -1.</param>
+        public int FreeSlot(int newest)
+        {
+            for (int i = 0; i < RingSize; i++)
+                if (i != newest && !ring[i].IsPending)
+                    return i;
+            return -1;
+        }
+
+        /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran.</summary>
+        public void Record(in StepContext step, QueryShader shader, ParticleTags tags, in BatchInput input, int slot)
+        {
+            CommandBuffer cmd = step.Commands;
+            GraphicsBuffer results = ring[slot].Buffer;
+            cmd.BeginSample(Marker);
+            clear.Record(cmd, results);
+            if (input.pointCount > 0)
+            {
+                cmd.SetBufferData(points, input.points, 0, 0, input.pointCount);
+                shader.RecordPoints(step, tags, input.up, points, ringHeights, results, input.pointCount);
+            }
+            if (input.rayCount > 0)
+            {
+                cmd.SetBufferData(rays, input.rays, 0, 0, input.rayCount);
+                var buffers = new RayBuffers { rays = rays, rayCount = input.rayCount, lineCount = UploadLines(cmd, input.rays, input.rayCount) };
+                buffers.lines = lines;
+                shader.RecordRays(step, tags, input.up, buffers, input.rayLength, ringHeights, results, firstRayWord);
+            }
+            cmd.EndSample(Marker);
+        }
+
+        /// <summary>Asks for what was recorded for a slot.</summary>
+        public void Request(int slot) => ring[slot].Request();
+
+        /// <summary>Answers from before this call are dropped when they come.</summary>
+        public void Invalidate()
+        {
+            foreach (Readback readback in ring)
+                readback.Invalidate();
+        }
+
+        /// <summary>The words that have come to a slot.</summary>
+        public NativeArray<uint> Latest(int slot) => ring[slot].Latest;
+
+        /// <summary>The first word of a point's answer.</summary>
+        public int PointAt(int index) => index * Queries.ProbeWords;
+
+        /// <summary>The first word of a ray's answer.</summary>
+        public int RayAt(int index) => firstRayWord + index * RayQuery.RayWords;
+
+        public void Describe(StageDescription description, QueryShader shader, ParticleTags tags)
+        {
+            if (points != null)
+                shader.DescribePoints(description, tags);
+            if (rays != null)
+                shader.DescribeRays(description, tags);
+            description.Buffer("Rill.QueryBatch.Points", points);
+            description.Buffer("Rill.QueryBatch.Rays", rays);
+            description.Buffer("Rill.QueryBatch.Lines", lines);
+            description.Buffer("Rill.QueryBatch.RingHeights", ringHeights);
+            foreach (Readback readback in ring)
+                description.Buffer("Rill.QueryBatch.Results", readback.Buffer);
+        }
+
+        public void Dispose()
+        {
+            foreach (Readback readback in ring)
+                readback?.Dispose();
+            if (lineUpload.IsCreated)
+                lineUpload.Dispose();
+            GpuBuffer.Release(ref points);
+            GpuBuffer.Release(ref rays);
+            GpuBuffer.Release(ref lines);
+            GpuBuffer.Release(ref ringHeights);
+        }
+
+        // How many there are depends on the radii: the buffer grows with the most that were needed.
+        int UploadLines(CommandBuffer cmd, NativeArray<RayQuery> queries, int count)
+        {
+            int total = 0;
+            for (int i = 0; i < count; i++)
+                total += (int)queries[i].lines;
+            if (lines == null || lines.count < total)
+            {
+                GpuBuffer.Release(ref lines);
+                if (lineUpload.IsCreated)
+                    lineUpload.Dispose();
+                lines = GpuBuffer.Structured<uint>("Rill.QueryBatch.Lines", math.ceilpow2(total));
+                lineUpload = new NativeArray<uint>(lines.count, Allocator.Persistent);
+            }
+            int at = 0;
+            for (uint i = 0; i < count; i++)
+                for (uint line = 0; line < queries[(int)i].lines; line++)
+                    lineUpload[at++] = i << RayQuery.LineShift | line;
+            cmd.SetBufferData(lines, lineUpload, 0, 0, total);
+            return total;
+        }
+    }
+
+    /// <summary>What a batch asks of a state; lengths in d, in the domain's frame.</summary>
+    struct BatchInput
+    {
+        /// <summary>xyz within the domain.</summary>
+        public NativeArray<float4> points;
+        public NativeArray<RayQuery> rays;
+        public int pointCount, rayCount;
+        /// <summary>At least that of each ray in the domain.</summary>
+        public float rayLength;
+        /// <summary>Against gravity, length 1; 0 without gravity.</summary>
+        public float3 up;
+    }
+}

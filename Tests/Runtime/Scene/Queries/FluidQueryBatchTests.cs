@@ -1,0 +1,224 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Rill.Tests
+{
+    /// <summary>What a batch says at its points, against probes, and when it says nothing.</summary>
+    public class FluidQueryBatchTests
+    {
+        const float Spacing = QueryScene.Spacing;
+
+        [Test]
+        public void A_batch_says_of_each_point_what_a_probe_there_says()
+        {
+            using (var scene = new SourceScene(new Vector3(1.2f, 0.8f, 0.4f), Spacing, 4000))
+            using (var batch = new FluidQueryBatch(scene.Fluid, 300))
+            {
+                scene.AddWhere(place => place.x < -0.2f && place.y < 0.2f, new Vector3(2f, 0f, 0f));
+                scene.Add<FluidEmitter>(new Vector3(0.3f, 0.2f, 0f), Vector3.left, e => { e.Rate = 0.01f; e.Phase = 3; });
+                scene.Fluid.transform.SetPositionAndRotation(new Vector3(30f, 2f, -7f), Quaternion.Euler(0f, 40f, 0f));
+                scene.Fluid.Inertial = false;
+                var random = new Unity.Mathematics.Random(9u);
+                float3 half = (float3)scene.Fluid.DomainSize * 0.499f;
+                Vector3[] places = Enumerable.Range(0, 300)
+                    .Select(_ => scene.Fluid.transform.TransformPoint(random.NextFloat3(-half, half))).ToArray();
+                FluidProbe[] probes = places.Take(60).Select(scene.Probe).ToArray();
+                for (int i = 0; i < probes.Length; i++)
+                    places[i] = probes[i].transform.position;       // as its object's place rounds it
+                batch.SetPoints(places, 0, 300);
+                scene.Run(25);
+                int wet = 0, surfaces = 0, emitted = 0;
+                for (int i = 0; i < probes.Length; i++)
+                {
+                    FluidProbeSample expected = probes[i].Flushed();
+                    Assert.That(batch.TryGetSample(i, out FluidProbeSample found));
+                    Assert.That(found, Is.EqualTo(expected), $"point {i}");
+                    wet += found.hasVelocity ? 1 : 0;
+                    surfaces += found.hasSurface ? 1 : 0;
+                    emitted += found.phase == 3 ? 1 : 0;
+                }
+                Assert.That(wet, Is.GreaterThan(10));
+                Assert.That(surfaces, Is.GreaterThan(10));
+                Assert.That(emitted, Is.GreaterThan(0));
+                using (var samples = new NativeArray<FluidProbeSample>(300, Allocator.Persistent))
+                {
+                    Assert.That(batch.CopySamples(samples), Is.EqualTo(300));
+                    for (int i = 0; i < 300; i++)
+                    {
+                        Assert.That(batch.TryGetSample(i, out FluidProbeSample one));
+                        Assert.That(samples[i], Is.EqualTo(one));
+                        Assert.That(one.position, Is.EqualTo(places[i]));
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public void Points_of_an_array_a_part_a_list_and_one_alone_are_those_that_are_asked()
+        {
+            using (SourceScene scene = Pool())
+            using (var batch = new FluidQueryBatch(scene.Fluid, 4))
+            {
+                Vector3 Place(int i) => new Vector3(0.05f * i - 0.1f, -0.1f, 0f);
+                void AssertAsked(params int[] places)
+                {
+                    scene.Step();
+                    batch.Flush();
+                    for (int i = 0; i < 4; i++)
+                    {
+                        Assert.That(batch.TryGetSample(i, out FluidProbeSample sample), Is.EqualTo(i < places.Length), $"point {i}");
+                        if (i < places.Length)
+                            Assert.That(sample.position, Is.EqualTo(Place(places[i])));
+                    }
+                }
+                using (var array = new NativeArray<float3>(new float3[] { Place(0), Place(1), Place(2) }, Allocator.Persistent))
+                {
+                    batch.SetPoints(array);
+                    AssertAsked(0, 1, 2);
+                    batch.SetPoints(array.GetSubArray(1, 2));
+                    AssertAsked(1, 2);
+                }
+                batch.SetPoints(Enumerable.Range(0, 5).Select(Place).ToArray(), 1, 4);
+                AssertAsked(1, 2, 3, 4);
+                batch.SetPoints(new List<Vector3> { Place(4) });
+                AssertAsked(4);
+                batch.SetPoint(0, Place(2));
+                AssertAsked(2);
+                batch.PointCount = 2;       // the second is not set
+                scene.Step();
+                batch.Flush();
+                Assert.That(batch.TryGetSample(0, out _));
+                Assert.That(batch.TryGetSample(1, out _), Is.False);
+                batch.SetPoint(1, Place(0));
+                AssertAsked(2, 0);
+                batch.PointCount = 0;
+                Assert.That(batch.TryGetSample(0, out _), "the newest samples stay");
+            }
+        }
+
+        [Test]
+        public void A_sample_is_not_valid_before_the_first_result_outside_not_finite_after_a_restart_or_while_off()
+        {
+            using (SourceScene scene = Pool())
+            using (var batch = new FluidQueryBatch(scene.Fluid, 3))
+            {
+                batch.SetPoints(new List<Vector3> { Vector3.zero, new Vector3(0f, 0.31f, 0f), new Vector3(float.NaN, 0f, 0f) });
+                AssertNone(batch);
+                scene.Step();
+                batch.Flush();
+                Assert.That(batch.TryGetSample(0, out FluidProbeSample first));
+                Assert.That(first.time, Is.EqualTo(scene.Fluid.FluidTime));
+                Assert.That(batch.TryGetSample(1, out FluidProbeSample outside) || outside.valid, Is.False);
+                Assert.That(batch.TryGetSample(2, out FluidProbeSample nowhere) || nowhere.valid, Is.False);
+
+                scene.Step();
+                scene.Fluid.Restart();      // a request is pending
+                AssertNone(batch);
+                batch.Flush();
+                AssertNone(batch);
+                scene.Step();
+                batch.Flush();
+                Assert.That(batch.TryGetSample(0, out FluidProbeSample again));
+                Assert.That(again.step, Is.EqualTo(1));
+
+                scene.Fluid.KeepStateOnDisable = false;
+                scene.Fluid.enabled = false;
+                AssertNone(batch);
+                scene.Fluid.enabled = true;
+                AssertNone(batch);
+            }
+        }
+
+        static void AssertNone(FluidQueryBatch batch)
+        {
+            Assert.That(batch.HasResult, Is.False);
+            Assert.That(batch.TryGetSample(0, out FluidProbeSample sample), Is.False);
+            Assert.That(sample.valid, Is.False);
+        }
+
+        [Test]
+        public void A_batch_that_does_not_repeat_is_asked_once_each_time_that_it_is_set()
+        {
+            using (SourceScene scene = Pool())
+            using (var batch = new FluidQueryBatch(scene.Fluid, 1) { Repeats = false })
+            {
+                Assert.That(batch.IsPending, Is.False);
+                batch.SetPoints(new[] { Vector3.zero }, 0, 1);
+                Assert.That(batch.IsPending);
+                scene.Run(3);
+                Assert.That(batch.IsPending, Is.False);
+                Assert.That(batch.TryGetSample(0, out FluidProbeSample sample));
+                Assert.That(sample.step, Is.EqualTo(1));
+                batch.SetPoint(0, 0.1f * Vector3.down);
+                Assert.That(batch.IsPending);
+                Assert.That(batch.TryGetSample(0, out sample) && sample.step == 1, "the old one until the new one comes");
+                scene.Run(1);
+                Assert.That(batch.IsPending, Is.False);
+                Assert.That(batch.TryGetSample(0, out sample) && sample.step == 4);
+                scene.Fluid.Restart();      // what was answered is gone
+                Assert.That(batch.IsPending);
+                scene.Run(1);
+                Assert.That(batch.TryGetSample(0, out sample) && sample.step == 1);
+            }
+        }
+
+        [Test]
+        public void What_a_batch_cannot_do_is_said_with_the_limit()
+        {
+            using (SourceScene scene = Pool())
+            {
+                AssertThrows<ArgumentNullException>(() => new FluidQueryBatch(null, 1), "fluid");
+                AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 0),
+                    "A batch asks at 0 to 16,384 points, or casts at least one ray");
+                AssertThrows<ArgumentOutOfRangeException>(() => new FluidQueryBatch(scene.Fluid, 16385), "make several for more");
+                var batch = new FluidQueryBatch(scene.Fluid, 2);
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoints(new Vector3[3], 0, 3),
+                    "3 points are more than this batch was made for, 2: make it larger, or several");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoints(new Vector3[3], 2, 2), "2 points from 2 on are not in an array of 3");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.SetPoint(0, Vector3.zero), "There is no index 0 among 0 points");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.TryGetSample(2, out _), "There is no index 2 among 2 points");
+                AssertThrows<ArgumentException>(() => batch.SetPoints(default(NativeArray<float3>)), "not created");
+                AssertThrows<ArgumentOutOfRangeException>(() => batch.Radius = 0f, "above 0 m");
+                batch.SetPoints(new Vector3[2], 0, 2);
+                scene.Step();
+                batch.Flush();
+                using (var small = new NativeArray<FluidProbeSample>(1, Allocator.Persistent))
+                    AssertThrows<ArgumentException>(() => batch.CopySamples(small), "holds 1 elements, and 2 results came back");
+                scene.Step();       // a request is pending
+                batch.Dispose();
+                batch.Dispose();
+                AssertThrows<ObjectDisposedException>(() => batch.TryGetSample(0, out _), "FluidQueryBatch");
+                AssertThrows<ObjectDisposedException>(() => batch.SetPoint(0, Vector3.zero), "FluidQueryBatch");
+                scene.Run(2);
+            }
+        }
+
+        [Test]
+        public void A_batch_outlives_its_fluid_and_says_nothing_of_it()
+        {
+            SourceScene scene = Pool();
+            using (var batch = new FluidQueryBatch(scene.Fluid, 1))
+            {
+                using (scene)
+                {
+                    batch.SetPoints(new Vector3[1], 0, 1);
+                    scene.Run(2);
+                    Assert.That(batch.TryGetSample(0, out _));
+                }
+                AssertNone(batch);
+                batch.Flush();
+            }
+        }
+
+        static SourceScene Pool() => new SourceScene(new Vector3(0.6f, 0.6f, 0.6f), Spacing, 1000).Fill(0.35f);
+
+        static void AssertThrows<T>(TestDelegate call, string text) where T : Exception
+            => Assert.That(Assert.Throws<T>(call).Message, Does.Match(Regex.Escape(text)));
+    }
+}
