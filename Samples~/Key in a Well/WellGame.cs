@@ -33,7 +33,7 @@ namespace Rill.Samples
         [Tooltip("Measures how full the well is. Its Fill Level is that of a full well.")]
         [SerializeField] FluidDetector well;
 
-        [Tooltip("The key with its float. It can only move up and down.")]
+        [Tooltip("The key with its float, whose constraints let it move up and down alone.")]
         [SerializeField] Rigidbody key;
 
         [Tooltip("Water that there is to pour, m³. Above 0.")]
@@ -70,7 +70,6 @@ namespace Rill.Samples
         FluidSnapshot start;
         FluidBuoyancy buoyancy;
         Vector3 tapStart, keyStart;
-        Quaternion keyStartRotation;
         float direction, held, waited;
         bool isPouring;
 
@@ -88,6 +87,9 @@ namespace Rill.Samples
 
         /// <summary>Place of the tap along its beam, m; 0 is above the middle of the well.</summary>
         public float TapX => tap.transform.position.x;
+
+        /// <summary>Water that there is to pour, m³, above 0.</summary>
+        public float Supply { get => supply; set => supply = value; }
 
         /// <summary>Fraction of the water that is left to pour, 0 to 1.</summary>
         public float WaterLeft => Mathf.Clamp01(1f - (float)tap.DueVolume / supply);
@@ -110,13 +112,11 @@ namespace Rill.Samples
                 return;
             tap.transform.position = tapStart;
             buoyancy.enabled = false;                       // forgets the forces of the last game
-            key.transform.SetPositionAndRotation(keyStart, keyStartRotation);
-            key.position = keyStart;
-            key.rotation = keyStartRotation;
-            key.velocity = key.angularVelocity = Vector3.zero;
+            key.transform.position = key.position = keyStart;
+            key.velocity = Vector3.zero;
             buoyancy.enabled = true;
             fluid.Restore(start);                           // after all else is back in its place
-            Begin();
+            Begin(WellState.Playing, started);
         }
 
         IEnumerator Start()
@@ -124,7 +124,6 @@ namespace Rill.Samples
             buoyancy = key.GetComponent<FluidBuoyancy>();
             tapStart = tap.transform.position;
             keyStart = key.position;
-            keyStartRotation = key.rotation;
             tap.Rate = 0f;
             yield return null;                              // the fluid has begun
             FluidSnapshotRequest request = fluid.RequestSnapshot();
@@ -135,16 +134,15 @@ namespace Rill.Samples
                 yield break;
             }
             start = request.Snapshot;
-            Begin();
+            Begin(WellState.Playing, started);
         }
 
-        void Begin()
+        void Begin(WellState state, UnityEvent begun)
         {
-            State = WellState.Playing;
-            direction = held = waited = 0f;
+            State = state;
+            direction = held = waited = tap.Rate = 0f;
             isPouring = false;
-            tap.Rate = 0f;
-            started.Invoke();
+            begun.Invoke();
         }
 
         void Update()
@@ -158,24 +156,19 @@ namespace Rill.Samples
             held = IsKeyOut ? held + Time.deltaTime : 0f;
             waited = WaterLeft > 0f ? 0f : waited + Time.deltaTime;
             if (held >= holdTime)
-                End(WellState.Won, won);
+                Begin(WellState.Won, won);
             else if (waited >= patience && held == 0f)
-                End(WellState.Lost, lost);
+                Begin(WellState.Lost, lost);
         }
 
         // The key lies on its grate, whatever else holds it there.
         void FixedUpdate()
         {
-            if (State == WellState.Preparing && buoyancy == null || key.position.y >= keyStart.y)
+            if (start == null || key.position.y >= keyStart.y)
                 return;
             key.position = keyStart;
             key.velocity = Vector3.zero;
         }
 
-        void End(WellState state, UnityEvent ended)
-        {
-            State = state;
-            ended.Invoke();
-        }
     }
 }
