@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace Rill.Samples
 {
-    /// <summary>Lets a person play: A and D or the arrows move the tap, Space pours, R starts again. The first key ends the demonstration.</summary>
-    /// <remarks>It reads Unity's Input Manager. In a project with the Input System alone it does nothing: call the game from there.</remarks>
+    /// <summary>Lets a person play: A and D move the tap, Space pours, R starts again. The first key ends the demonstration.</summary>
+    /// <remarks>It reads Unity's Input Manager. With the Input System alone it does nothing: call the game from there.</remarks>
     public sealed class WellKeyboard : MonoBehaviour
     {
         [Tooltip("The game that is played.")]

@@ -16,8 +16,8 @@ using Object = UnityEngine.Object;
 namespace Host.Bench
 {
     /// <summary>
-    /// <c>bench game</c>: what the parts by which a game talks to its water add to a frame with one step, over a dam that breaks: each alone
-    /// and all together, as components.
+    /// <c>bench game</c>: what the parts by which a game talks to its water add to a frame with one step, over a dam that breaks:
+    /// each alone and all together, as components.
     /// </summary>
     static class GameBench
     {
@@ -80,15 +80,16 @@ namespace Host.Bench
             {
                 ExperimentScene scene = ExperimentScene.Dam(count);
                 output.WriteLine();
-                output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{scene.Particles:N0} particles, d = {scene.Spacing:0.#####} m"));
+                output.WriteLine(string.Create(CultureInfo.InvariantCulture,
+                    $"{scene.Particles:N0} particles, d = {scene.Spacing:0.#####} m"));
                 output.WriteLine($"{"",-24}{"GPU ms",10}{"10 %",10}{"90 %",10}{"over off",10}{"CPU ms",10}");
                 double off = double.NaN;
                 foreach ((string name, Parts parts) in Rows)
                 {
                     (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, frames);
                     off = double.IsNaN(off) ? gpu.Median : off;
-                    output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name,-24}{gpu.Median,10:0.0000}{gpu.Low,10:0.0000}" +
-                        $"{gpu.High,10:0.0000}{gpu.Median - off,10:0.0000}{cpu.Median,10:0.000}"));
+                    output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name,-24}{gpu.Median,10:0.0000}" +
+                        $"{gpu.Low,10:0.0000}{gpu.High,10:0.0000}{gpu.Median - off,10:0.0000}{cpu.Median,10:0.000}"));
                     table.Add(scene.Particles, name, gpu.Median, gpu.Low, gpu.High, cpu.Median, gpu.Count);
                 }
             }
