@@ -8,6 +8,7 @@ using UnityEngine.TestTools;
 namespace Rill.Samples.Tests
 {
     /// <summary>The game, played by its scripted player. Its water is coarser here than in the scene, so that it takes less time.</summary>
+    [Category("LongRun")]
     public sealed class KeyInAWellTests
     {
         const float Spacing = 0.045f;       // m
