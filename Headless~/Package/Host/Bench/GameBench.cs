@@ -35,8 +35,8 @@ namespace Host.Bench
         // Contacts need the colliders that they are of: their cost is the difference to the row before.
         static readonly (string Name, Parts Parts)[] Rows =
         {
-            ("all off", Parts.None), ("probes, detectors", Parts.Queries), ("colliders", Parts.Colliders),
-            ("colliders, contacts", Parts.Colliders | Parts.Contacts), ("floating bodies", Parts.Bodies), ("recorder", Parts.Recorder),
+            ("all off", Parts.None), ("probes and detectors", Parts.Queries), ("colliders", Parts.Colliders),
+            ("colliders and contacts", Parts.Colliders | Parts.Contacts), ("floating bodies", Parts.Bodies), ("recorder", Parts.Recorder),
             ("particle requests", Parts.Particles), ("all on", Parts.All), ("all off again", Parts.None),
         };
 
