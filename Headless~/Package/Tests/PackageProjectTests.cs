@@ -30,5 +30,38 @@ namespace Host.Tests
             Assert.That(run.Errors.Where(line => line.Contains("left out")), Is.Empty);
             Assert.That(run.Everything, Does.Contain("PoolTests.cs:line"));
         }
+
+        /// <summary>As the Package Manager imports it, into Assets/Samples. The longer test of it is run with the tests of the host.</summary>
+        [Test]
+        public void The_tests_of_a_sample_run_in_a_project_that_imports_it()
+        {
+            string project = Path.Combine(Path.GetTempPath(), "rill-imported-" + Guid.NewGuid().ToString("N"));
+            try
+            {
+                Import("Key in a Well", project);
+                new ProjectRun(project, "--filter", "Water_poured_beside_the_well").MustHaveEnded(0, "1 passed, 0 failed");
+            }
+            finally
+            {
+                Directory.Delete(project, recursive: true);
+            }
+        }
+
+        static void Import(string sample, string project)
+        {
+            string from = Path.Combine(PackageFolder.Path, "Samples~", sample), to = Path.Combine(project, "Assets", "Samples", sample);
+            foreach (string file in Directory.GetFiles(from, "*", SearchOption.AllDirectories))
+            {
+                string copy = Path.Combine(to, Path.GetRelativePath(from, file));
+                Directory.CreateDirectory(Path.GetDirectoryName(copy));
+                File.Copy(file, copy);
+            }
+            foreach (string folder in new[] { "Packages", "ProjectSettings" })
+                Directory.CreateDirectory(Path.Combine(project, folder));
+            File.WriteAllText(Path.Combine(project, "ProjectSettings", "ProjectVersion.txt"), "m_EditorVersion: 2022.3.0f1\n");
+            File.WriteAllText(Path.Combine(project, "Packages", "manifest.json"), "{ \"dependencies\": { \"com.rill.fluids\": \"file:" +
+                PackageFolder.Path.Replace('\\', '/') + "\", \"com.unity.mathematics\": \"1.2.6\", \"com.unity.modules.physics\": " +
+                "\"1.0.0\", \"com.unity.test-framework\": \"1.1.33\" } }");
+        }
     }
 }
