@@ -14,10 +14,10 @@ namespace Rill.Editor
     static class VolumePreview
     {
         /// <summary>Particles of a volume that are drawn at most. Of more, each n-th is.</summary>
-        public const int MostDrawn = 20000;
+        public const int MaxDrawn = 20000;
 
         /// <summary>Particles that are looked for at most, since a drag looks for them again and again.</summary>
-        public const int MostSought = 1000000;
+        public const int MaxSought = 1000000;
 
         static readonly Dictionary<FluidVolume, Entry> entries = new Dictionary<FluidVolume, Entry>();
 
@@ -45,11 +45,11 @@ namespace Rill.Editor
             if (fluid == null)
                 return null;
             double particles = FillEstimate.Particles(volume, fluid.ParticleSpacing);
-            if (particles > MostSought)
-                return $"The scene view does not show its particles: more than {MostSought:N0}.";
+            if (particles > MaxSought)
+                return $"The scene view does not show its particles: more than {MaxSought:N0}.";
             int step = StepOf((int)particles);
             return step == 1 ? null
-                : $"The scene view shows every {step}{Ordinal(step)} of its particles, since it draws at most {MostDrawn:N0}.";
+                : $"The scene view shows every {step}{Ordinal(step)} of its particles, since it draws at most {MaxDrawn:N0}.";
         }
 
         /// <summary>The fluid whose start a volume fills; null where it fills none, or something else is seen of it.</summary>
@@ -110,7 +110,7 @@ namespace Rill.Editor
 
         static Mesh Make(FluidVolume volume, FluidSimulation fluid)
         {
-            if (FillEstimate.Particles(volume, fluid.ParticleSpacing) > MostSought)
+            if (FillEstimate.Particles(volume, fluid.ParticleSpacing) > MaxSought)
                 return null;
             NativeArray<float4> positions = default;
             try
@@ -132,7 +132,7 @@ namespace Rill.Editor
             }
         }
 
-        static int StepOf(int particles) => Math.Max((particles + MostDrawn - 1) / MostDrawn, 1);
+        static int StepOf(int particles) => Math.Max((particles + MaxDrawn - 1) / MaxDrawn, 1);
 
         static string Ordinal(int number)
         {

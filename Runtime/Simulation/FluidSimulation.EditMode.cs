@@ -7,7 +7,8 @@ namespace Rill
     {
         float? editorTime;      // for the next frame, s; null where none has come since the last
 
-        /// <summary>Whether the Editor simulates this fluid without Play. Set before it is enabled there, and taken back when it is disabled.</summary>
+        /// <summary>Whether the Editor simulates this fluid without Play. Set before it is enabled there, and taken back when it is
+        /// disabled.</summary>
         internal bool IsInEditMode { get; set; }
 
         /// <summary>Gives it the time of the next frame, s; 0 stands for a pause.</summary>

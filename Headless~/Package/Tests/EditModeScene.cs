@@ -10,7 +10,7 @@ using UnityEngine.Headless;
 
 namespace Host.Tests
 {
-    /// <summary>A small fluid with one of each that acts on it or draws it. Made the same way it is the same in play and in edit mode.</summary>
+    /// <summary>A small fluid with one of each that acts on it or draws it. It is the same in play and in edit mode.</summary>
     sealed class EditModeScene
     {
         public readonly FluidSimulation Fluid;

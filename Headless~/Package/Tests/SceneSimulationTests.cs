@@ -42,7 +42,7 @@ namespace Host.Tests
         }
 
         [Test]
-        public void Restart_begins_again_and_goes_the_same_way()
+        public void Restart_begins_again_and_takes_the_same_steps()
         {
             SceneSimulation simulation = new EditModeScene().Simulate();
             EditModeScene.Step(Steps);
@@ -338,7 +338,7 @@ namespace Host.Tests
             Press(scene, "Save as Start");
             Assert.That(SceneSimulation.Current.IsSaving);
             AsyncGPUReadback.WaitAllRequests();
-            Update();       // nobody is there to name a file
+            Update();       // no file was named
             Assert.That(SceneSimulation.Current.IsSaving, Is.False);
             Assert.That(scene.Fluid.StartState, Is.Null);
             Press(scene, "Stop");

@@ -98,7 +98,7 @@ namespace Host.Tests
             Assert.That(VolumePreview.NoteOn(scene.Volume),
                 Is.EqualTo("The scene view shows every 3rd of its particles, since it draws at most 20,000."));
             Assert.That(Shown(VolumePreview.MeshOf(scene.Volume, scene.Fluid)).Count,
-                Is.LessThanOrEqualTo(VolumePreview.MostDrawn).And.GreaterThan(VolumePreview.MostDrawn / 2));
+                Is.LessThanOrEqualTo(VolumePreview.MaxDrawn).And.GreaterThan(VolumePreview.MaxDrawn / 2));
             scene.Fluid.Configure(new Vector3(1f, 1f, 0.8f), 0.005f, 100000);
             Assert.That(VolumePreview.NoteOn(scene.Volume), Does.Contain("does not show its particles: more than 1,000,000"));
             Assert.That(VolumePreview.MeshOf(scene.Volume, scene.Fluid), Is.Null);

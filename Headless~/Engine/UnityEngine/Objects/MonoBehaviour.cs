@@ -24,7 +24,8 @@ namespace UnityEngine
 
         public bool useGUILayout { get; set; } = true;
 
-        /// <summary>In edit mode a script that is enabled hears OnDisable and OnEnable when this is set. Nothing is said when it is taken back.</summary>
+        /// <summary>In edit mode a script that is enabled hears OnDisable and OnEnable when this is set, and nothing when it is taken
+        /// back.</summary>
         public bool runInEditMode
         {
             get => runsInEditMode;
