@@ -22,6 +22,7 @@ namespace Host.Tests
             void OnDisable() => Tell("OnDisable");
             void OnDestroy() => Tell("OnDestroy");
             void OnValidate() => Tell("OnValidate");
+            void OnTransformParentChanged() => Tell("OnTransformParentChanged");
             void Tell(string what) => Story.Tell(what);
         }
 
@@ -53,6 +54,7 @@ namespace Host.Tests
             script.enabled = true;
             script.gameObject.SetActive(false);
             script.gameObject.SetActive(true);
+            script.transform.SetParent(new GameObject().transform);
             var serialized = new SerializedObject(script);
             serialized.ApplyModifiedProperties();
             Object.DestroyImmediate(script.gameObject);

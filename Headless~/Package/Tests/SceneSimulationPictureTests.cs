@@ -12,10 +12,10 @@ namespace Host.Tests
     /// <summary>What cameras draw of a fluid that is simulated without Play.</summary>
     public class SceneSimulationPictureTests : GraphicsFixture
     {
-        const int Steps = 20;
+        const int Steps = 6;
 
         [SetUp]
-        public void SetSize() => (Player.ScreenWidth, Player.ScreenHeight) = (320, 180);
+        public void SetSize() => (Player.ScreenWidth, Player.ScreenHeight) = (160, 90);
 
         [TearDown]
         public void StopSimulation() => SceneSimulation.Stop();
