@@ -9,7 +9,7 @@ namespace Rill.Editor
     static class ParticleMesh
     {
         /// <summary>Of an octahedron, spacings.</summary>
-        public const float Radius = 0.35f;
+        public const float Radius = 0.5f;
 
         /// <summary>Vertices that each particle has.</summary>
         public const int Corners = 6;

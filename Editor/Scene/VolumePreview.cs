@@ -141,12 +141,12 @@ namespace Rill.Editor
             return (number % 10) switch { 1 => "st", 2 => "nd", 3 => "rd", _ => "th" };
         }
 
-        // As particles or as the light that the water scatters.
+        // Of its particles where they are drawn, else of the light that comes through the water.
         static Color ColorOf(FluidSimulation fluid)
         {
             if (fluid.TryGetComponent(out ParticleRenderer particles) && particles.enabled)
                 return particles.SlowColor;
-            return fluid.TryGetComponent(out FluidSurface surface) && surface.enabled ? surface.Look.scattering : GizmoColors.Volume;
+            return fluid.TryGetComponent(out FluidSurface surface) && surface.enabled ? surface.Look.color : GizmoColors.Volume;
         }
 
         sealed class Entry

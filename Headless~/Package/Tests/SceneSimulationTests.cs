@@ -320,7 +320,7 @@ namespace Host.Tests
             Object.DestroyImmediate(scene.Emitter.gameObject);
             Selection.activeGameObject = scene.Fluid.gameObject;
             Assert.That(GuiPasses.Draw(new FluidOverlay().OnGUI), Is.Null);
-            Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.StartWith("No Fluid Volume or Fluid Emitter fills this fluid"));
+            Assert.That(GuiTrace.HelpBoxes.Select(box => box.text), Has.Some.Contain("fills this fluid"));
             Selection.activeObject = null;
         }
 
