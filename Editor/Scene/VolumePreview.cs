@@ -146,7 +146,7 @@ namespace Rill.Editor
         {
             if (fluid.TryGetComponent(out ParticleRenderer particles) && particles.enabled)
                 return particles.SlowColor;
-            return fluid.TryGetComponent(out FluidSurface surface) && surface.enabled ? surface.Look.color : GizmoColors.Volume;
+            return fluid.TryGetComponent(out FluidSurface surface) && surface.enabled ? surface.Look.colorAtDepth : GizmoColors.Volume;
         }
 
         sealed class Entry

@@ -1,10 +1,12 @@
 using System;
 using System.Linq;
 using NUnit.Framework;
+using Rill;
 using Rill.Editor;
 using UnityEditor;
 using UnityEngine;
 using UnityEngine.Headless;
+using Object = UnityEngine.Object;
 
 namespace Host.Tests
 {
@@ -19,14 +21,13 @@ namespace Host.Tests
         [Test]
         public void The_picture_without_Play_is_that_of_play_mode_and_the_water_goes_with_Stop()
         {
-            new EditModeScene(plays: true);
-            AddCamera();
+            DrawParticles(new EditModeScene(plays: true));
             EditModeScene.Play(Steps);
             byte[] played = Screenshot.ReadRgba();
             PlayerLoop.Reset();
 
             var scene = new EditModeScene();
-            AddCamera();
+            DrawParticles(scene);
             EditModeScene.Play(1);
             byte[] still = Screenshot.ReadRgba();
             scene.Simulate();
@@ -38,14 +39,16 @@ namespace Host.Tests
             EditModeScene.Play(1);
             byte[] stopped = Screenshot.ReadRgba();
 
-            Assert.That(Differing(still, played), Is.GreaterThan(0.1), "the water is to be seen");
+            Assert.That(Differing(still, played), Is.GreaterThan(0.03), "the water is to be seen");
             Assert.That(Differing(simulated, played), Is.Zero);
             Assert.That(Differing(paused, played), Is.Zero);
             Assert.That(Differing(stopped, still), Is.Zero);
         }
 
-        static void AddCamera()
+        // The surface takes a minute to compile on a CPU.
+        static void DrawParticles(EditModeScene scene)
         {
+            Object.DestroyImmediate(scene.Fluid.GetComponent<FluidSurface>());
             var camera = new GameObject("Camera").AddComponent<Camera>();
             camera.transform.position = new Vector3(0f, 0f, -2f);
             camera.clearFlags = CameraClearFlags.SolidColor;
