@@ -156,7 +156,8 @@ namespace Rill.Editor
                     StopRunning(running[i]);
             running.Clear();
             if (saving != null)
-                Debug.LogWarning("Rill: the state was not saved: the simulation ended before it had come from the GPU. Save it again.", Fluid);
+                Debug.LogWarning("Rill: the state was not saved: the simulation ended before it had come from the GPU. Simulate and save " +
+                    "it again.", Fluid);
             saving = null;
             // A destroyed one has given back what it took, and needs no flag.
             if (Fluid != null)
