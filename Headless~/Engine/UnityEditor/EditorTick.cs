@@ -2,8 +2,8 @@ using UnityEngine.Headless;
 
 namespace UnityEditor
 {
-    /// <summary>One update of the editor: what asked to be called at each, then what asked to be called once, then the player loop where edit mode
-    /// has it queued.</summary>
+    /// <summary>One update of the editor: what asked to be called at each, then what asked to be called once, then the player loop
+    /// where edit mode has it queued.</summary>
     internal static class EditorTick
     {
         const float FrameTime = 1f / 60f;

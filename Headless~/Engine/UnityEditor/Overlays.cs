@@ -27,7 +27,8 @@ namespace UnityEditor.Overlays
     {
         public OverlayAttribute() { }
         public OverlayAttribute(Type editorWindowType, string id, string displayName, bool defaultDisplay = false)
-            => (this.editorWindowType, this.id, this.displayName, this.defaultDisplay) = (editorWindowType, id, displayName, defaultDisplay);
+            => (this.editorWindowType, this.id, this.displayName, this.defaultDisplay)
+                = (editorWindowType, id, displayName, defaultDisplay);
 
         public Type editorWindowType { get; set; }
         public string id { get; set; }

@@ -3,8 +3,8 @@ using System.Collections.Generic;
 
 namespace UnityEngine.Headless
 {
-    /// <summary>The Editor while nothing plays: a script hears OnValidate, and the rest only where it asks to run there. The host plays unless
-    /// a test turns this on.</summary>
+    /// <summary>The Editor while nothing plays: a script hears OnValidate, and the rest only where it asks to run there. The host
+    /// plays unless a test turns this on.</summary>
     internal static class EditMode
     {
         static readonly Dictionary<Type, bool> always = new Dictionary<Type, bool>();

@@ -18,8 +18,8 @@ namespace UnityEngine.Headless
                 return;
             if (EditMode.IsOn)
             {
-                Debug.LogError("Destroy may not be called from edit mode! Use DestroyImmediate instead.\nDestroying an object in edit mode " +
-                    "destroys it permanently.", o);
+                Debug.LogError("Destroy may not be called from edit mode! Use DestroyImmediate instead.\n" +
+                    "Destroying an object in edit mode destroys it permanently.", o);
                 return;
             }
             pending.Add(new Pending { Object = o, Due = t > 0 ? Time.timeAsDouble + t : double.NegativeInfinity });
