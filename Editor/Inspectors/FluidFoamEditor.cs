@@ -39,7 +39,5 @@ namespace Rill.Editor
                 live.Add(("Refused",
                     $"{statistics.refused:N0} of {statistics.spawned + statistics.refused:N0}: raise the budget or lower the amount"));
         }
-
-        public override bool RequiresConstantRepaint() => UnityEngine.Application.isPlaying;
     }
 }

@@ -142,11 +142,20 @@ namespace Rill.Editor
                 EditorGUILayout.HelpBox(FluidPresets.All[current].Describe(Simulation.ParticleSpacing), MessageType.None);
         }
 
+        private protected override void DrawBelowSections()
+        {
+            if (!Application.isPlaying && targets.Length == 1 && !EditorUtility.IsPersistent(target))
+                SceneSimulationControls.Draw(Simulation);
+        }
+
         private protected override void DrawLive()
         {
-            if (GUILayout.Button("Restart"))
-                Simulation.Restart();
-            SnapshotAssets.Draw(Simulation, ref saving);
+            if (Application.isPlaying)
+            {
+                if (GUILayout.Button("Restart"))
+                    Simulation.Restart();
+                SnapshotAssets.Draw(Simulation, ref saving);
+            }
             DrawStatistics();
             DrawTimes();
             DrawMemory();
@@ -208,7 +217,7 @@ namespace Rill.Editor
         void OnSceneGUI()
         {
             // A fluid that runs would start again at every move.
-            if (!Application.isPlaying)
+            if (!Application.isPlaying && !SceneSimulation.Runs(Simulation))
                 ShapeHandles.Box(Simulation, "domainSize", false, GizmoColors.Domain);
         }
     }

@@ -26,6 +26,8 @@ namespace Rill.Editor
             FluidSimulation fluid = volume.GetComponentInParent<FluidSimulation>(true);
             if (fluid != null)
                 InspectorRows.Text("Holds", $"about {FillEstimate.Particles(volume, fluid.ParticleSpacing):N0} particles");
+            if (VolumePreview.NoteOn(volume) is string note)
+                EditorGUILayout.HelpBox(note, MessageType.None);
         }
 
         void OnSceneGUI()

@@ -24,10 +24,16 @@ namespace Rill.Editor
         /// <summary>Of a section whose title is given: what stands below its fields.</summary>
         private protected virtual void DrawBelow(string title) { }
 
-        /// <summary>Below all sections.</summary>
+        /// <summary>Below all sections, playing or not.</summary>
+        private protected virtual void DrawBelowSections() { }
+
+        /// <summary>Below these, while it plays.</summary>
         private protected virtual void DrawLive() { }
 
-        public override bool RequiresConstantRepaint() => Application.isPlaying;
+        public override bool RequiresConstantRepaint() => Plays;
+
+        // In play mode, or with a fluid that is simulated without Play.
+        bool Plays => Application.isPlaying || target is MonoBehaviour script && script.runInEditMode;
 
         public override void OnInspectorGUI()
         {
@@ -38,7 +44,8 @@ namespace Rill.Editor
             foreach (InspectorSection section in Sections)
                 Draw(section);
             serializedObject.ApplyModifiedProperties();
-            if (!Application.isPlaying || targets.Length > 1)
+            DrawBelowSections();
+            if (!Plays || targets.Length > 1)
                 return;
             rows.Clear();
             ListLive(rows);

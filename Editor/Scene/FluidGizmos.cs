@@ -30,6 +30,7 @@ namespace Rill.Editor
                 DrawSphere(volume.transform, volume.Radius, color);
             else
                 DrawBox(volume.transform, volume.Size, color);
+            VolumePreview.Draw(volume);
         }
 
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected | GizmoType.Pickable)]
@@ -88,7 +89,7 @@ namespace Rill.Editor
         static void DrawProbe(FluidProbe probe, GizmoType type)
         {
             DrawSphere(probe.transform, probe.Radius, GizmoColors.Query);
-            if (!Application.isPlaying || !probe.TryGetSample(out FluidProbeSample sample) || !sample.hasSurface)
+            if (!probe.TryGetSample(out FluidProbeSample sample) || !sample.hasSurface)
                 return;
             Gizmos.matrix = Matrix4x4.identity;
             Gizmos.DrawLine(sample.position, sample.surfacePoint);

@@ -24,6 +24,48 @@ namespace Rill.Editor
             return path;
         }
 
+        /// <summary>Saves a snapshot that has come and has the fluid start with it, outside play mode. Where the fluid has no start state,
+        /// asks for the file first. Undo takes the start state back, and the file stays.</summary>
+        public static void SaveAsStart(FluidSimulation simulation, FluidSnapshotRequest done)
+        {
+            if (done.Snapshot == null)
+            {
+                Debug.LogError($"Rill: the state of '{simulation.name}' was not saved: {done.Problem}", simulation);
+                return;
+            }
+            string path = AssetDatabase.GetAssetPath(simulation.StartState);
+            if (path == "")
+                path = AskForPath(simulation);
+            if (path != "")
+                SaveAsStart(simulation, done.Snapshot, path);
+        }
+
+        /// <param name="path">Of the project; a snapshot that is there is replaced, and references to it stay.</param>
+        internal static void SaveAsStart(FluidSimulation simulation, FluidSnapshot snapshot, string path)
+        {
+            var asset = AssetDatabase.LoadAssetAtPath<FluidSnapshotAsset>(path);
+            if (asset != null)
+            {
+                asset.Apply(snapshot);
+                EditorUtility.SetDirty(asset);
+                AssetDatabase.SaveAssetIfDirty(asset);
+            }
+            else
+            {
+                asset = FluidSnapshotAsset.Create(snapshot);
+                AssetDatabase.CreateAsset(asset, path);
+            }
+            using (var stored = new SerializedObject(simulation))
+            {
+                stored.FindProperty("startState").objectReferenceValue = asset;
+                stored.ApplyModifiedProperties();
+            }
+            Debug.Log($"Rill: '{simulation.name}' starts with '{path}': {snapshot.ParticleCount:N0} particles.", simulation);
+        }
+
+        static string AskForPath(FluidSimulation simulation) => EditorUtility.SaveFilePanelInProject("Save as Start",
+            FieldAssets.FileName(simulation.name) + " Start State", "asset", "Where to keep the state that this fluid starts with.");
+
         /// <summary>The button of an inspector: asks for a snapshot and saves it when it has come.</summary>
         /// <param name="request">Pending; null for none.</param>
         public static void Draw(FluidSimulation simulation, ref FluidSnapshotRequest request)

@@ -16,7 +16,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Physics Colliders")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidSimulation))]
-    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages
+    public sealed class FluidPhysicsColliders : MonoBehaviour, IColliderSource, IHasProblems, IUsesStages, IRunsInEditMode
     {
         const int FirstFound = 64, MaxFound = 4096;
 
@@ -146,6 +146,8 @@ namespace Rill
                     problems.Add($"The collider '{collider.Name}' is left out: {problem}");
         }
 
+        bool IRunsInEditMode.BelongsTo(FluidSimulation of) => TryGetComponent(out FluidSimulation own) && own == of;
+
         StageSet IUsesStages.UsedStages => StageSet.Colliders;
 
         StageReferences IUsesStages.StageReferences => shaders;
@@ -198,6 +200,8 @@ namespace Rill
         int Ask(Vector3 center, Quaternion rotation, Vector3 half)
         {
             found ??= new Collider[FirstFound];
+            if (!Application.isPlaying)     // no step of the physics follows the objects there
+                UnityEngine.Physics.SyncTransforms();
             int count;
             while ((count = UnityEngine.Physics.OverlapBoxNonAlloc(center, half, found, rotation, colliderLayers,
                 QueryTriggerInteraction.Ignore)) == found.Length && count < MaxFound)

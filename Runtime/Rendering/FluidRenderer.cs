@@ -7,7 +7,7 @@ namespace Rill
     /// <summary>Draws something of the <see cref="FluidSimulation"/> on the same object with a shader of the package.</summary>
     [RequireComponent(typeof(FluidSimulation))]
     [DefaultExecutionOrder(FluidSimulation.ExecutionOrder + 100)]    // after the simulation's step
-    public abstract class FluidRenderer : MonoBehaviour, IUsesStages
+    public abstract class FluidRenderer : MonoBehaviour, IUsesStages, IRunsInEditMode
     {
         [SerializeField, HideInInspector] StageReferences shaders = new StageReferences();
 
@@ -36,6 +36,8 @@ namespace Rill
         StageSet IUsesStages.UsedStages => Stage;
 
         StageReferences IUsesStages.StageReferences => shaders;
+
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => TryGetComponent(out FluidSimulation own) && own == fluid;
 
         /// <summary>The shader's file, without its extension.</summary>
         private protected abstract string ShaderFile { get; }
@@ -159,7 +161,10 @@ namespace Rill
             catch (InvalidOperationException problem)
             {
                 Debug.LogError($"Rill: {GetType().Name} '{name}' is off: {problem.Message}", this);
-                enabled = false;
+                if (Simulation.IsInEditMode)
+                    OnDisable();        // and stored as it was
+                else
+                    enabled = false;
             }
         }
 
@@ -181,7 +186,7 @@ namespace Rill
         /// <summary>Draws this frame if the simulation is running. Allocates no managed memory.</summary>
         internal void DrawFrame()
         {
-            if (!Simulation.IsRunning)
+            if (!Simulation.IsRunning || ReferenceEquals(shaderMaterial, null))
                 return;
             int frame = Time.frameCount;
             if (frame != drawnFrame)

@@ -15,7 +15,7 @@ namespace Rill
     /// to 256 colliders. What is wrong is logged once, by name; the collider then stays where it last was, or is left out.
     /// </remarks>
     [AddComponentMenu("Rill/Fluid Collider")]
-    public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages
+    public sealed class FluidCollider : MonoBehaviour, IFluidCollider, IHasProblems, IUsesStages, IRunsInEditMode
     {
         [Tooltip("What the collider looks like to the water.")]
         [SerializeField] ColliderShape shape = ColliderShape.Box;
@@ -283,6 +283,9 @@ namespace Rill
             if (((IFluidCollider)this).IsThere)     // disabled or destroyed since
                 contacts.Raise(ContactChange.Left, FluidContact.Leaving(this, fluid));
         }
+
+        // Any fluid whose box it reaches feels it.
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => true;
 
         StageSet IUsesStages.UsedStages => StageSet.Colliders;
 

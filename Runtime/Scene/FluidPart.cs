@@ -6,7 +6,7 @@ namespace Rill
 {
     /// <summary>Something in the scene that acts on one <see cref="FluidSimulation"/> while it is enabled.</summary>
     /// <remarks>On the simulation's object, below it, or anywhere with a reference to it. Follows position and rotation.</remarks>
-    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages
+    public abstract class FluidPart : MonoBehaviour, IHasProblems, IUsesStages, IRunsInEditMode
     {
         [Tooltip("Fluid that this acts on. None: the one on this object or the nearest above it.")]
         [SerializeField] FluidSimulation simulation;
@@ -53,6 +53,8 @@ namespace Rill
         StageSet IUsesStages.UsedStages => UsedStages;
 
         StageReferences IUsesStages.StageReferences => shaders;
+
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => Wanted == fluid;
 
         void IHasProblems.ListProblems(List<string> problems)
         {

@@ -46,7 +46,7 @@ namespace Rill
         // As the fluid is disabled; false where there is nothing to keep.
         bool TryKeep()
         {
-            if (!keepStateOnDisable || pbf == null || failure != null)
+            if (!keepStateOnDisable || pbf == null || failure != null || IsInEditMode)
                 return false;
             kept = pbf;
             pbf = null;

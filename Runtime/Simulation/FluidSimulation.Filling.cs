@@ -24,8 +24,7 @@ namespace Rill
             NativeArray<float4> positions = default;
             try
             {
-                positions = volume.Fill(particleSpacing, seed);
-                int inside = KeepInside(positions.AsSpan(), out float3 low, out float3 high);
+                positions = PositionsOf(volume, out int inside, out float3 low, out float3 high);
                 if (inside < positions.Length)
                     Debug.LogWarning($"Rill: {positions.Length - inside:N0} of {positions.Length:N0} particles of FluidVolume " +
                         $"'{volume.name}' lie outside the domain of '{name}' and were left out. Move or shrink the volume, or enlarge the domain.", volume);
@@ -43,6 +42,17 @@ namespace Rill
                 if (positions.IsCreated)
                     positions.Dispose();
             }
+        }
+
+        /// <summary>The particles of a volume as this fluid begins with them, in the domain's frame, in spacings; the caller disposes the
+        /// array.</summary>
+        /// <param name="inside">How many lie in the box: they come first, from <paramref name="low"/> to <paramref name="high"/>.</param>
+        /// <exception cref="ArgumentException">The volume cannot be filled; the message says why.</exception>
+        internal NativeArray<float4> PositionsOf(FluidVolume volume, out int inside, out float3 low, out float3 high)
+        {
+            NativeArray<float4> positions = volume.Fill(particleSpacing, seed);
+            inside = KeepInside(positions.AsSpan(), out low, out high);
+            return positions;
         }
 
         // From world space into the domain's frame, in spacings; those in the box come first, from low to high.

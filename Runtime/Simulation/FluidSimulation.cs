@@ -283,7 +283,13 @@ namespace Rill
         }
 
         // After the scripts and animations that move what acts on the fluid.
-        void LateUpdate() => Advance(Time.deltaTime);
+        void LateUpdate()
+        {
+            if (IsInEditMode)
+                AdvanceInEditMode();
+            else
+                Advance(Time.deltaTime);
+        }
 
         /// <summary>Lets time pass: takes the fixed steps that fit. Allocates no managed memory once it runs.</summary>
         /// <param name="frameTime">Time since the last call, s.</param>
@@ -310,7 +316,7 @@ namespace Rill
             lastFrameTime = FrameTime;
             bool moves = FollowTransform();
             // Where the box and what acts in it go while time stands still is no push when it goes on, nor is the box's return from no place.
-            float rate = TimeRate();
+            float rate = IsInEditMode ? RateInEditMode(frameTime) : TimeRate();
             if (rate < 1f || !moves)
                 StandStill();
             if (rate < 1f || !moves && !poseIsLost)
@@ -483,7 +489,7 @@ namespace Rill
         {
             failure = problem;
             Debug.LogError($"Rill: FluidSimulation '{name}' is off: {problem}", this);
-            enabled = false;
+            TurnOff();
         }
     }
 }

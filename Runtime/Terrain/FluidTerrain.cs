@@ -13,7 +13,7 @@ namespace Rill
     [AddComponentMenu("Rill/Fluid Terrain")]
     [DisallowMultipleComponent]
     [RequireComponent(typeof(FluidCollider), typeof(Terrain))]
-    public sealed class FluidTerrain : MonoBehaviour, IHasProblems
+    public sealed class FluidTerrain : MonoBehaviour, IHasProblems, IRunsInEditMode
     {
         [Tooltip("Part of the terrain that the fluid can reach, as fractions of its sides from 0 to 1. A smaller part is exact in " +
             "large terrains and costs less memory.")]
@@ -27,6 +27,7 @@ namespace Rill
         HeightField heights;
         string clamped;     // what the newest validation changed
         string refusal;     // why the newest heights were not taken
+        ColliderShape shapeBefore;
         RectInt taken;      // of the terrain's heights
         bool isStale, holesAreKnown;
 
@@ -87,6 +88,7 @@ namespace Rill
                 Refuse(e.Message);
                 return;
             }
+            shapeBefore = collider.Shape;
             collider.Shape = ColliderShape.HeightField;
             collider.Heights = heights;
         }
@@ -125,6 +127,8 @@ namespace Rill
                 Debug.LogWarning($"Rill: FluidTerrain '{name}': {clamped}", this);
         }
 
+        bool IRunsInEditMode.BelongsTo(FluidSimulation fluid) => true;
+
         void IHasProblems.ListProblems(List<string> problems)
         {
             problems.AddIfAny(clamped);
@@ -161,8 +165,12 @@ namespace Rill
 
         void Release()
         {
-            if (collider != null && ReferenceEquals(collider.Heights, heights))
+            if (collider != null && heights != null && ReferenceEquals(collider.Heights, heights))
+            {
                 collider.Heights = null;
+                if (!Application.isPlaying)         // the scene keeps what it stores
+                    collider.Shape = shapeBefore;
+            }
             heights?.Dispose();
             heights = null;
         }

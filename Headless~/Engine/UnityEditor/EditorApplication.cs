@@ -18,15 +18,18 @@ namespace UnityEditor
         public static event Action hierarchyChanged;
         public static event Action projectChanged;
 
-        public static bool isPlaying { get => true; set { if (!value) Application.Quit(); } }
+        public static bool isPlaying { get => Application.isPlaying; set { if (!value) Application.Quit(); } }
         public static bool isPaused { get; set; }
-        public static bool isPlayingOrWillChangePlaymode => true;
+        public static bool isPlayingOrWillChangePlaymode => Application.isPlaying;
         public static bool isCompiling => false;
         public static bool isUpdating => false;
         public static double timeSinceStartup => Time.realtimeSinceStartupAsDouble;
+        internal static void SayPlayMode(PlayModeStateChange change) => playModeStateChanged?.Invoke(change);
+        internal static void SayHierarchyChanged() => hierarchyChanged?.Invoke();
         public static void ExitPlaymode() => Application.Quit();
         public static void Exit(int returnValue) => Application.Quit(returnValue);
-        public static void QueuePlayerLoopUpdate() { }
+        /// <summary>In edit mode, at the next update; in play mode it runs in any case.</summary>
+        public static void QueuePlayerLoopUpdate() => EditMode.IsLoopQueued = EditMode.IsOn;
         public static void RepaintHierarchyWindow() { }
         public static void RepaintProjectWindow() { }
     }

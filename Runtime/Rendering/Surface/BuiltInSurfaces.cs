@@ -139,7 +139,8 @@ namespace Rill
             // target is its part.
             public void AskForOwnTarget()
             {
-                if (Camera.forceIntoRenderTexture || Camera.rect == new Rect(0f, 0f, 1f, 1f))
+                // The scene would store it in edit mode.
+                if (Camera.forceIntoRenderTexture || Camera.rect == new Rect(0f, 0f, 1f, 1f) || !Application.isPlaying)
                     return;
                 Camera.forceIntoRenderTexture = true;
                 hasOurTarget = true;

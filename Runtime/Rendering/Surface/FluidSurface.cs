@@ -197,6 +197,11 @@ namespace Rill
         // The surface is found where a camera can see it or its shadow.
         void Ask()
         {
+            if (Simulation.IsInEditMode)        // scene views are not among the cameras that are asked
+            {
+                Simulation.NeedsSurface = true;
+                return;
+            }
             bool casts = CastShadows != ShadowCastingMode.Off && shadowOpacity > 0f;
             Light light = KnownLight;
             // Of a light that is not known, the shadow may fall anywhere.

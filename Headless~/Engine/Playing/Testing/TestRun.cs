@@ -80,6 +80,10 @@ namespace Host.Testing
             Leaves(Load(assembly)).Where(test => filter.Pass(test)).Select(FixtureOrder.FixtureOf).Distinct()
             .Select(fixture => (FixtureOrder.NameOf(fixture), FixtureOrder.IsAlone(fixture)));
 
+        // In Unity all tests of an Editor assembly start there; on this host those that ask for it.
+        static bool IsOfEditMode(ITest test) => test != null
+            && (test.Properties[NUnit.Framework.Internal.PropertyNames.Category].Contains("EditMode") || IsOfEditMode(test.Parent));
+
         static ITest Load(Assembly assembly) => Load(new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder()), assembly);
 
         static ITest Load(NUnitTestAssemblyRunner runner, Assembly assembly)
@@ -97,6 +101,7 @@ namespace Host.Testing
                 claimed?.IsHere(test);
             if (test.IsSuite)
                 return;
+            EditMode.IsOn = IsOfEditMode(test);
             dispatchesBefore = GpuWork.Dispatches;
             aliveBefore = LiveObjects.Report();
         }
@@ -107,7 +112,10 @@ namespace Host.Testing
             if (claimed != null && FixtureOrder.FixtureOf(result.Test) is ITest fixture && !claimed.IsHere(fixture))
                 return;
             if (!result.Test.IsSuite)
+            {
+                EditMode.IsOn = false;
                 Count(result);
+            }
             else if (result.ResultState.Status == TestStatus.Failed && result.ResultState.Site == FailureSite.TearDown)
                 Fail(result);
             if (result.Test is TestFixture)

@@ -176,7 +176,7 @@ namespace UnityEngine.Headless
         static void Say(Camera camera, Message message)
         {
             foreach (Component component in camera.gameObject.Components)
-                if (component is MonoBehaviour script && script.isActiveAndEnabled)
+                if (component is MonoBehaviour script && script.isActiveAndEnabled && EditMode.Runs(script))
                     Messages.Send(script, message);
         }
 

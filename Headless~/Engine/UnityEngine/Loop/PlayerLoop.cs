@@ -28,14 +28,16 @@ namespace UnityEngine.Headless
             Guarded(BeginFrame);
             StartNewScripts();
 
-            while (Time.Clock.StepFixed())
+            // Nothing falls in edit mode, and FixedUpdate is not called.
+            while (!EditMode.IsOn && Time.Clock.StepFixed())
             {
                 PhysicsWorld.BeginStep();
                 fixedUpdates.Run();
                 PhysicsWorld.Step(Time.fixedDeltaTime);
                 CoroutineScheduler.Resume(CoroutinePoint.FixedUpdate);
             }
-            PhysicsWorld.Show(Time.Clock.StepShare);
+            if (!EditMode.IsOn)
+                PhysicsWorld.Show(Time.Clock.StepShare);
 
             updates.Run();
             Invocations.Run();
@@ -95,7 +97,7 @@ namespace UnityEngine.Headless
         internal static void Start(MonoBehaviour script)
         {
             unstarted.Remove(script);
-            if (script.Started || script.Destroyed || !script.Activated)
+            if (script.Started || script.Destroyed || !script.Activated || !EditMode.Runs(script))
                 return;
             script.Started = true;
             Messages.Send(script, Message.Start);
@@ -105,6 +107,7 @@ namespace UnityEngine.Headless
         public static void Reset()
         {
             SceneManager.UnloadEverything();
+            EditMode.IsOn = EditMode.IsLoopQueued = false;
             Destruction.ForgetPending();
             CoroutineScheduler.Clear();
             Invocations.Clear();

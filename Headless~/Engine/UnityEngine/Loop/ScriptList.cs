@@ -32,7 +32,7 @@ namespace UnityEngine.Headless
             running.AddRange(scripts);
             foreach (MonoBehaviour script in running)
             {
-                if (!script.Activated || script.Destroyed)
+                if (!script.Activated || script.Destroyed || !EditMode.Runs(script))
                     continue;
                 if (!script.Started)
                     PlayerLoop.Start(script);

@@ -27,8 +27,8 @@ namespace UnityEngine
         internal static bool QuitRequested { get; private set; }
         internal static int ExitCode { get; private set; }
 
-        public static bool isPlaying => true;
-        public static bool isEditor => false;
+        public static bool isPlaying => !EditMode.IsOn;
+        public static bool isEditor => EditMode.IsOn;
         public static bool isBatchMode => true;
         public static bool isFocused => true;
         public static bool isConsolePlatform => false;
@@ -62,7 +62,7 @@ namespace UnityEngine
         static string Folder(string kind)
             => Directory.CreateDirectory(Path.Combine(Path.GetTempPath(), Player.CompanyName, Player.ProductName, kind)).FullName;
 
-        public static bool IsPlaying(Object obj) => Object.IsAlive(obj) && !obj.IsAsset;
+        public static bool IsPlaying(Object obj) => isPlaying && Object.IsAlive(obj) && !obj.IsAsset;
         public static bool HasProLicense() => true;
         public static void OpenURL(string url) { }
         public static StackTraceLogType GetStackTraceLogType(LogType logType) => StackTraceLogType.ScriptOnly;

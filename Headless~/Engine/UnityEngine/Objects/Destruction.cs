@@ -16,6 +16,12 @@ namespace UnityEngine.Headless
         {
             if (!Object.IsAlive(o) || !Allowed(o, false))
                 return;
+            if (EditMode.IsOn)
+            {
+                Debug.LogError("Destroy may not be called from edit mode! Use DestroyImmediate instead.\n" +
+                    "Destroying an object in edit mode destroys it permanently.", o);
+                return;
+            }
             pending.Add(new Pending { Object = o, Due = t > 0 ? Time.timeAsDouble + t : double.NegativeInfinity });
         }
 

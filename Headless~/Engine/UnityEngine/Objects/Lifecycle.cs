@@ -10,7 +10,7 @@ namespace UnityEngine.Headless
         /// <summary>A component that was just added: Awake and OnEnable at once when its object is active.</summary>
         public static void Wake(Component component)
         {
-            if (component.Owner.Asleep || !component.Owner.activeInHierarchy)
+            if (component.Owner.Asleep || !component.Owner.activeInHierarchy || component is MonoBehaviour script && !EditMode.Runs(script))
                 return;
             SayAwake(component);
             Refresh(component);
@@ -53,7 +53,7 @@ namespace UnityEngine.Headless
             if (component.Owner is null || component.Owner.Asleep || component.Destroyed)
                 return;
             bool active = component.WantsActive && component.Owner.activeInHierarchy && !component.Owner.BeingDestroyed;
-            if (component is MonoBehaviour script && !script.Awoken)
+            if (component is MonoBehaviour script && (!script.Awoken || !EditMode.Runs(script)))
                 active = false;     // still in front of Awake: what it set takes effect after
             if (active == component.Activated)
                 return;
@@ -81,7 +81,8 @@ namespace UnityEngine.Headless
             if (component is MonoBehaviour script)
             {
                 PlayerLoop.Dismiss(script);
-                Messages.Send(script, Message.OnDisable);
+                if (EditMode.Runs(script))
+                    Messages.Send(script, Message.OnDisable);
             }
             else
                 Guarded(component.OnDeactivated, component);
@@ -101,8 +102,21 @@ namespace UnityEngine.Headless
             if (component is MonoBehaviour script && script.Awoken && !script.Destroyed)
             {
                 script.Awoken = false;
-                Messages.Send(script, Message.OnDestroy);
+                if (EditMode.Runs(script))
+                    Messages.Send(script, Message.OnDestroy);
             }
+        }
+
+        // As Unity's XR Core Utilities describe runInEditMode (MonoBehaviourExtensions.StartRunInEditMode).
+        public static void BeginInEditMode(MonoBehaviour script)
+        {
+            if (script.Owner.Asleep || !script.Owner.activeInHierarchy)
+                return;
+            if (script.Activated)
+                Deactivate(script);
+            else if (script.enabled)
+                Messages.Send(script, Message.OnDisable);
+            Wake(script);
         }
 
         public static void Validate(List<Component> components)

@@ -88,7 +88,8 @@ namespace UnityEngine.Headless
             if (!go.activeInHierarchy)
                 return false;
             foreach (Component component in go.Components.ToArray())
-                if (component is MonoBehaviour script && !script.Destroyed && Call(script, name, value, out object result))
+                if (component is MonoBehaviour script && !script.Destroyed && EditMode.Runs(script)
+                    && Call(script, name, value, out object result))
                 {
                     received = true;
                     if (result is IEnumerator routine)

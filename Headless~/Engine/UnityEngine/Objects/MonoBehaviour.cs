@@ -11,6 +11,7 @@ namespace UnityEngine
         [NonSerialized] internal readonly List<Coroutine> Coroutines = new List<Coroutine>();
         [NonSerialized] internal bool Awoken, Started, SaidEnabled;
         [NonSerialized] CancellationTokenSource destroyCancellation;
+        [NonSerialized] bool runsInEditMode;
 
         public MonoBehaviour()
         {
@@ -22,7 +23,21 @@ namespace UnityEngine
         }
 
         public bool useGUILayout { get; set; } = true;
-        public bool runInEditMode { get; set; }
+
+        /// <summary>In edit mode a script that is enabled hears OnDisable and OnEnable when this is set, and nothing when it is taken
+        /// back.</summary>
+        public bool runInEditMode
+        {
+            get => runsInEditMode;
+            set
+            {
+                if (runsInEditMode == value)
+                    return;
+                runsInEditMode = value;
+                if (value && EditMode.IsOn)
+                    Lifecycle.BeginInEditMode(this);
+            }
+        }
 
         /// <summary>Cancelled when this is destroyed.</summary>
         public CancellationToken destroyCancellationToken

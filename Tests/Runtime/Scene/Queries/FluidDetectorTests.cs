@@ -89,7 +89,8 @@ namespace Rill.Tests
                     }
                     Assert.That(inside[0].ShapeVolume, Is.EqualTo(0.12f).Within(0.002f));
                     Assert.That(inside[3].ShapeVolume, Is.EqualTo(0.12f * 1.15f * 1.15f * 1.15f).Within(0.003f));
-                    Assert.That(half.Flushed().fill, Is.EqualTo(0.5f).Within(0.03f));
+                    // The water's face went through its middle and has moved on by a step since.
+                    Assert.That(half.Flushed().fill, Is.EqualTo(0.5f + 0.75f * 0.5f / 60f / 0.2f).Within(0.02f));
                     Assert.That(beside.Flushed().volume, Is.Zero);
                     Assert.That(plain.Flushed().volume, Is.EqualTo(0.064f).Within(0.001f), "a box beside meshes");
                 }
