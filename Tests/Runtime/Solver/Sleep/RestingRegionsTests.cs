@@ -235,7 +235,7 @@ namespace Rill.Tests
         static uint Around(int region, int mover, int3 counts)
         {
             int3 Coordinates(int r) => new int3(r % counts.x, r / counts.x % counts.y, r / (counts.x * counts.y));
-            int away = math.cmax(math.abs(Coordinates(region) -Coordinates(mover)));
+            int away = math.cmax(math.abs(Coordinates(region) - Coordinates(mover)));
             return away <= 1 ? Awake : away == 2 ? AtEdge : Asleep;
         }
 
