@@ -56,6 +56,7 @@ namespace Rill.Editor
             ("Rill.Surface.Blur", "Surface: thickness blur"),
             ("Rill.Surface.Foam", "Surface: foam"),
             ("Rill.Queries", "Probes and detectors"),
+            ("Rill.QueryBatch", "Batches of points and rays"),
             ("Rill.Recording", "Recording and playback"),
             ("Rill.Statistics", "Statistics"),
         };
