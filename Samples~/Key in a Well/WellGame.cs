@@ -71,7 +71,7 @@ namespace Rill.Samples
         FluidBuoyancy buoyancy;
         Vector3 tapStart, keyStart;
         float direction, held, waited;
-        bool isPouring;
+        bool isPouring, isPutBack;
 
         /// <summary>How the game stands.</summary>
         public WellState State { get; private set; }
@@ -113,7 +113,7 @@ namespace Rill.Samples
             tap.transform.position = tapStart;
             buoyancy.enabled = false;                       // forgets the forces of the last game
             key.transform.position = key.position = keyStart;
-            key.velocity = Vector3.zero;
+            isPutBack = true;
             buoyancy.enabled = true;
             fluid.Restore(start);                           // after all else is back in its place
             Begin(WellState.Playing, started);
@@ -161,14 +161,14 @@ namespace Rill.Samples
                 Begin(WellState.Lost, lost);
         }
 
-        // The key lies on its grate, whatever else holds it there.
+        // The key lies on its grate, whatever else holds it there. Its velocity has a name of its own in Unity 6, so a force stops it.
         void FixedUpdate()
         {
-            if (start == null || key.position.y >= keyStart.y)
+            if (!isPutBack && (start == null || key.position.y >= keyStart.y))
                 return;
+            isPutBack = false;
             key.position = keyStart;
-            key.velocity = Vector3.zero;
+            key.AddForce(-key.GetPointVelocity(key.worldCenterOfMass), ForceMode.VelocityChange);
         }
-
     }
 }
