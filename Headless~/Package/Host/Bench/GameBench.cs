@@ -86,7 +86,7 @@ namespace Host.Bench
                 double off = double.NaN;
                 foreach ((string name, Parts parts) in Rows)
                 {
-                    (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, frames);
+                    (StepTimes.Spread gpu, StepTimes.Spread cpu) = Measure(scene, parts, frames, output);
                     off = double.IsNaN(off) ? gpu.Median : off;
                     output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name,-24}{gpu.Median,10:0.0000}" +
                         $"{gpu.Low,10:0.0000}{gpu.High,10:0.0000}{gpu.Median - off,10:0.0000}{cpu.Median,10:0.000}"));
@@ -97,7 +97,8 @@ namespace Host.Bench
                 table.Save(Path.GetFullPath(csv));
         }
 
-        static (StepTimes.Spread Gpu, StepTimes.Spread Cpu) Measure(ExperimentScene scene, Parts parts, int frames)
+        static (StepTimes.Spread Gpu, StepTimes.Spread Cpu) Measure(ExperimentScene scene, Parts parts, int frames,
+            TextWriter output)
         {
             string file = Path.Combine(Path.GetTempPath(), $"rill-bench-{Guid.NewGuid():N}.rillrec");
             var readback = new ParticleReadback();
@@ -124,6 +125,10 @@ namespace Host.Bench
                     gpu.Add(device.CollectSamples().Where(sample => sample.Depth == 0).Sum(sample => sample.Milliseconds));
                 }
                 device.WaitIdle();
+                FluidRecorder recorder = fluid.GetComponent<FluidRecorder>();
+                if (recorder != null && !recorder.IsRecording)
+                    output.WriteLine("The recorder stopped before the end, since frames follow each other without a pause here: what it adds " +
+                        "is not in the next row. See rill bench recording.");
             }
             finally
             {
