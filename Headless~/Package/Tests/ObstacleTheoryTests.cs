@@ -52,14 +52,13 @@ namespace Host.Tests
             Assert.That(bucket.Turning, Is.Zero.Within(0.002));
         }
 
-        // In deep water a wall of half a cell joins the water with the air behind it, which costs a fifth of the wall's push.
-        [TestCase(DeepWater.Off, 0.95, 1.05)]
-        [TestCase(DeepWater.On, 0.95, 1.33)]
-        public void The_surface_in_a_cup_that_gains_speed_leans_by_a_over_g(DeepWater deepWater, double least, double most)
+        // With the iterations alone: in deep water it leans by more, see Documentation~/solver.md.
+        [Test]
+        public void The_surface_in_a_cup_that_gains_speed_leans_by_a_over_g()
         {
-            double slope = MovingCup.Run(FluidRun.Water(deepWater == DeepWater.On ? 1 : 2, deepWater == DeepWater.On ? 2 : 4, deepWater), 2f, 2, 0, 0f);
+            double slope = MovingCup.Run(FluidRun.Water(2, 4, DeepWater.Off), 2f, 2, 0, 0f);
             TestContext.WriteLine($"slope {slope:0.000} of a / g");
-            Assert.That(slope, Is.InRange(least, most));
+            Assert.That(slope, Is.EqualTo(1).Within(0.05));
         }
 
         // One particle on a circle, moved as the solver does: along the chord of its last path, then to the circle along the radius at the end.
