@@ -31,7 +31,7 @@ namespace Rill.Samples.Tests
             player = Object.FindObjectOfType<ScriptedPlayer>();
             key = GameObject.Find("Key").transform;
             fluid.Configure(fluid.DomainSize, Spacing, Capacity);
-            fluid.GetComponent<FluidSurface>().enabled = fluid.GetComponent<FluidFoam>().enabled = false;       // nobody looks
+            fluid.GetComponent<FluidSurface>().enabled = fluid.GetComponent<FluidFoam>().enabled = Camera.main.enabled = false;
             player.RestartsAfter = 0f;
         }
 
