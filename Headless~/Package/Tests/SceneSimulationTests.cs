@@ -268,7 +268,7 @@ namespace Host.Tests
                 SnapshotAssets.SaveAsStart(scene.Fluid, saved.Snapshot, Path);
                 FluidSnapshotAsset asset = scene.Fluid.StartState;
                 Assert.That(AssetDatabase.GetAssetPath(asset), Is.EqualTo(Path));
-                SceneSimulation.Stop();     // here an undo makes a fluid's references anew, and none would give back what is held
+                SceneSimulation.Stop();     // here an undo makes a fluid's references again, and nothing would give back what is held
                 Undo.PerformUndo();
                 Assert.That(scene.Fluid.StartState, Is.Null);
                 Undo.PerformRedo();
