@@ -123,7 +123,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.Queries");
 
         readonly QueryShader shader;
-        readonly Readback[] ring = new Readback[RingSize];
+        readonly ReadbackRing ring;
         readonly uint[] zeros = new uint[Words];
         GraphicsBuffer points, detectors, ringHeights;
 
@@ -133,34 +133,21 @@ namespace Rill
             points = GpuBuffer.Structured<float4>("Rill.Queries.Points", MaxProbes);
             detectors = GpuBuffer.Structured<DetectorRegion>("Rill.Queries.Detectors", MaxDetectors);
             ringHeights = GpuBuffer.Structured<float>("Rill.Queries.RingHeights", MaxProbes * QueryShader.Columns);
-            for (int i = 0; i < RingSize; i++)
-            {
-                int slot = i;
-                ring[i] = new Readback(GpuBuffer.Structured<uint>("Rill.Queries.Results", Words)) { Arrived = () => Arrived?.Invoke(slot) };
-            }
+            ring = new ReadbackRing("Rill.Queries.Results", RingSize, Words, slot => Arrived?.Invoke(slot));
         }
 
         /// <summary>Called with the slot of each result when it has come; in the order of the requests.</summary>
         public Action<int> Arrived;
 
         /// <summary>Slot of the next request; -1 while all are pending.</summary>
-        public int FreeSlot
-        {
-            get
-            {
-                for (int i = 0; i < RingSize; i++)
-                    if (!ring[i].IsPending)
-                        return i;
-                return -1;
-            }
-        }
+        public int FreeSlot => ring.Free();
 
         /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran. Right after a step, before anything
         /// sorts again.</summary>
         public void Record(in StepContext step, ParticleTags tags, QueryInput input, int slot)
         {
             CommandBuffer cmd = step.Commands;
-            GraphicsBuffer results = ring[slot].Buffer;
+            GraphicsBuffer results = ring.Buffer(slot);
             cmd.BeginSample(Marker);
             if (input.pointCount > 0)
             {
@@ -179,23 +166,19 @@ namespace Rill
         }
 
         /// <summary>Asks for what was recorded for a slot, after its command buffer was executed.</summary>
-        public void Request(int slot) => ring[slot].Request();
+        public void Request(int slot) => ring.Request(slot);
 
         /// <summary>Results from before this call are dropped when they come.</summary>
-        public void Invalidate()
-        {
-            foreach (Readback readback in ring)
-                readback.Invalidate();
-        }
+        public void Invalidate() => ring.Invalidate();
 
         /// <summary>What has come to a slot: from <see cref="ProbeWords"/> times its number on, the words of each probe.</summary>
-        public NativeArray<uint> Latest(int slot) => ring[slot].Latest;
+        public NativeArray<uint> Latest(int slot) => ring.Latest(slot);
 
         /// <summary>A sum of a detector's result: 0 to 2 velocity times volume in particles, d/s; from 3 on the volume of each phase, in
         /// particles.</summary>
         public double DetectorSum(int slot, int index, int sum)
         {
-            NativeArray<uint> words = ring[slot].Latest;
+            NativeArray<uint> words = ring.Latest(slot);
             int at = FirstDetectorWord + index * DetectorWords + 2 * sum;
             return (long)((ulong)words[at + 1] << 32 | words[at]) / (sum < 3 ? VelocityScale : VolumeScale);
         }
@@ -203,8 +186,7 @@ namespace Rill
         public void Dispose()
         {
             Arrived = null;
-            foreach (Readback readback in ring)
-                readback?.Dispose();
+            ring?.Dispose();
             GpuBuffer.Release(ref points);
             GpuBuffer.Release(ref detectors);
             GpuBuffer.Release(ref ringHeights);
@@ -226,8 +208,7 @@ namespace Rill
             description.Buffer("Rill.Queries.Points", stage.points);
             description.Buffer("Rill.Queries.Detectors", stage.detectors);
             description.Buffer("Rill.Queries.RingHeights", stage.ringHeights);
-            foreach (Readback readback in stage.ring)
-                description.Buffer("Rill.Queries.Results", readback.Buffer);
+            stage.ring.Describe(description);
             return description;
         }
     }

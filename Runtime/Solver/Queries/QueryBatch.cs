@@ -16,7 +16,7 @@ namespace Rill
         static readonly ProfilerMarker Marker = GpuMarker.Create("Rill.QueryBatch");
 
         readonly BufferClear clear = new BufferClear();
-        readonly Readback[] ring = new Readback[RingSize];
+        readonly ReadbackRing ring;
         readonly int firstRayWord;
         GraphicsBuffer points, rays, lines, ringHeights;
         NativeArray<uint> lineUpload;
@@ -34,28 +34,18 @@ namespace Rill
             ringHeights = GpuBuffer.Structured<float>("Rill.QueryBatch.RingHeights",
                 (long)math.max(pointCapacity, rayCapacity) * QueryShader.Columns);
             int words = firstRayWord + rayCapacity * RayQuery.RayWords;
-            for (int i = 0; i < RingSize; i++)
-            {
-                int slot = i;
-                ring[i] = new Readback(GpuBuffer.Structured<uint>("Rill.QueryBatch.Results", words)) { Arrived = () => arrived(slot) };
-            }
+            ring = new ReadbackRing("Rill.QueryBatch.Results", RingSize, words, arrived);
         }
 
         /// <summary>Slot of the next request; -1 while all are pending.</summary>
         /// <param name="newest">A slot that is still read, or -1.</param>
-        public int FreeSlot(int newest)
-        {
-            for (int i = 0; i < RingSize; i++)
-                if (i != newest && !ring[i].IsPending)
-                    return i;
-            return -1;
-        }
+        public int FreeSlot(int newest) => ring.Free(newest);
 
         /// <summary>Records the answers to a slot; call <see cref="Request"/> after the commands ran.</summary>
         public void Record(in StepContext step, QueryShader shader, ParticleTags tags, in BatchInput input, int slot)
         {
             CommandBuffer cmd = step.Commands;
-            GraphicsBuffer results = ring[slot].Buffer;
+            GraphicsBuffer results = ring.Buffer(slot);
             cmd.BeginSample(Marker);
             clear.Record(cmd, results);
             if (input.pointCount > 0)
@@ -74,17 +64,13 @@ namespace Rill
         }
 
         /// <summary>Asks for what was recorded for a slot.</summary>
-        public void Request(int slot) => ring[slot].Request();
+        public void Request(int slot) => ring.Request(slot);
 
         /// <summary>Answers from before this call are dropped when they come.</summary>
-        public void Invalidate()
-        {
-            foreach (Readback readback in ring)
-                readback.Invalidate();
-        }
+        public void Invalidate() => ring.Invalidate();
 
         /// <summary>The words that have come to a slot.</summary>
-        public NativeArray<uint> Latest(int slot) => ring[slot].Latest;
+        public NativeArray<uint> Latest(int slot) => ring.Latest(slot);
 
         /// <summary>The first word of a point's answer.</summary>
         public int PointAt(int index) => index * Queries.ProbeWords;
@@ -102,14 +88,12 @@ namespace Rill
             description.Buffer("Rill.QueryBatch.Rays", rays);
             description.Buffer("Rill.QueryBatch.Lines", lines);
             description.Buffer("Rill.QueryBatch.RingHeights", ringHeights);
-            foreach (Readback readback in ring)
-                description.Buffer("Rill.QueryBatch.Results", readback.Buffer);
+            ring.Describe(description);
         }
 
         public void Dispose()
         {
-            foreach (Readback readback in ring)
-                readback?.Dispose();
+            ring?.Dispose();
             if (lineUpload.IsCreated)
                 lineUpload.Dispose();
             GpuBuffer.Release(ref points);

@@ -1,0 +1,66 @@
+using System;
+using Unity.Collections;
+using UnityEngine;
+
+namespace Rill
+{
+    /// <summary>Buffers of words that are filled and read back by turns, so that a request need not wait for the one before.</summary>
+    sealed class ReadbackRing : IDisposable
+    {
+        readonly string name;
+        readonly Readback[] slots;
+
+        /// <param name="name">Of each buffer.</param>
+        /// <param name="count">Buffers.</param>
+        /// <param name="words">Of each.</param>
+        /// <param name="arrived">Called with the slot of each answer that has come, in the order of the requests.</param>
+        public ReadbackRing(string name, int count, int words, Action<int> arrived)
+        {
+            this.name = name;
+            slots = new Readback[count];
+            for (int i = 0; i < count; i++)
+            {
+                int slot = i;
+                slots[i] = new Readback(GpuBuffer.Structured<uint>(name, words)) { Arrived = () => arrived(slot) };
+            }
+        }
+
+        /// <summary>Slot of the next request; -1 while all are pending.</summary>
+        /// <param name="except">A slot that is still read, or -1.</param>
+        public int Free(int except = -1)
+        {
+            for (int i = 0; i < slots.Length; i++)
+                if (i != except && !slots[i].IsPending)
+                    return i;
+            return -1;
+        }
+
+        /// <summary>What a slot's answer is written into.</summary>
+        public GraphicsBuffer Buffer(int slot) => slots[slot].Buffer;
+
+        /// <summary>Asks for what was recorded for a slot, after its command buffer was executed.</summary>
+        public void Request(int slot) => slots[slot].Request();
+
+        /// <summary>The words that have come to a slot.</summary>
+        public NativeArray<uint> Latest(int slot) => slots[slot].Latest;
+
+        /// <summary>Answers from before this call are dropped when they come.</summary>
+        public void Invalidate()
+        {
+            foreach (Readback slot in slots)
+                slot.Invalidate();
+        }
+
+        public void Describe(StageDescription description)
+        {
+            foreach (Readback slot in slots)
+                description.Buffer(name, slot.Buffer);
+        }
+
+        public void Dispose()
+        {
+            foreach (Readback slot in slots)
+                slot?.Dispose();
+        }
+    }
+}
