@@ -12,16 +12,25 @@ namespace Rill.Editor
         {
             FluidSnapshotAsset asset = simulation.StartState;
             string path = asset != null ? AssetDatabase.GetAssetPath(asset) : "";
-            if (path != "")
-            {
-                asset.Apply(snapshot);
-                EditorUtility.SetDirty(asset);
-                AssetDatabase.SaveAssetIfDirty(asset);
-                return path;
-            }
-            path = AssetDatabase.GenerateUniqueAssetPath($"Assets/{FieldAssets.FileName(simulation.name)} Start State.asset");
-            AssetDatabase.CreateAsset(FluidSnapshotAsset.Create(snapshot), path);
+            if (path == "")
+                path = AssetDatabase.GenerateUniqueAssetPath($"Assets/{FieldAssets.FileName(simulation.name)} Start State.asset");
+            Write(asset, snapshot, path);
             return path;
+        }
+
+        // Into an asset, so that references to it stay, or without one into a new one at the path.
+        static FluidSnapshotAsset Write(FluidSnapshotAsset asset, FluidSnapshot snapshot, string path)
+        {
+            if (asset == null)
+            {
+                asset = FluidSnapshotAsset.Create(snapshot);
+                AssetDatabase.CreateAsset(asset, path);
+                return asset;
+            }
+            asset.Apply(snapshot);
+            EditorUtility.SetDirty(asset);
+            AssetDatabase.SaveAssetIfDirty(asset);
+            return asset;
         }
 
         /// <summary>Saves a snapshot that has come and has the fluid start with it, outside play mode. Where the fluid has no start state,
@@ -30,7 +39,7 @@ namespace Rill.Editor
         {
             if (done.Snapshot == null)
             {
-                Debug.LogError($"Rill: the state of '{simulation.name}' was not saved: {done.Problem}", simulation);
+                LogProblem(simulation, done);
                 return;
             }
             string path = AssetDatabase.GetAssetPath(simulation.StartState);
@@ -43,18 +52,7 @@ namespace Rill.Editor
         /// <param name="path">Of the project; a snapshot that is there is replaced, and references to it stay.</param>
         internal static void SaveAsStart(FluidSimulation simulation, FluidSnapshot snapshot, string path)
         {
-            var asset = AssetDatabase.LoadAssetAtPath<FluidSnapshotAsset>(path);
-            if (asset != null)
-            {
-                asset.Apply(snapshot);
-                EditorUtility.SetDirty(asset);
-                AssetDatabase.SaveAssetIfDirty(asset);
-            }
-            else
-            {
-                asset = FluidSnapshotAsset.Create(snapshot);
-                AssetDatabase.CreateAsset(asset, path);
-            }
+            FluidSnapshotAsset asset = Write(AssetDatabase.LoadAssetAtPath<FluidSnapshotAsset>(path), snapshot, path);
             using (var stored = new SerializedObject(simulation))
             {
                 stored.FindProperty("startState").objectReferenceValue = asset;
@@ -80,8 +78,11 @@ namespace Rill.Editor
                 Debug.Log($"Rill: the state of '{simulation.name}' is in '{Save(simulation, request.Snapshot)}': " +
                     $"{request.Snapshot.ParticleCount:N0} particles. After play, assign it to Start State.", simulation);
             else
-                Debug.LogError($"Rill: the state of '{simulation.name}' was not saved: {request.Problem}", simulation);
+                LogProblem(simulation, request);
             request = null;
         }
+
+        static void LogProblem(FluidSimulation simulation, FluidSnapshotRequest done)
+            => Debug.LogError($"Rill: the state of '{simulation.name}' was not saved: {done.Problem}", simulation);
     }
 }
