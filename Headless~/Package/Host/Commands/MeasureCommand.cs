@@ -18,7 +18,7 @@ namespace Host.Commands
                 "tank:<layers>:<side>:<spacing in m>, drop:<scale>:<spacing in m>, spill:<layers>:<side>:<spacing in m>, " +
                 "bucket:<particles across the radius>:<friction of its wall> or " +
                 "cup:<thickness of its walls in spacings>:<acceleration in m/s²>:<degrees of its path to the grid>." };
-            var seconds = new Option<double>("--seconds") { Description = "Fluid time.", DefaultValueFactory = _ => 6 };
+            var seconds = new Option<double>("--seconds") { Description = "Fluid time; a cup always takes 5/3 s.", DefaultValueFactory = _ => 6 };
             var iterations = new Option<int>("--iterations") { DefaultValueFactory = _ => SolverSettings.Default.iterations };
             var substeps = new Option<int>("--substeps") { DefaultValueFactory = _ => SolverSettings.Default.substeps };
             var relaxation = new Option<float>("--relaxation") { DefaultValueFactory = _ => SolverSettings.Default.relaxation };
@@ -51,23 +51,27 @@ namespace Host.Commands
                 material.velocitySmoothing = parsed.GetValue(smoothing);
                 GivenNumber.Clamp("measure", ref settings, ref material);
                 StepInput input = ExperimentFigures.Input(settings, material);
-                if (parsed.GetValue(scene).Split(':')[0] == "cup")
-                {
-                    (float wall, double acceleration, double degrees) = ParseCup(parsed.GetValue(scene));
-                    using var cups = new Session(Session.Root());
-                    PrintCup(parsed.GetValue(scene), wall, acceleration, degrees, input, cups.DescribeDevice());
-                    return 0;
-                }
-                bool isBucket = parsed.GetValue(scene).Split(':')[0] == "bucket";
-                GivenNumber.CheckOption("--seconds", parsed.GetValue(seconds), isBucket ? BucketPeriod + 0.1 : 0.05, GivenNumber.MaxSeconds);
+                string text = parsed.GetValue(scene), kind = text.Split(':')[0];
+                GivenNumber.CheckOption("--seconds", parsed.GetValue(seconds), kind == "bucket" ? BucketPeriod + 0.1 : 0.05,
+                    GivenNumber.MaxSeconds);
                 GivenNumber.CheckOption("--every", parsed.GetValue(every), 1, 1_000_000);
                 // Before there is a device: what cannot be played is refused at once.
-                (int across, float friction) = isBucket ? ParseBucket(parsed.GetValue(scene)) : default;
-                ExperimentScene experiment = isBucket ? null : ExperimentScene.Parse(parsed.GetValue(scene));
-                using var session = new Session(Session.Root());
-                if (isBucket)
+                Action<string> print = null;
+                if (kind == "bucket")
                 {
-                    PrintBucket(parsed.GetValue(scene), across, friction, input, parsed.GetValue(seconds), session.DescribeDevice());
+                    (int across, float friction) = ParseBucket(text);
+                    print = device => PrintBucket(text, across, friction, input, parsed.GetValue(seconds), device);
+                }
+                else if (kind == "cup")
+                {
+                    (float wall, double acceleration, double degrees) = ParseCup(text);
+                    print = device => PrintCup(text, wall, acceleration, degrees, input, device);
+                }
+                ExperimentScene experiment = print == null ? ExperimentScene.Parse(text) : null;
+                using var session = new Session(Session.Root());
+                if (print != null)
+                {
+                    print(session.DescribeDevice());
                     return 0;
                 }
                 using var solver = new PackageSolver(experiment.LayoutFor(settings), input);
