@@ -35,7 +35,7 @@ namespace Rill.Editor
         /// <summary>Whether its time stands still.</summary>
         public bool IsPaused { get; set; }
 
-        /// <summary>Whether its state is on the way into an asset.</summary>
+        /// <summary>Whether its state is being saved into an asset.</summary>
         public bool IsSaving => saving != null;
 
         public static bool Runs(FluidSimulation fluid) => Current != null && ReferenceEquals(Current.Fluid, fluid);

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Rill
 {
-    /// <summary>Which way a ray has to cross the water's surface to hit it.</summary>
+    /// <summary>In which direction a ray has to cross the water's surface to hit it.</summary>
     [Flags, SharedWithHlsl("Queries", Prefix = "Crossing")]
     public enum FluidCrossing
     {

@@ -25,7 +25,7 @@ namespace Host.Shaders
 
         /// <summary>Everything that Unity compiles from a .compute or .shader file.</summary>
         /// <param name="backend">Compiles the variants when asked; null = glslang.</param>
-        /// <exception cref="ShaderCompileException">The file cannot be read as what it is; what is wrong in one variant is reported there.</exception>
+        /// <exception cref="ShaderCompileException">The file cannot be read. Faults of one variant are reported by that variant.</exception>
         public static IReadOnlyList<ShaderVariant> AllVariants(string filePath, string displayPath, IncludeResolver resolver,
             ShaderCache cache, IShaderBackend backend = null)
         {

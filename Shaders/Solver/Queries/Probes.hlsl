@@ -84,7 +84,7 @@ void FindSurroundings(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
     StoreFloat(at + kProbeDensity, _DensityScale * g_Sums[3] / OpenPart(p));
     StoreVector(at + kProbeVelocity, velocity);
-    _Results[at + kProbePhase] = MostPhase();
+    _Results[at + kProbePhase] = DominantPhase();
     _Results[at + kProbeFlags] = (g_Sums[3] > 0.0 ? kNearWater : 0) | (found != 0 ? kHasSurface : 0);
 }
 

@@ -238,7 +238,7 @@ void FindHits(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     StoreVector(at + kRayPoint, p);
     StoreVector(at + kRayNormal, isAtWall ? wall : normal);
     StoreVector(at + kRayVelocity, velocity);
-    _Results[at + kRayPhase] = MostPhase();
+    _Results[at + kRayPhase] = DominantPhase();
     _Results[at + kRayFlags] = (isHit ? kRayHit : 0) | (g_StartsInWater != 0 ? kRayStartsInWater : 0) | (isHit && !isAtWall ? kRayAtSurface : 0);
 }
 

@@ -103,7 +103,7 @@ float4 SumNear(uint thread, float3 p, bool ofPhases)
 }
 
 // Of most of the water that was summed.
-uint MostPhase()
+uint DominantPhase()
 {
     uint phase = 0;
     for (uint other = 1; other < kPhases; other++)

@@ -65,7 +65,7 @@ namespace Rill.Tests
             using (SourceScene scene = Pool())
             using (var batch = new FluidQueryBatch(scene.Fluid, 4))
             {
-                Vector3 Place(int i) => new Vector3(0.05f * i - 0.1f, -0.1f, 0f);
+                Vector3 Point(int i) => new Vector3(0.05f * i - 0.1f, -0.1f, 0f);
                 void AssertAsked(params int[] places)
                 {
                     scene.Step();
@@ -74,28 +74,28 @@ namespace Rill.Tests
                     {
                         Assert.That(batch.TryGetSample(i, out FluidProbeSample sample), Is.EqualTo(i < places.Length), $"point {i}");
                         if (i < places.Length)
-                            Assert.That(sample.position, Is.EqualTo(Place(places[i])));
+                            Assert.That(sample.position, Is.EqualTo(Point(places[i])));
                     }
                 }
-                using (var array = new NativeArray<float3>(new float3[] { Place(0), Place(1), Place(2) }, Allocator.Persistent))
+                using (var array = new NativeArray<float3>(new float3[] { Point(0), Point(1), Point(2) }, Allocator.Persistent))
                 {
                     batch.SetPoints(array);
                     AssertAsked(0, 1, 2);
                     batch.SetPoints(array.GetSubArray(1, 2));
                     AssertAsked(1, 2);
                 }
-                batch.SetPoints(Enumerable.Range(0, 5).Select(Place).ToArray(), 1, 4);
+                batch.SetPoints(Enumerable.Range(0, 5).Select(Point).ToArray(), 1, 4);
                 AssertAsked(1, 2, 3, 4);
-                batch.SetPoints(new List<Vector3> { Place(4) });
+                batch.SetPoints(new List<Vector3> { Point(4) });
                 AssertAsked(4);
-                batch.SetPoint(0, Place(2));
+                batch.SetPoint(0, Point(2));
                 AssertAsked(2);
                 batch.PointCount = 2;       // the second is not set
                 scene.Step();
                 batch.Flush();
                 Assert.That(batch.TryGetSample(0, out _));
                 Assert.That(batch.TryGetSample(1, out _), Is.False);
-                batch.SetPoint(1, Place(0));
+                batch.SetPoint(1, Point(0));
                 AssertAsked(2, 0);
                 batch.PointCount = 0;
                 Assert.That(batch.TryGetSample(0, out _), "the newest samples stay");

@@ -46,8 +46,8 @@ namespace Host.Report.Obstacles
                 $"let go {100 * FloatingBody.Lift:0} % of their height above rest, swing with *Damping* 0 and come to rest with the " +
                 $"default. Draft: how deep the body lies under the level of the water around it in the last second, against " +
                 $"Archimedes. Level: of that water, above or below that of water that keeps its volume. Period: of a damped cosine " +
-                $"fitted to the first swings, without its damping, against T = 2π √((m + m_a) / (ρ g A)), A the area that the body " +
-                $"cuts out of the surface, m_a half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in " +
+                $"fitted to the first swings, without its damping, against T = 2π √((m + m_a) / (ρ g A)). A is the area that the body " +
+                $"cuts out of the surface. m_a is half of the water displaced for the ball (Lamb, §92: half of that of the whole ball in " +
                 $"endless water) and 0.68 of it for the cube (DNV-RP-C205, appendix D). That is the added mass of fast heave. At this " +
                 $"period a ball makes waves and has less of it, which shortens the period by about 3 % (Havelock 1955); the floor, a " +
                 $"body's width away, lengthens it. In a tank three bodies wide the first wave that is even about the middle (a wave as " +
