@@ -22,7 +22,7 @@ static const uint kSphere = 1;    // A sphere.
 static const uint kCapsule = 2;    // A capsule along the object's y axis.
 static const uint kMesh = 3;    // A mesh, by its baked signed distance field, with the object's scale, which has to be even.
 
-// Which way a ray has to cross the water's surface to hit it.
+// In which direction a ray has to cross the water's surface to hit it.
 static const uint kCrossingEnter = 1;    // Into the water. Water in which the ray starts is not hit, as by Physics.Raycast.
 static const uint kCrossingLeave = 2;    // Out of the water.
 static const uint kCrossingAny = 3;    // Either.
