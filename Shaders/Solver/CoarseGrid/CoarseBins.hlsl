@@ -4,13 +4,13 @@
 #define RILL_COARSE_BINS_INCLUDED
 
 #include "../../Generated/CoarseBins.hlsl"
+#include "../../Gpu/GroupRuns.hlsl"
 
-static const uint kNoCell = 0xFFFFFFFFu;
+static const uint kNoCell = kNoRun;
 static const float kMinError = -0.1;         // more dilute particles are spray
 static const float kMaxError = 8.0;
 static const float kErrorScale = 65536.0;       // steps of a binned density error
 
-groupshared uint g_Cells[kGroup];
 groupshared uint3 g_Values[kGroup];
 
 // A sum of 64 bits in two words. The values are not negative.
@@ -27,22 +27,21 @@ float WideSum(uint at)
     return _Bins[at + 1] * 4294967296.0 + _Bins[at];
 }
 
-// All threads of a group come here. Neighbors in memory are mostly neighbors in space: the first of a run in the same cell
-// adds for all of it.
+// All threads of a group come here; kNoCell adds nothing.
 void AddRuns(uint thread, uint cell, uint3 value, uint components)
 {
-    g_Cells[thread] = cell;
     g_Values[thread] = value;
-    GroupMemoryBarrierWithGroupSync();
-    if (cell == kNoCell || thread > 0 && g_Cells[thread - 1] == cell)
+    if (!StartsRun(thread, cell))
         return;
 
     uint3 sum = value;
-    uint next = thread + 1;
-    for (; next < kGroup && g_Cells[next] == cell; next++)
+    uint count = 1;
+    FOR_REST_OF_RUN(thread, cell, next)
         sum += g_Values[next];
+        count++;
+    END_RUN
     uint bin = cell * kBinStride;
-    InterlockedAdd(_Bins[bin], next - thread);
+    InterlockedAdd(_Bins[bin], count);
     AddWide(bin + 1, sum.x);
     if (components > 1)
     {

@@ -59,30 +59,28 @@ void AddCellReaction(uint owner, float3 p, float3 gain)
 
 #else
 
-groupshared uint g_Owners[kGroup];
+#include "../../Gpu/GroupRuns.hlsl"
+
 groupshared int3 g_Sums[kGroup];
 groupshared int3 g_Moments[kGroup];
 
-// Of a particle. All threads of a group come here; 'owner' is kNoCollider where there is nothing to add. Neighbors in memory
-// mostly touch the same collider: the first of a run adds for all of it.
+// Of a particle. All threads of a group come here; 'owner' is kNoCollider where there is nothing to add.
 void AddReaction(uint thread, uint owner, float3 p, float3 gain)
 {
     int3 sum, moment;
     owner = Reaction(owner, p, gain, kReactionRange, sum, moment);
-    g_Owners[thread] = owner;
     g_Sums[thread] = sum;
     g_Moments[thread] = moment;
-    GroupMemoryBarrierWithGroupSync();
-    if (owner == kNoCollider || thread > 0 && g_Owners[thread - 1] == owner)
+    if (!StartsRun(thread, owner == kNoCollider ? kNoRun : owner))
         return;
 
-    uint next = thread + 1;
-    for (; next < kGroup && g_Owners[next] == owner; next++)
-    {
+    uint count = 1;
+    FOR_REST_OF_RUN(thread, owner, next)
         sum += g_Sums[next];
         moment += g_Moments[next];
-    }
-    StoreReaction(owner, sum, moment, next - thread);
+        count++;
+    END_RUN
+    StoreReaction(owner, sum, moment, count);
 }
 
 #endif
