@@ -8,6 +8,7 @@
 #include "../Generated/Counters.hlsl"
 #include "../Generated/Solver.hlsl"
 #include "../Generated/ThreadGroups.hlsl"
+#include "../Gpu/Hash.hlsl"
 
 static const float kSupportSquared = kSupport * kSupport;
 static const float kCoincident = 1e-8;      // squared distance below which a pair has no direction of its own
@@ -75,10 +76,7 @@ float Poly6(float distanceSquared)
 // A coincident pair has no direction: this gives it one of its own, the opposite for the other particle.
 float3 CoincidentDirection(uint self, uint other)
 {
-    uint hash = (min(self, other) * 0x9E3779B1u) ^ (max(self, other) * 0x85EBCA77u);
-    hash ^= hash >> 15;
-    hash *= 0x2C1B3C6Du;
-    hash ^= hash >> 12;
+    uint hash = Hash(min(self, other), max(self, other));
     float z = (hash & 0xFFFFu) * (2.0 / 65535.0) - 1.0;
     float angle = (hash >> 16) * (6.2831853 / 65536.0);
     float ring = sqrt(max(1.0 - z * z, 0.0));
